@@ -1,0 +1,88 @@
+"""A data file as a checked document: safe YAML whose errors name the file, the line and the key."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import yaml
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from decomplex_bt.errors import DataFileError
+
+
+class Record(BaseModel):
+    """Base of everything read from a data file: immutable, no unknown keys, no silent conversion of strings."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+
+
+Model = TypeVar("Model", bound=BaseModel)
+
+
+class _Loader(yaml.SafeLoader):
+    """Safe YAML that refuses a key given twice, which plain YAML takes silently."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
+        seen: set[Any] = set()
+        for key_node, _ in node.value:
+            key = self.construct_object(key_node, deep=True)
+            if isinstance(key, Hashable) and key in seen:
+                raise yaml.constructor.ConstructorError(None, None, f"the key {key!r} stands twice", key_node.start_mark)
+            seen.add(key)
+        return super().construct_mapping(node, deep)
+
+
+def read_yaml(path: Path) -> Any:
+    """The plain value of a YAML file. Raises `DataFileError` naming the line where it is not readable as UTF-8 YAML."""
+    return load_yaml(_read_text(path), path)
+
+
+def load_yaml(text: str, path: str | Path) -> Any:
+    """As `read_yaml`, from text; `path` serves for messages."""
+    try:
+        return yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 1 if error.problem_mark else None
+        raise DataFileError(path, f"not valid YAML: {error.problem}", line=line) from None
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        raise DataFileError(path, f"not valid YAML: {_first_line(error)}") from None
+
+
+def item_lines(text: str) -> list[int]:
+    """The line (from 1) at which each item of a top-level YAML list starts; empty if it is no list."""
+    node = yaml.compose(text, Loader=yaml.SafeLoader)
+    if not isinstance(node, yaml.SequenceNode):
+        return []
+    return [item.start_mark.line + 1 for item in node.value]
+
+
+def read_record(path: Path, model: type[Model]) -> Model:
+    """The file as a `model`. Raises `DataFileError` naming file and key."""
+    return check_record(read_yaml(path), model, path)
+
+
+def check_record(value: Any, model: type[Model], path: str | Path, *, line: int | None = None) -> Model:
+    """`value` as a `model`. Raises `DataFileError` naming file, line (where given) and key."""
+    try:
+        return model.model_validate(value)
+    except ValidationError as error:
+        first = error.errors()[0]
+        key = ".".join(str(part) for part in first["loc"]) or "the whole"
+        got = repr(first["input"])
+        got = got if len(got) <= 60 else got[:57] + "..."
+        raise DataFileError(path, f"{key}: {first['msg']} (got {got})", line=line) from None
+
+
+def _read_text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise DataFileError(path, f"not valid UTF-8 at byte {error.start}; save the file as UTF-8") from None
+    except OSError as error:
+        raise DataFileError(path, f"cannot be read: {error.strerror}") from None
+
+
+def _first_line(error: Exception) -> str:
+    return str(error).splitlines()[0] if str(error) else type(error).__name__

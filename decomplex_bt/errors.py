@@ -1,0 +1,63 @@
+"""The errors a caller can tell apart; each message names the value, what was expected and how to mend it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from decomplex_bt.instruction import Missing
+
+
+class DecomplexError(Exception):
+    """Root of all errors raised on purpose by this package."""
+
+
+class InputError(DecomplexError, ValueError):
+    """What the caller gave cannot be used: an instruction, an option, a file."""
+
+
+class DataFileError(InputError):
+    """A data file (domain, corpus, model, house) is broken; the message starts with the file and, where known, the line."""
+
+    def __init__(self, path: str | Path, problem: str, *, line: int | None = None) -> None:
+        self.path = str(path)
+        self.line = line
+        self.problem = problem
+        where = self.path if line is None else f"{self.path}:{line}"
+        super().__init__(f"{where}: {problem}")
+
+
+class UnknownWordError(InputError):
+    """A phrase of the instruction names nothing in the domain.
+
+    `phrase` is the phrase; `choices` are the nearest known words, best first (may be empty); `task` is the number of
+    the task it belongs to, where known.
+    """
+
+    def __init__(self, phrase: str, choices: Iterable[str] = (), *, expected: str = "a thing", task: int | None = None):
+        self.phrase = phrase
+        self.choices = tuple(choices)
+        self.task = task
+        hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else ""
+        super().__init__(f"{phrase!r} names nothing in this house (expected {expected}){hint}")
+
+
+class ImpossibleGoalError(InputError):
+    """A task asks for what no state of the domain can be, whatever the world ("open the pen"); `task` is its number."""
+
+    def __init__(self, message: str, *, task: int | None = None):
+        self.task = task
+        super().__init__(message)
+
+
+class MissingArgumentError(InputError):
+    """A required argument is neither said nor implied and nobody answered the question that asks for it."""
+
+    def __init__(self, missing: Missing) -> None:
+        self.missing = missing
+        super().__init__(
+            f"task {missing.task} lacks its {missing.argument}: {missing.question} "
+            "Say it in the instruction, or give an `ask` function that answers."
+        )

@@ -1,0 +1,225 @@
+"""The control flow of an instruction: a frozen tree over task numbers that reads, compares and prints itself.
+
+The JSON form (corpus files, `parse`): a list is a sequence; an entry is a task's number, `{"same": [N, M]}` or
+`{"if": N | [N, M, ...], "then": [...], "else": [...]}`. DeComplex, section III-E, calls the same thing the control
+flow graph; nesting, order and repeated tasks go beyond the paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from decomplex_bt.errors import InputError
+
+DEPENDENCIES = ("conditional", "dependent_positive", "dependent_negative", "sequential")
+"""The paper's four dependency labels (DeComplex, Table I)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Do:
+    """A task to be done.
+
+    Several numbers are mentions of one and the same task, of which the first is executed. With `is_repeat` the single
+    number names a task that stands in another branch too, where only one of the two can run.
+    """
+
+    tasks: tuple[int, ...]
+    is_repeat: bool = False
+
+    @property
+    def task(self) -> int:
+        """The number that is executed."""
+        return self.tasks[0]
+
+    def to_json(self) -> Any:
+        return self.task if len(self.tasks) == 1 and not self.is_repeat else {"same": list(self.tasks)}
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """A condition with what follows when it holds (`then`) and when it fails (`orelse`).
+
+    `tasks` are mentions of one condition in text order; the first is executed, and `then` follows when the first,
+    without its negation, holds. At least one branch is not empty.
+    """
+
+    tasks: tuple[int, ...]
+    then: tuple[Node, ...] = ()
+    orelse: tuple[Node, ...] = ()
+
+    @property
+    def task(self) -> int:
+        """The number that is executed."""
+        return self.tasks[0]
+
+    def to_json(self) -> Any:
+        value: dict[str, Any] = {"if": self.task if len(self.tasks) == 1 else list(self.tasks)}
+        if self.then:
+            value["then"] = [node.to_json() for node in self.then]
+        if self.orelse:
+            value["else"] = [node.to_json() for node in self.orelse]
+        return value
+
+
+Node = Do | If
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """A sequence of nodes; equal flows mean the same control flow (`from_json` brings any spelling to normal form)."""
+
+    nodes: tuple[Node, ...] = ()
+
+    @classmethod
+    def from_json(cls, value: Any, *, task_count: int | None = None) -> Flow:
+        """Reads the JSON form.
+
+        With `task_count`, every number from 1 to it must occur exactly once, besides repeats (`{"same": [N]}`).
+        Raises `InputError` where the form or the numbers are wrong, naming the entry.
+        """
+        flow = cls(_read_sequence(value))
+        flow._check_numbers(task_count)
+        return flow
+
+    def to_json(self) -> list[Any]:
+        """The JSON form in normal form: one number under "if" is a number, empty branches are left out."""
+        return [node.to_json() for node in self.nodes]
+
+    def walk(self) -> Iterator[tuple[Node, str]]:
+        """Every node with its place, depth first, `then` before `else`: place is "top", "then" or "else"."""
+        yield from _walk(self.nodes, "top")
+
+    def numbers(self) -> tuple[int, ...]:
+        """All task numbers in the order of the tree, repeats left out."""
+        return tuple(
+            number for node, _ in self.walk() if not (isinstance(node, Do) and node.is_repeat) for number in node.tasks
+        )
+
+    def dependencies(self) -> dict[int, str]:
+        """The paper's label of every task (DeComplex, Table I), derived from where it stands."""
+        of_place = {"top": "sequential", "then": "dependent_positive", "else": "dependent_negative"}
+        labels: dict[int, str] = {}
+        for node, place in self.walk():
+            label = "conditional" if isinstance(node, If) else of_place[place]
+            for number in node.tasks:
+                labels.setdefault(number, label)
+        return labels
+
+    def describe(self, names: Mapping[int, str]) -> str:
+        """The tree as indented lines, with `names` giving a phrase for each task number."""
+        return "\n".join(_describe(self.nodes, names, 0))
+
+    def __str__(self) -> str:
+        return self.describe({number: f"task {number}" for number in self.numbers()})
+
+    def _check_numbers(self, task_count: int | None) -> None:
+        placed: dict[int, tuple[tuple[int, str], ...]] = {}
+        repeats: list[tuple[int, tuple[tuple[int, str], ...]]] = []
+        for node, path in _walk_paths(self.nodes, ()):
+            if isinstance(node, Do) and node.is_repeat:
+                repeats.append((node.task, path))
+                continue
+            for number in node.tasks:
+                if number in placed:
+                    raise InputError(
+                        f"flow: task {number} occurs twice; a task occurs once (write {{same: [{number}]}} to repeat it "
+                        "in another branch)"
+                    )
+                placed[number] = path
+        for number, path in repeats:
+            if number not in placed:
+                raise InputError(f"flow: {{same: [{number}]}} repeats a task that stands nowhere before it")
+            if not _exclusive(placed[number], path):
+                raise InputError(
+                    f"flow: {{same: [{number}]}} would run task {number} twice; a repeat must stand in another branch"
+                )
+        if task_count is not None:
+            _check_complete(set(placed), task_count)
+
+
+def _check_complete(placed: set[int], task_count: int) -> None:
+    expected = set(range(1, task_count + 1))
+    if placed - expected:
+        raise InputError(f"flow: there is no task {min(placed - expected)}; the text marks tasks 1 to {task_count}")
+    if expected - placed:
+        raise InputError(f"flow: task {min(expected - placed)} is marked in the text but does not occur in the flow")
+
+
+def _read_sequence(value: Any) -> tuple[Node, ...]:
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        raise InputError(f"flow: expected a list of entries, got {value!r}")
+    return tuple(_read_node(entry) for entry in value)
+
+
+def _read_node(entry: Any) -> Node:
+    if isinstance(entry, int) and not isinstance(entry, bool):
+        return Do((_read_number(entry),))
+    if not isinstance(entry, Mapping):
+        raise InputError(f"flow: an entry is a task number, {{same: [...]}} or {{if: ..., then: ..., else: ...}}, got {entry!r}")
+    keys = set(entry)
+    if keys == {"same"}:
+        numbers = _read_numbers(entry["same"])
+        return Do(numbers, is_repeat=len(numbers) == 1)
+    if "if" not in keys or keys - {"if", "then", "else"}:
+        raise InputError(f"flow: expected the keys if, then, else (or same alone), got {sorted(map(str, keys))}")
+    tasks = _read_numbers(entry["if"])
+    then = _read_sequence(entry.get("then") or [])
+    orelse = _read_sequence(entry.get("else") or [])
+    if not then and not orelse:
+        raise InputError(f"flow: the condition {list(tasks)} has neither then nor else; write the plain number instead")
+    return If(tasks, then, orelse)
+
+
+def _read_number(value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+        raise InputError(f"flow: expected a task number (1, 2, ...), got {value!r}")
+    return value
+
+
+def _read_numbers(value: Any) -> tuple[int, ...]:
+    numbers = tuple(_read_number(v) for v in (value if isinstance(value, Sequence) else [value]))
+    if not numbers or list(numbers) != sorted(set(numbers)):
+        raise InputError(f"flow: expected task numbers in text order, each once, got {value!r}")
+    return numbers
+
+
+def _walk(nodes: Sequence[Node], place: str) -> Iterator[tuple[Node, str]]:
+    for node in nodes:
+        yield node, place
+        if isinstance(node, If):
+            yield from _walk(node.then, "then")
+            yield from _walk(node.orelse, "else")
+
+
+def _walk_paths(
+    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
+) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
+    """Every node with the branches it lies in: pairs of a condition's number and "then" or "else"."""
+    for node in nodes:
+        yield node, path
+        if isinstance(node, If):
+            yield from _walk_paths(node.then, (*path, (node.task, "then")))
+            yield from _walk_paths(node.orelse, (*path, (node.task, "else")))
+
+
+def _exclusive(first: tuple[tuple[int, str], ...], second: tuple[tuple[int, str], ...]) -> bool:
+    sides = dict(first)
+    return any(task in sides and sides[task] != side for task, side in second)
+
+
+def _describe(nodes: Sequence[Node], names: Mapping[int, str], depth: int) -> Iterator[str]:
+    pad = "  " * depth
+    for node in nodes:
+        label = " = ".join(f"[{number}] {names.get(number, '?')}" for number in node.tasks)
+        if isinstance(node, Do):
+            yield f"{pad}{label}"
+            continue
+        yield f"{pad}if {label}"
+        if node.then:
+            yield f"{pad}then"
+            yield from _describe(node.then, names, depth + 1)
+        if node.orelse:
+            yield f"{pad}else"
+            yield from _describe(node.orelse, names, depth + 1)

@@ -1,0 +1,126 @@
+"""An understood instruction: its tasks, their arguments and the control flow, as frozen values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from decomplex_bt.flow import Flow
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Span:
+    """A stretch of the instruction's text in code points, `end` exclusive."""
+
+    start: int
+    end: int
+
+    def of(self, text: str) -> str:
+        return text[self.start : self.end]
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """An argument of a task.
+
+    `value` is the resolved text: the words themselves or, for a pronoun, "one", "there" or an ellipsis, the referent's
+    noun phrase. `span` is None where the argument was inferred and has no words of its own. `confidence` lies in [0, 1].
+    """
+
+    type: str
+    value: str
+    span: Span | None = None
+    confidence: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One thing the robot is to do, check or find out.
+
+    `id` numbers the tasks of an instruction from 1 in order of appearance; `span` is the one token that carries it.
+    """
+
+    id: int
+    type: str
+    span: Span
+    arguments: tuple[Argument, ...] = ()
+    confidence: float = 1.0
+
+    def values(self, argument_type: str) -> tuple[str, ...]:
+        """The values of all arguments of this type, in order; empty if there is none."""
+        return tuple(argument.value for argument in self.arguments if argument.type == argument_type)
+
+    def value(self, argument_type: str) -> str | None:
+        """The value of the first argument of this type, or None."""
+        return next(iter(self.values(argument_type)), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A required argument that is nowhere to be found, with the question that asks for it."""
+
+    task: int
+    argument: str
+    question: str
+
+
+@dataclass(frozen=True, slots=True)
+class Instruction:
+    """One instruction with all that was understood of it."""
+
+    text: str
+    tasks: tuple[Task, ...] = ()
+    flow: Flow = Flow()
+    missing: tuple[Missing, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    def task(self, number: int) -> Task:
+        """The task with this number. Raises `KeyError` if there is none."""
+        for task in self.tasks:
+            if task.id == number:
+                return task
+        raise KeyError(number)
+
+    def surface(self, span: Span | None) -> str | None:
+        return None if span is None else span.of(self.text)
+
+    def phrase(self, number: int) -> str:
+        """The task in a few words: its verb with its arguments' values, as in "find a pen on the table"."""
+        task = self.task(number)
+        return " ".join([task.span.of(self.text), *(argument.value for argument in task.arguments)])
+
+    def to_json(self) -> dict[str, Any]:
+        """The object that `decomplex-bt parse --format json` prints; keys in that order."""
+        dependencies = self.flow.dependencies()
+        return {
+            "text": self.text,
+            "tasks": [self._task_to_json(task, dependencies.get(task.id, "sequential")) for task in self.tasks],
+            "flow": self.flow.to_json(),
+            "missing": [{"task": m.task, "argument": m.argument, "question": m.question} for m in self.missing],
+            "warnings": list(self.warnings),
+        }
+
+    def __str__(self) -> str:
+        return self.flow.describe({task.id: f"{task.type}: {self.phrase(task.id)}" for task in self.tasks})
+
+    def _task_to_json(self, task: Task, dependency: str) -> dict[str, Any]:
+        return {
+            "id": task.id,
+            "type": task.type,
+            "start": task.span.start,
+            "end": task.span.end,
+            "surface": task.span.of(self.text),
+            "dependency": dependency,
+            "confidence": round(task.confidence, 4),
+            "arguments": [
+                {
+                    "type": argument.type,
+                    "start": argument.span.start if argument.span else None,
+                    "end": argument.span.end if argument.span else None,
+                    "surface": self.surface(argument.span),
+                    "value": argument.value,
+                    "confidence": round(argument.confidence, 4),
+                }
+                for argument in task.arguments
+            ],
+        }
