@@ -1,0 +1,96 @@
+"""The kinds of entities a domain knows: their words, what they can do and where they tend to be."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from decomplex_bt.domain.document import Record
+
+Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
+"""`furniture`: fixed, devices and containers included; `fixture`: doors, windows, curtains: opened and closed, fixed."""
+
+
+class StatePair(Record):
+    """A state with its opposite, as on/off: two fluents of which exactly one holds. `values`: (positive, negative)."""
+
+    values: tuple[str, str]
+    words: dict[str, tuple[str, ...]] = {}
+    """Other words for a value, by value ("on": switched on, running)."""
+
+
+class Kind(Record):
+    """One kind of entity. Lengths in metres, masses in kilograms, probabilities in [0, 1].
+
+    `words`: the names people use, the first is the one we print. `states`: state pairs an entity of this kind has.
+    `surface` / `inside`: things lie on / in it. `heats`, `cools`, `washes`: tags of things it heats when closed and
+    switched on, cools when closed, washes when closed and switched on; `rinses`, `fills`, `drains`: tags of things
+    cleaned, filled, emptied at it by hand. `tags` are what these name. `places`: kind of place to relative weight, for
+    where an entity of this kind lies at the start of an episode; `absent`: probability that it is nowhere in the house.
+    `chance`: state pair to the probability of its positive value. `broken`: probability that a device is broken.
+    """
+
+    category: Category
+    words: tuple[str, ...] = Field(min_length=1)
+    states: tuple[str, ...] = ()
+    surface: bool = False
+    inside: bool = False
+    tags: tuple[str, ...] = ()
+    heats: tuple[str, ...] = ()
+    cools: tuple[str, ...] = ()
+    washes: tuple[str, ...] = ()
+    rinses: tuple[str, ...] = ()
+    fills: tuple[str, ...] = ()
+    drains: tuple[str, ...] = ()
+    radius: float = Field(0.05, gt=0)
+    mass: float = Field(0.3, gt=0)
+    shape: str = "disc"
+    """How a thing is drawn; the renderer lists the shapes it knows."""
+    places: dict[str, float] = {}
+    absent: float = Field(0.0, ge=0, le=1)
+    chance: dict[str, float] = {}
+    broken: float = Field(0.0, ge=0, le=1)
+
+    @property
+    def is_container(self) -> bool:
+        return self.inside
+
+    @property
+    def is_device(self) -> bool:
+        return "power" in self.states
+
+    @property
+    def has_door(self) -> bool:
+        return "aperture" in self.states
+
+
+class Kinds(Record):
+    """`kinds.yaml`: the state pairs and the kinds of a domain, by name."""
+
+    format: int
+    state_pairs: dict[str, StatePair]
+    kinds: dict[str, Kind]
+
+    @model_validator(mode="after")
+    def _check(self) -> Kinds:
+        for name, kind in self.kinds.items():
+            for pair in (*kind.states, *kind.chance):
+                if pair not in self.state_pairs:
+                    raise ValueError(f"kind {name!r} has the unknown state pair {pair!r}")
+            for place in kind.places:
+                if place not in self.kinds:
+                    raise ValueError(f"kind {name!r} lies at the unknown kind of place {place!r}")
+        return self
+
+    def pair_of(self, value: str) -> str:
+        """The state pair that a value belongs to. Raises `KeyError`."""
+        for name, pair in self.state_pairs.items():
+            if value in pair.values:
+                return name
+        raise KeyError(value)
+
+    def opposite(self, value: str) -> str:
+        """The other value of its pair. Raises `KeyError`."""
+        positive, negative = self.state_pairs[self.pair_of(value)].values
+        return negative if value == positive else positive
