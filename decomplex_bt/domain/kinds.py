@@ -26,7 +26,8 @@ class Kind(Record):
     `words`: the names people use, the first is the one we print. `states`: state pairs an entity of this kind has.
     `surface` / `inside`: things lie on / in it. `heats`, `cools`, `washes`: tags of things it heats when closed and
     switched on, cools when closed, washes when closed and switched on; `rinses`, `fills`, `drains`: tags of things
-    cleaned, filled, emptied at it by hand. `tags` are what these name. `places`: kind of place to relative weight, for
+    cleaned, filled, emptied at it by hand; `wipes`: tags of surfaces a thing of this kind wipes clean when it is in the
+    hand (the interaction `clean` with the surface as target). `tags` are what these name. `places`: kind of place to relative weight, for
     where an entity of this kind lies at the start of an episode; `absent`: probability that it is nowhere in the house.
     `chance`: state pair to the probability of its positive value. `broken`: probability that a device is broken.
     """
@@ -43,6 +44,7 @@ class Kind(Record):
     rinses: tuple[str, ...] = ()
     fills: tuple[str, ...] = ()
     drains: tuple[str, ...] = ()
+    wipes: tuple[str, ...] = ()
     radius: float = Field(0.05, gt=0)
     mass: float = Field(0.3, gt=0)
     shape: str = "disc"
@@ -81,6 +83,8 @@ class Kinds(Record):
             for place in kind.places:
                 if place not in self.kinds:
                     raise ValueError(f"kind {name!r} lies at the unknown kind of place {place!r}")
+                if not (self.kinds[place].surface or self.kinds[place].inside):
+                    raise ValueError(f"kind {name!r} cannot lie at {place!r}, which is neither a surface nor a container")
         return self
 
     def pair_of(self, value: str) -> str:
