@@ -39,7 +39,7 @@ class Skill(Protocol):
 
 
 class Embodiment(Protocol):
-    """A body: it makes percepts of observations and skills of plan steps. It holds no reference to the world's truth."""
+    """A body: it makes percepts of observations and skills of plan steps; it holds no reference to the true world."""
 
     house: House
 

@@ -1,0 +1,98 @@
+"""The if-then-else composite, which py_trees does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Composite
+
+
+class IfThenElse(Composite):
+    """Runs `then` where the condition succeeds and `orelse` where it fails.
+
+    | condition | then | orelse | this node | which children are ticked |
+    |---|---|---|---|---|
+    | RUNNING | any | any | RUNNING | the condition |
+    | SUCCESS | RUNNING, SUCCESS, FAILURE | any | the status of `then` | condition, then `then` |
+    | SUCCESS | missing | any | SUCCESS | the condition |
+    | FAILURE | any | RUNNING, SUCCESS, FAILURE | the status of `orelse` | condition, then `orelse` |
+    | FAILURE | any | missing | SUCCESS: nothing was asked for | the condition |
+    | FAILURE, `is_undecided` | any | any | FAILURE, with the condition's reason | the condition |
+
+    `orelse` runs when the condition fails, never when `then` fails. The condition is judged once, when the node is
+    reached, and its outcome (`truth`) stays until the node is entered anew: there is memory, always. A condition that
+    can tell "no" from "cannot be known" has an attribute `is_undecided`; where that is true, its FAILURE is neither.
+
+    This differs from BehaviorTree.CPP's IfThenElse in one row: with the third child missing, that one fails where the
+    condition fails. The XML export therefore writes the missing branch out.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        condition: Behaviour,
+        then: Behaviour | None = None,
+        orelse: Behaviour | None = None,
+    ) -> None:
+        super().__init__(name, [child for child in (condition, then, orelse) if child is not None])
+        self.condition = condition
+        self.then = then
+        self.orelse = orelse
+        self.truth: bool | None = None
+
+    @property
+    def taken(self) -> str | None:
+        """The branch that the condition led to, "then" or "else"; None before, or where that branch is missing."""
+        branch = self._branch() if self.truth is not None else None
+        return None if branch is None else "then" if branch is self.then else "else"
+
+    def tick(self) -> Iterator[Behaviour]:
+        if self.status != Status.RUNNING:
+            self._enter()
+        if self.current_child is self.condition:
+            yield from self.condition.tick()
+            if self.condition.status == Status.RUNNING:
+                self.status = Status.RUNNING
+                yield self
+                return
+            outcome = self._judge()
+            if outcome is not None:
+                self.stop(outcome)
+                yield self
+                return
+        assert self.current_child is not None
+        yield from self.current_child.tick()
+        self.feedback_message = self.current_child.feedback_message
+        if self.current_child.status == Status.RUNNING:
+            self.status = Status.RUNNING
+        else:
+            self.stop(self.current_child.status)
+        yield self
+
+    def _enter(self) -> None:
+        for child in self.children:
+            if child.status != Status.INVALID:
+                child.stop(Status.INVALID)
+        self.current_child = self.condition
+        self.truth = None
+        self.feedback_message = ""
+        self.initialise()
+
+    def _judge(self) -> Status | None:
+        """Takes the condition's outcome down and moves on to its branch; the final status where there is none."""
+        if self.condition.status == Status.FAILURE and getattr(self.condition, "is_undecided", False):
+            self.feedback_message = f"cannot be decided: {self.condition.feedback_message}"
+            return Status.FAILURE
+        self.truth = self.condition.status == Status.SUCCESS
+        branch = self._branch()
+        if branch is None:
+            self.feedback_message = "nothing was asked for in this case"
+            return Status.SUCCESS
+        self.current_child = branch
+        return None
+
+    def _branch(self) -> Behaviour | None:
+        return self.then if self.truth else self.orelse

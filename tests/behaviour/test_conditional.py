@@ -1,0 +1,118 @@
+import pytest
+from py_trees.behaviours import StatusQueue
+from py_trees.common import Status
+from py_trees.composites import Selector
+
+from decomplex_bt.behaviour.conditional import IfThenElse
+
+R, S, F, INVALID = Status.RUNNING, Status.SUCCESS, Status.FAILURE, Status.INVALID
+
+
+class Recorder(StatusQueue):
+    """A leaf that plays a queue of statuses and counts how it is used."""
+
+    def __init__(self, name, *queue, is_undecided=False):
+        super().__init__(name, list(queue), eventually=queue[-1])
+        self.is_undecided = is_undecided
+        self.ticks = 0
+        self.ended = []
+
+    def update(self):
+        self.ticks += 1
+        return super().update()
+
+    def terminate(self, new_status):
+        self.ended.append(new_status)
+        super().terminate(new_status)
+
+
+def make(condition, then=None, orelse=None):
+    return IfThenElse("if", condition=condition, then=then, orelse=orelse)
+
+
+def tick(node, times=1):
+    for _ in range(times):
+        list(node.tick())
+    return node.status
+
+
+@pytest.mark.parametrize("outcome", [R, S, F])
+@pytest.mark.parametrize("truth", [True, False])
+def test_status_is_that_of_the_branch_and_the_other_is_not_ticked(truth, outcome):
+    then, orelse = Recorder("then", outcome), Recorder("else", outcome)
+    node = make(Recorder("condition", S if truth else F), then, orelse)
+    assert tick(node) == outcome
+    taken, left = (then, orelse) if truth else (orelse, then)
+    assert (taken.ticks, left.ticks) == (1, 0)
+    assert node.truth is truth
+    assert node.taken == ("then" if truth else "else")
+
+
+def test_else_is_not_run_when_then_fails():
+    orelse = Recorder("else", S)
+    node = make(Recorder("condition", S), Recorder("then", R, R, F), orelse)
+    assert [tick(node) for _ in range(3)] == [R, R, F]
+    assert orelse.ticks == 0
+
+
+@pytest.mark.parametrize(("truth", "branches"), [(F, ["then"]), (S, ["orelse"])])
+def test_a_missing_branch_is_success(truth, branches):
+    children = {branch: Recorder(branch, F) for branch in branches}
+    node = make(Recorder("condition", truth), **children)
+    assert tick(node) == S
+    assert node.taken is None
+    assert all(child.ticks == 0 for child in children.values())
+
+
+def test_condition_is_judged_once():
+    condition = Recorder("condition", R, S, F)
+    node = make(condition, Recorder("then", R, R, S), Recorder("else", F))
+    assert [tick(node) for _ in range(4)] == [R, R, R, S]
+    assert condition.ticks == 2
+
+
+def test_undecided_condition_is_failure_with_its_reason():
+    condition = Recorder("condition", F, is_undecided=True)
+    condition.feedback_message = "the fridge cannot be reached"
+    orelse = Recorder("else", S)
+    node = make(condition, Recorder("then", S), orelse)
+    assert tick(node) == F
+    assert node.truth is None
+    assert orelse.ticks == 0
+    assert "cannot be decided" in node.feedback_message
+
+
+def test_entered_anew_it_judges_anew():
+    node = make(Recorder("condition", S, F), Recorder("then", S), Recorder("else", F))
+    assert [tick(node), tick(node)] == [S, F]
+    assert node.then.status == INVALID
+
+
+@pytest.mark.parametrize(("condition", "running"), [(R, "condition"), (S, "then"), (F, "else")])
+def test_interruption_stops_the_running_child(condition, running):
+    urgent = Recorder("urgent", F, S)
+    children = Recorder("condition", condition), Recorder("then", R), Recorder("else", R)
+    node = make(*children)
+    root = Selector("root", memory=False, children=[urgent, node])
+    assert tick(root) == R
+    assert tick(root) == S
+    assert node.status == INVALID
+    child = next(child for child in children if child.name == running)
+    assert child.status == INVALID
+    assert child.ended[-1] == INVALID
+    assert node.current_child is None
+
+
+def test_after_an_interruption_it_starts_at_the_condition():
+    condition, then = Recorder("condition", S), Recorder("then", R)
+    node = make(condition, then)
+    tick(node, 2)
+    node.stop(INVALID)
+    assert tick(node) == R
+    assert (condition.ticks, then.ticks) == (2, 3)
+
+
+def test_tip_is_the_running_leaf():
+    node = make(Recorder("condition", S), Recorder("then", R))
+    tick(node)
+    assert node.tip() is node.then
