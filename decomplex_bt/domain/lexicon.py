@@ -2,20 +2,53 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
+from pydantic import Field, model_validator
+
 from decomplex_bt.domain.document import Record
 
 
 class VerbSense(Record):
     """What a verb (with its particle) can mean. `state`: the state it implies ("heat": hot); `tasks`: likeliest first."""
 
-    tasks: tuple[str, ...]
+    tasks: tuple[str, ...] = Field(min_length=1)
     state: str | None = None
 
 
+class VerbGroup(VerbSense):
+    """Verbs of one sense, as the file lists them: lemmas, or "lemma particle"."""
+
+    verbs: tuple[str, ...] = Field(min_length=1)
+
+
 class Lexicon(Record):
-    """`words.yaml`: verbs by lemma or "lemma particle" ("turn on"), colours, words for the user and for everything."""
+    """`words.yaml`: verbs in groups of one sense, colours, and the words around a noun.
+
+    `all_words` ask for all of a kind; `any_words` name nothing by themselves; `prepositions` lead a phrase about a
+    place; `determiners` may stand before a noun and do not say which one is meant.
+    """
 
     format: int
-    verbs: dict[str, VerbSense]
+    groups: tuple[VerbGroup, ...]
     colours: tuple[str, ...]
     user_words: tuple[str, ...]
+    all_words: tuple[str, ...] = ()
+    any_words: tuple[str, ...] = ()
+    prepositions: tuple[str, ...] = ()
+    determiners: tuple[str, ...] = ()
+
+    @model_validator(mode="after")
+    def _check(self) -> Lexicon:
+        seen: set[str] = set()
+        for group in self.groups:
+            for verb in group.verbs:
+                if verb in seen:
+                    raise ValueError(f"the verb {verb!r} stands twice; give its one group several tasks instead")
+                seen.add(verb)
+        return self
+
+    @cached_property
+    def verbs(self) -> dict[str, VerbSense]:
+        """Every verb, by lemma or "lemma particle" ("turn on"), with what it can mean."""
+        return {verb: VerbSense(tasks=group.tasks, state=group.state) for group in self.groups for verb in group.verbs}
