@@ -1,0 +1,89 @@
+"""Grounded tasks: an instruction's tasks with every phrase replaced by the entities of the house it may mean."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from decomplex_bt.flow import Flow
+
+HERE = "here"
+"""The state value of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
+
+
+@dataclass(frozen=True, slots=True)
+class Referent:
+    """What a phrase may mean, likeliest first: names of entities (for places also rooms).
+
+    `is_all`: all candidates are meant ("the lights", "all the cups"); otherwise `count` different ones of them. Equal
+    referents of one instruction are one and the same: who binds one binds all.
+    """
+
+    phrase: str
+    candidates: tuple[str, ...]
+    is_all: bool = False
+    count: int = 1
+
+    @property
+    def needed(self) -> int:
+        """How many different candidates must be bound."""
+        return len(self.candidates) if self.is_all else min(self.count, len(self.candidates))
+
+    def __str__(self) -> str:
+        quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
+        return f"{self.phrase!r}: {quantity}{' | '.join(self.candidates)}"
+
+
+@dataclass(frozen=True, slots=True)
+class GroundTask:
+    """One task of an instruction in the house's names.
+
+    `objects`: what it is about, one referent for each coordinated phrase (empty: searching a place for nothing in
+    particular, motion, informing). `places`: where the objects are looked for or taken from (source, location), each
+    candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it ends (place, room or
+    person). `recipient`: who gets or hears it. `state`: the value wanted or checked ("on", "hot", ...), `HERE` for a
+    check of presence. `message`: what is said. `span`: the verb in the text, code points, end exclusive.
+    """
+
+    number: int
+    type: str
+    phrase: str
+    span: tuple[int, int] = (0, 0)
+    objects: tuple[Referent, ...] = ()
+    places: tuple[Referent, ...] = ()
+    goal: Referent | None = None
+    recipient: Referent | None = None
+    state: str | None = None
+    message: str | None = None
+
+    def referents(self) -> tuple[Referent, ...]:
+        """All its referents: objects, places, goal, recipient."""
+        return (*self.objects, *self.places, *(r for r in (self.goal, self.recipient) if r is not None))
+
+    def __str__(self) -> str:
+        parts = [f"{self.number} {self.type}"]
+        parts += [f"object {referent}" for referent in self.objects]
+        parts += [f"at {referent}" for referent in self.places]
+        parts += [f"goal {self.goal}"] if self.goal else []
+        parts += [f"to {self.recipient}"] if self.recipient else []
+        parts += [f"state {self.state}"] if self.state else []
+        parts += [f"message {self.message!r}"] if self.message else []
+        return "; ".join(parts)
+
+
+@dataclass(frozen=True, slots=True)
+class GroundInstruction:
+    """All tasks of an instruction, grounded, with its control flow. `text` is the instruction's."""
+
+    text: str
+    tasks: tuple[GroundTask, ...]
+    flow: Flow
+
+    def task(self, number: int) -> GroundTask:
+        """The task with this number. Raises `KeyError` if there is none."""
+        for task in self.tasks:
+            if task.number == number:
+                return task
+        raise KeyError(number)
+
+    def __str__(self) -> str:
+        return "\n".join(str(task) for task in self.tasks)
