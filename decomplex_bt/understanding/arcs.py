@@ -1,0 +1,371 @@
+"""Control flow as one small label per task, and back: what a sequence model can predict, a tree can be built from.
+
+Every task, in text order, has a role, an attachment and an order. The paper's four labels (DeComplex, Table I) say role
+and branch; they cannot say to which condition a branch belongs, nesting, mentions, joint conditions or an order other
+than that of the text. The labels here can:
+
+role        `task`, `condition`, `mention` (of an earlier condition), `and` / `or` (a condition joined to the one
+            before), `again` (a further mention of an unconditional task)
+attachment  `top`, or direction, rank and side: `<1+` is the branch of the nearest condition to the left that follows
+            when that clause holds *as it is stated*, `>1-` that of the nearest one to the right when it does not.
+            Conditions count by groups of mentions. "As stated" includes the clause's own negation, so that `+` is the
+            plain case after "if it is not there" too; the negation is a matter of grammar and handed in.
+order       `keep` (text order), `before` (ahead of the sibling before it), `first` (ahead of all siblings),
+            `after` (behind the sibling after it), `last` (behind all siblings)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations, product
+
+from decomplex_bt.flow import Do, Flow, If, Node
+
+CONDITION_ROLES = frozenset(("condition", "mention", "and", "or"))
+ORDERS = ("keep", "before", "after", "first", "last")
+TOP = "top"
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """The three labels of one task."""
+
+    role: str = "task"
+    attachment: str = TOP
+    order: str = "keep"
+
+
+@dataclass(frozen=True, slots=True)
+class Polarity:
+    """Of one task as a condition: whether its clause is negated, and a state it tests (for antonym mentions), if any."""
+
+    is_negated: bool = False
+    state: str | None = None
+    opposite: str | None = None
+
+    def is_opposite_of(self, other: Polarity) -> bool:
+        return self.state is not None and self.opposite is not None and other.state == self.opposite
+
+
+@dataclass(slots=True)
+class _Group:
+    """A condition with its mentions while the tree is being built; all numbers count from 0."""
+
+    first: int
+    join: str = ""
+    members: list[int] = field(default_factory=list)
+    parent: tuple[int, str] | None = None
+    sides: dict[str, list[int]] = field(default_factory=lambda: {"then": [], "else": []})
+
+
+def flow_of(arcs: Sequence[Arc], polarities: Sequence[Polarity]) -> Flow:
+    """The control flow that these arcs say; total: an arc that points nowhere leads to the top."""
+    return Flow(_Builder(arcs, polarities).build())
+
+
+def arcs_of(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | None:
+    """The arcs that say this flow, or None where no arcs can (the inverse of `flow_of`)."""
+    plain = _arcs_in_text_order(flow, polarities)
+    if plain is None:
+        return None
+    for arcs in _with_orders(plain):
+        if flow_of(arcs, polarities) == flow:
+            return arcs
+    return None
+
+
+def is_flipped(mention: int, first: int, polarities: Sequence[Polarity]) -> bool:
+    """Whether a mention as stated is the opposite of its condition's first mention without its negation."""
+    flipped = polarities[mention].is_negated
+    if mention != first and polarities[mention].is_opposite_of(polarities[first]):
+        flipped = not flipped
+    return flipped
+
+
+class _Builder:
+    def __init__(self, arcs: Sequence[Arc], polarities: Sequence[Polarity]) -> None:
+        self.arcs = arcs
+        self.polarities = polarities
+        self.groups: dict[int, _Group] = {}
+        self.group_of: dict[int, int] = {}
+        self.again: dict[int, list[int]] = {}
+
+    def build(self) -> tuple[Node, ...]:
+        self._collect_groups()
+        top: list[int] = []
+        for i, arc in enumerate(self.arcs):
+            if arc.role == "again" and self._repeat_of(i) is not None:
+                continue
+            if i in self.group_of and self.group_of[i] != i:
+                continue
+            target = self._target(i)
+            if target is None:
+                top.append(i)
+            else:
+                group, side = target
+                self.groups[group].sides[side].append(i)
+        return self._nodes(top)
+
+    def _collect_groups(self) -> None:
+        for i, arc in enumerate(self.arcs):
+            if arc.role not in CONDITION_ROLES:
+                continue
+            found = self._find(i, arc.attachment, before_only=True) if arc.role == "mention" else None
+            if found is not None:
+                first = self.group_of[found]
+                self.groups[first].members.append(i)
+                self.group_of[i] = first
+            else:
+                join = arc.role if arc.role in ("and", "or") else ""
+                self.groups[i] = _Group(i, join, [i])
+                self.group_of[i] = i
+
+    def _repeat_of(self, i: int) -> int | None:
+        """The earlier plain task that task `i` mentions again."""
+        for j in range(i - 1, -1, -1):
+            if self.arcs[j].role == "task":
+                if i not in self.again.setdefault(j, []):
+                    self.again[j].append(i)
+                return j
+        return None
+
+    def _find(self, i: int, attachment: str, *, before_only: bool = False) -> int | None:
+        """The condition token that an attachment of task `i` points at, or None."""
+        if attachment == TOP:
+            return None
+        direction, rank = attachment[0], int(attachment[1])
+        tokens = range(i - 1, -1, -1) if direction == "<" or before_only else range(i + 1, len(self.arcs))
+        own = self.group_of.get(i)
+        seen: list[int] = []
+        for j in tokens:
+            group = self.group_of.get(j)
+            if group is None or group == own or group in seen:
+                continue
+            seen.append(group)
+            if len(seen) == rank:
+                return j
+        return None
+
+    def _target(self, i: int) -> tuple[int, str] | None:
+        arc = self.arcs[i]
+        found = self._find(i, arc.attachment)
+        if found is None:
+            return None
+        group = self.group_of[found]
+        side = "else" if is_flipped(found, group, self.polarities) != arc.attachment.endswith("-") else "then"
+        if i in self.groups:
+            if self._is_above(i, group):
+                return None
+            self.groups[i].parent = (group, side)
+        return group, side
+
+    def _is_above(self, upper: int, lower: int) -> bool:
+        """Whether group `upper` is `lower` or one of the groups that it lies in."""
+        current: int | None = lower
+        while current is not None:
+            if current == upper:
+                return True
+            parent = self.groups[current].parent
+            current = parent[0] if parent else None
+        return False
+
+    def _nodes(self, members: list[int]) -> tuple[Node, ...]:
+        return tuple(self._node(i) for i in self._arranged(members))
+
+    def _node(self, i: int) -> Node:
+        if i not in self.groups:
+            return Do((i + 1, *(j + 1 for j in self.again.get(i, ()))))
+        group = self.groups[i]
+        numbers = tuple(j + 1 for j in group.members)
+        joined = self._joined(group)
+        if joined is not None:
+            return joined
+        then, orelse = self._nodes(group.sides["then"]), self._nodes(group.sides["else"])
+        return If(numbers, then, orelse) if then or orelse else Do(numbers)
+
+    def _joined(self, group: _Group) -> Node | None:
+        """The node of a condition that another is joined to ("if A and B", "if A or B"), or None."""
+        for side in ("then", "else"):
+            for j in group.sides[side]:
+                inner = self.groups.get(j)
+                if inner is None or not inner.join or len(group.sides[side]) != 1:
+                    continue
+                return self._join(group, side, inner)
+        return None
+
+    def _join(self, group: _Group, side: str, inner: _Group) -> Node:
+        other = _other(side)
+        inner_stated = "else" if is_flipped(inner.first, inner.first, self.polarities) else "then"
+        inner_other = _other(inner_stated)
+        met = self._nodes(inner.sides[inner_stated])
+        unmet = (*self._nodes(inner.sides[inner_other]), *self._nodes(group.sides[other]))
+        numbers, inner_numbers = tuple(j + 1 for j in group.members), tuple(j + 1 for j in inner.members)
+        if inner.join == "and":
+            nested = _if(inner_numbers, {inner_stated: met, inner_other: unmet})
+            return _if(numbers, {side: (nested,), other: _repeats(unmet)})
+        nested = _if(inner_numbers, {inner_stated: _repeats(met), inner_other: unmet})
+        return _if(numbers, {side: met, other: (nested,)})
+
+    def _arranged(self, members: list[int]) -> list[int]:
+        """Siblings in the order of execution."""
+        in_text = sorted(members, key=self._first_token)
+        return _reorder(in_text, [self.arcs[i].order for i in in_text])
+
+    def _first_token(self, i: int) -> int:
+        if i not in self.groups:
+            return i
+        group = self.groups[i]
+        inner = [self._first_token(j) for side in group.sides.values() for j in side]
+        return min([*group.members, *inner])
+
+
+def _if(numbers: tuple[int, ...], sides: dict[str, tuple[Node, ...]]) -> Node:
+    then, orelse = sides["then"], sides["else"]
+    return If(numbers, then, orelse) if then or orelse else Do(numbers)
+
+
+def _repeats(nodes: Sequence[Node]) -> tuple[Node, ...]:
+    """The plain tasks of a branch once more, as repeats; a nested condition is not repeated."""
+    return tuple(Do((node.task,), is_repeat=True) for node in nodes if isinstance(node, Do))
+
+
+def _reorder(items: list[int], orders: Sequence[str]) -> list[int]:
+    arranged: list[int] = []
+    run: list[int] = []  # neighbours that all go before the sibling ahead of them, in text order
+    for item, order in zip(items, orders, strict=True):
+        if order == "before" and arranged:
+            run.append(item)
+            continue
+        _insert_run(arranged, run)
+        run = []
+        arranged.append(item)
+    _insert_run(arranged, run)
+    order_of = dict(zip(items, orders, strict=True))
+    for item in [i for i in arranged if order_of[i] == "after"]:
+        position = arranged.index(item)
+        arranged.remove(item)
+        arranged.insert(position + 1, item)
+    first = [i for i in arranged if order_of[i] == "first"]
+    last = [i for i in arranged if order_of[i] == "last"]
+    middle = [i for i in arranged if order_of[i] not in ("first", "last")]
+    return [*first, *middle, *last]
+
+
+def _insert_run(arranged: list[int], run: list[int]) -> None:
+    if run:
+        arranged[-1:-1] = run
+
+
+def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | None:
+    count = len(polarities)
+    arcs = [Arc() for _ in range(count)]
+    group_of: dict[int, int] = {}
+    for node, _ in flow.walk():
+        if isinstance(node, If):
+            for number in node.tasks:
+                group_of[number - 1] = node.task - 1
+        elif not node.is_repeat:
+            for number in node.tasks[1:]:
+                arcs[number - 1] = Arc("again")
+    joins = dict(_joins(flow, polarities))
+    # "if A or B, X": in the tree X is a child of A, in the text it follows B
+    alternatives = {
+        (parent[0], _other(parent[1])): node.task - 1
+        for node, parent in _with_parents(flow.nodes, None)
+        if parent is not None and joins.get(node.task - 1) == "or"
+    }
+    for i, first in group_of.items():
+        if i != first:
+            arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
+    for node, parent in _with_parents(flow.nodes, None):
+        if isinstance(node, Do) and node.is_repeat:
+            continue
+        i = node.task - 1
+        role = joins.get(i, "condition") if isinstance(node, If) else "task"
+        if parent is None:
+            arcs[i] = Arc(role)
+            continue
+        group, side = parent
+        if role == "or":
+            side = _other(side)
+        elif (group, side) in alternatives:
+            group = alternatives[group, side]
+            side = "else" if is_flipped(group, group, polarities) else "then"
+        attachment = _attachment(i, group, side, group_of, polarities)
+        if attachment is None:
+            return None
+        arcs[i] = Arc(role, attachment)
+    return tuple(arcs)
+
+
+def _other(side: str) -> str:
+    return "else" if side == "then" else "then"
+
+
+def _with_parents(
+    nodes: Sequence[Node], parent: tuple[int, str] | None
+) -> Iterator[tuple[Node, tuple[int, str] | None]]:
+    for node in nodes:
+        yield node, parent
+        if isinstance(node, If):
+            yield from _with_parents(node.then, (node.task - 1, "then"))
+            yield from _with_parents(node.orelse, (node.task - 1, "else"))
+
+
+def _joins(flow: Flow, polarities: Sequence[Polarity]) -> Iterator[tuple[int, str]]:
+    """The conditions (from 0) joined to the one they lie in, told by the tasks that stand in both."""
+    for node, _ in flow.walk():
+        if not isinstance(node, If):
+            continue
+        for branch, other in ((node.then, node.orelse), (node.orelse, node.then)):
+            inner = branch[0] if len(branch) == 1 else None
+            if not isinstance(inner, If):
+                continue
+            inner_repeats = [n for n in (*inner.then, *inner.orelse) if isinstance(n, Do) and n.is_repeat]
+            other_repeats = [n for n in other if isinstance(n, Do) and n.is_repeat]
+            if other_repeats:
+                yield inner.task - 1, "and"
+            elif inner_repeats:
+                yield inner.task - 1, "or"
+
+
+def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:
+    """Direction and rank of the nearest token of `group` as seen from task `i`, left before right."""
+    own = group_of.get(i) if group_of.get(i) == i else None
+    for direction in "<>":
+        tokens = range(i - 1, -1, -1) if direction == "<" else range(i + 1, max(group_of, default=-1) + 1)
+        seen: list[int] = []
+        for j in tokens:
+            other = group_of.get(j)
+            if other is None or other == own or other in seen:
+                continue
+            seen.append(other)
+            if other == group:
+                return f"{direction}{len(seen)}"
+    return None
+
+
+def _attachment(
+    i: int, group: int, side: str, group_of: dict[int, int], polarities: Sequence[Polarity]
+) -> str | None:
+    pointer = _pointer(i, group, group_of)
+    if pointer is None:
+        return None
+    tokens = range(i - 1, -1, -1) if pointer[0] == "<" else range(i + 1, len(polarities))
+    token = next(j for j in tokens if group_of.get(j) == group)
+    is_opposite = (side == "else") != is_flipped(token, group, polarities)
+    return pointer + ("-" if is_opposite else "+")
+
+
+def _with_orders(arcs: tuple[Arc, ...]) -> Iterator[tuple[Arc, ...]]:
+    """The arcs with every small set of order labels, fewest first."""
+    yield arcs
+    movable = [i for i, arc in enumerate(arcs) if arc.role not in ("mention", "again")]
+    for size in (1, 2):
+        for chosen in combinations(movable, size):
+            for orders in product(ORDERS[1:], repeat=size):
+                changed = list(arcs)
+                for i, order in zip(chosen, orders, strict=True):
+                    changed[i] = replace(changed[i], order=order)
+                yield tuple(changed)

@@ -1,0 +1,185 @@
+"""Cues: the words that say how tasks hang together (if, otherwise, either way, before that, ...), found by phrase."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from decomplex_bt.understanding.document import Document
+
+PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        # opens a condition with a verb of its own
+        "if": (
+            "if", "in case", "just in case", "provided", "provided that", "providing", "providing that", "as long as", "so long as",
+            "assuming", "assuming that", "supposing", "suppose", "on condition that", "on the condition that", "in the event",
+            "in the event that", "given that", "granted", "iff", "as far as", "if in fact", "if by any chance", "if ever", "if indeed",
+        ),
+        "only_if": ("only if", "only when", "but only if", "but only when", "only in case", "only as long as", "only provided"),
+        "even_if": ("even if", "even though", "although", "whether or not", "even when"),
+        "unless": ("unless", "except if", "except when", "if not already", "but not if", "not if", "but not when"),
+        "whether": ("whether", "whether or not"),
+        "depending": ("depending on", "depending", "depends on"),
+        "when": ("when", "whenever", "the moment", "the minute", "every time"),
+        # stands for a whole condition, without a verb that is a task
+        "so": (
+            "if so", "if yes", "if yeah", "if that is the case", "in that case", "in which case", "if true", "if possible", "if you can",
+            "if that works", "if it works", "if it does", "if you do", "if you succeed", "if successful", "if that is so", "if positive", "if you manage",
+            "if any", "if that is fine", "if that is ok", "if that goes well",
+        ),
+        "else": (
+            "otherwise", "or else", "else", "elsewise", "alternatively", "as an alternative", "if not", "or if not", "and if not", "if no",
+            "in the other case", "in the opposite case", "on the other hand", "if otherwise",
+        ),
+        "fail": (
+            "failing that", "failing this", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
+            "if it does not work", "if this does not work", "if that will not work", "if it will not work", "if that is not possible", "if it is not possible", "if not possible",
+            "if you can not", "if u can not", "if you could not", "if you are unable", "if unable", "if unsuccessful", "if impossible", "if that is impossible", "no luck", "no joy",
+            "no dice", "no good", "no success", "no go", "nothing doing", "as a last resort", "last resort", "as a fallback", "fallback", "plan b", "worst case",
+            "if all else fails", "if you do not succeed", "if you do not", "if it does not", "if it will not", "if you have no luck", "when that fails",
+            "when you can not", "if you do not manage", "if there is a problem", "if something goes wrong", "if not successful", "without success", "in vain",
+        ),
+        # ends what a condition governs
+        "either_way": (
+            "either way", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
+            "whatever happens", "whatever the case", "whatever you find", "whatever the outcome", "whatever the answer", "whichever it is", "come what may", "at any rate", "one way or another",
+            "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
+        ),
+        # order
+        "then": ("then", "and then", "next", "so then"),
+        "after_that": (
+            "after that", "after this", "afterwards", "afterward", "after wards", "later", "later on", "thereafter", "subsequently", "when done", "once done", "when you are done",
+            "once you are done", "when that is done", "once that is done", "when finished", "once finished", "having done that", "after you have done that", "after doing that",
+            "when you are finished", "with that done", "that done", "following that", "from there", "once you have done that", "after which", "upon that", "when that is finished",
+        ),
+        "before": ("before", "prior to", "ahead of", "by the time"),
+        "before_that": (
+            "before that", "but before that", "before this", "before you do that", "before doing that", "before you do", "before any of that", "before you do any of that", "beforehand",
+            "but first", "prior to that", "but before", "ahead of that", "before doing so", "before you do so", "before all that", "before you do this",
+        ),
+        "after": ("after", "once", "as soon as", "now that", "having", "upon", "immediately after", "right after"),
+        "until": ("until", "till", "til", "not until", "until after"),
+        "first": (
+            "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
+            "before everything else", "at first", "step one", "for starters",
+        ),
+        "last": ("last", "lastly", "last of all", "last thing", "at last", "finally", "in the end", "at the end", "at the very end", "to finish", "to top it off", "final thing", "at the close"),
+        "also": ("also", "too", "as well", "in addition", "additionally", "plus", "besides", "moreover", "on top of that", "likewise", "same for", "same goes for"),
+        "while": ("while", "whilst", "meanwhile", "in the meantime", "at the same time", "on your way", "on the way", "while you are at it", "as you", "in the meanwhile"),
+        # within a clause
+        "not": ("not", "never", "nothing", "nobody", "none", "nowhere", "neither", "nor", "without", "no", "no longer", "no more", "out of", "no one", "fails", "fail", "failed", "unable", "cannot", "not any", "lacks", "missing", "absent", "gone"),
+        "either": ("either", "neither"),
+        "instead": ("instead", "rather", "in its place"),
+        "still": ("still", "already", "yet"),
+        "can": ("can", "could", "able", "manage", "possible", "possibly"),
+        "but": ("but", "however", "though", "although", "only"),
+        "or": ("or",),
+        "and": ("and", "&", "n"),
+        "please": ("please", "pls", "plz", "kindly", "could you", "can you", "would you", "will you", "i want you to", "i need you to", "i would like you to"),
+        "there": ("there",),
+    }
+)  # fmt: skip
+"""Phrases of each class in normal form (see `normal_form`). Of overlapping phrases the longest counts, of equal ones each."""
+
+GOVERNING = frozenset(("if", "only_if", "unless", "whether", "when", "depending"))
+PRO_FORMS = frozenset(("so", "else", "fail"))
+
+ASKING_LEMMAS = frozenset(
+    "check see find look verify ask tell know wonder determine confirm ensure discover inspect test out learn let figure notice make establish sure certain doubt report say examine".split()
+)
+"""What stands before an "if" that reports or checks and opens no condition ("see if", "find out if", "let me know if")."""
+
+_NORMAL = {
+    "n't": "not", "n’t": "not", "nt": "not", "ca": "can", "wo": "will", "'s": "is", "’s": "is", "'re": "are", "’re": "are", "'ll": "will", "’ll": "will",
+    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    """An occurrence of a cue phrase: its class and the tokens from `first` to `last`, inclusive."""
+
+    name: str
+    first: int
+    last: int
+
+
+def normal_form(word: str) -> str:
+    """A token as the phrases spell it: contractions written out, forms of "be" as "is"."""
+    return _NORMAL.get(word, word)
+
+
+def find_cues(document: Document) -> tuple[Cue, ...]:
+    """All cues of a document from left to right; an "if" or "whether" after a verb of asking is `whether`."""
+    words = [normal_form(token.lower) for token in document.tokens]
+    cues: list[Cue] = []
+    position = 0
+    while position < len(words):
+        length, names = _longest(words, position)
+        for name in names:
+            cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
+        position += max(1, length)
+    return tuple(cues)
+
+
+def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]:
+    for length in range(min(_LONGEST, len(words) - position), 0, -1):
+        names = _TABLE.get(tuple(words[position : position + length]))
+        if names is not None and _may_end(names, words, position + length):
+            return length, names
+    return 0, ()
+
+
+def _may_end(names: tuple[str, ...], words: Sequence[str], end: int) -> bool:
+    """A pro-form whose last word is an auxiliary stands for a whole condition only where no verb follows it."""
+    if not set(names) & PRO_FORMS or words[end - 1] not in _AUXILIARIES:
+        return True
+    if end >= len(words) or not words[end].isalpha():
+        return True
+    return "so" not in names and words[end] in _AFTER_PRO_FORM
+
+
+_AUXILIARIES = frozenset(("can", "not", "does", "do", "is", "could", "will"))
+_AFTER_PRO_FORM = frozenset("then just please bring go put come tell let ask give try and or you".split())
+
+
+def _disambiguated(name: str, document: Document, position: int) -> str:
+    if name != "if" or position == 0:
+        return name
+    before = document.tokens[position - 1]
+    if before.lemma in ASKING_LEMMAS or before.lower in ASKING_LEMMAS:
+        return "whether"
+    if position > 1 and before.lower in ("me", "out", "us", "sure") and document.tokens[position - 2].lemma in ASKING_LEMMAS:
+        return "whether"
+    return name
+
+
+def _build_table() -> dict[tuple[str, ...], tuple[str, ...]]:
+    table: dict[tuple[str, ...], tuple[str, ...]] = {}
+    for name, phrases in PHRASES.items():
+        for phrase in phrases:
+            key = tuple(normal_form(word) for word in phrase.split())
+            if name not in table.get(key, ()):
+                table[key] = (*table.get(key, ()), name)
+    return table
+
+
+_TABLE = _build_table()
+_LONGEST = max(map(len, _TABLE))
+
+
+OPPOSITES: Mapping[str, str] = MappingProxyType(
+    {
+        word: opposite
+        for first, second in (
+            ("on", "off"), ("open", "closed"), ("open", "shut"), ("hot", "cold"), ("warm", "cold"), ("clean", "dirty"), ("full", "empty"), ("locked", "unlocked"),
+            ("awake", "asleep"), ("wet", "dry"), ("in", "out"), ("home", "out"), ("home", "away"), ("inside", "outside"), ("up", "down"), ("free", "occupied"),
+            ("free", "busy"), ("running", "stopped"), ("done", "running"), ("finished", "running"), ("lit", "unlit"), ("charged", "flat"), ("alive", "dead"), ("early", "late"),
+            ("light", "dark"), ("ripe", "unripe"), ("made", "unmade"), ("plugged", "unplugged"), ("loose", "tight"), ("high", "low"), ("present", "absent"), ("good", "bad"),
+            ("working", "broken"), ("fresh", "stale"), ("fresh", "old"), ("quiet", "loud"), ("big", "small"), ("full", "low"), ("raining", "dry"), ("upstairs", "downstairs"),
+        )
+        for word, opposite in ((first, second), (second, first))
+    }
+)  # fmt: skip
+"""States to an opposite, for mentions such as "if it is on … if it is off"; open vocabulary, not only the domain's."""

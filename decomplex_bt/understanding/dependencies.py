@@ -1,0 +1,181 @@
+"""Task dependency resolution: from the tasks of an instruction to its control flow (DeComplex, section III-D).
+
+`FlowModel` is the default: three small CRFs in a row say role, attachment and order of every task (see `arcs`).
+`PaperDependencies` is the paper's CRF over its four labels with the tree building of section III-E.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from decomplex_bt.flow import Do, Flow, If, Node
+from decomplex_bt.instruction import Instruction
+from decomplex_bt.understanding.arcs import Arc, arcs_of, flow_of
+from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, polarities_of
+from decomplex_bt.understanding.crf import Crf, CrfParameters, train_crf
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
+
+PARAMETERS = CrfParameters(c1=0.05, c2=0.1, max_iterations=120)
+MODELS = ("roles", "attachments", "orders")
+
+
+@dataclass(frozen=True, slots=True)
+class FoundFlow:
+    """A control flow with the probability of the labels it was built from."""
+
+    flow: Flow
+    confidence: float
+
+
+class FlowModel:
+    """The trained models of role, attachment and order, from `roles.crf`, `attachments.crf` and `orders.crf`."""
+
+    def __init__(self, folder: Path) -> None:
+        self._roles, self._attachments, self._orders = (Crf(folder / f"{name}.crf") for name in MODELS)
+
+    def find(self, observed: Observed, tasks: Sequence[MarkedTask]) -> FoundFlow:
+        """The control flow of tasks in text order."""
+        clauses = clauses_of(observed, tasks)
+        roles = self._roles.label(role_features(observed, clauses))
+        attachments = self._attachments.label(attachment_features(observed, clauses, roles.labels))
+        orders = self._orders.label(order_features(observed, clauses, roles.labels, attachments.labels))
+        arcs = [Arc(*labels) for labels in zip(roles.labels, attachments.labels, orders.labels, strict=True)]
+        confidence = roles.probability * attachments.probability * orders.probability
+        return FoundFlow(flow_of(arcs, polarities_of(clauses)), confidence)
+
+
+def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:
+    """Trains the three models on annotated documents, given their gold tasks and arguments, and writes them to `folder`.
+
+    Gives the number of instructions left out because no labels can say their flow.
+    """
+    sequences: dict[str, list[list[dict[str, object]]]] = {name: [] for name in MODELS}
+    labels: dict[str, list[list[str]]] = {name: [] for name in MODELS}
+    left_out = 0
+    for observed, instruction in data:
+        if not instruction.tasks:
+            continue
+        clauses = clauses_of(observed, marked_tasks(observed, instruction))
+        arcs = arcs_of(instruction.flow, polarities_of(clauses))
+        if arcs is None:
+            left_out += 1
+            continue
+        roles = [arc.role for arc in arcs]
+        attachments = [arc.attachment for arc in arcs]
+        sequences["roles"].append(role_features(observed, clauses))
+        sequences["attachments"].append(attachment_features(observed, clauses, roles))
+        sequences["orders"].append(order_features(observed, clauses, roles, attachments))
+        for name, values in zip(MODELS, (roles, attachments, [arc.order for arc in arcs]), strict=True):
+            labels[name].append(values)
+    for name in MODELS:
+        train_crf(folder / f"{name}.crf", sequences[name], labels[name], PARAMETERS)
+    return left_out
+
+
+def marked_tasks(observed: Observed, instruction: Instruction) -> tuple[MarkedTask, ...]:
+    """The tasks of an annotated instruction as the flow model sees them."""
+    document = observed.document
+    return tuple(
+        MarkedTask(
+            document.indices(task.span).start,
+            task.type,
+            tuple((a.type, document.indices(a.span)) for a in task.arguments if a.span is not None),
+        )
+        for task in instruction.tasks
+    )
+
+
+class PaperDependencies:
+    """The paper's dependency CRF, with or without the task_type feature, and its tree with or without merging."""
+
+    def __init__(self, path: Path, *, with_task_type: bool = True, with_merging: bool = True) -> None:
+        self._crf = Crf(path)
+        self.with_task_type = with_task_type
+        self.with_merging = with_merging
+
+    def label(self, observed: Observed, clauses: Sequence[Clause]) -> tuple[str, ...]:
+        """One of the four labels of Table I for every task."""
+        items = paper_features(observed, clauses, with_task_type=self.with_task_type)
+        return self._crf.label(items).labels
+
+    def find(self, observed: Observed, instruction: Instruction) -> Flow:
+        """The control flow of an instruction's tasks (its own flow is not read)."""
+        clauses = clauses_of(observed, marked_tasks(observed, instruction))
+        return tree_of(self.label(observed, clauses), instruction, with_merging=self.with_merging)
+
+
+def train_paper_dependencies(
+    path: Path, data: Sequence[tuple[Observed, Instruction]], *, with_task_type: bool = True
+) -> None:
+    """Trains the paper's dependency CRF on annotated instructions and writes it to `path`."""
+    items, labels = [], []
+    for observed, instruction in data:
+        if not instruction.tasks:
+            continue
+        clauses = clauses_of(observed, marked_tasks(observed, instruction))
+        dependencies = instruction.flow.dependencies()
+        items.append(paper_features(observed, clauses, with_task_type=with_task_type))
+        labels.append([dependencies[task.id] for task in instruction.tasks])
+    train_crf(path, items, labels, PARAMETERS)
+
+
+@dataclass(slots=True)
+class _OpenCondition:
+    numbers: list[int]
+    then: list[Node]
+    orelse: list[Node]
+
+
+def tree_of(labels: Sequence[str], instruction: Instruction, *, with_merging: bool = True) -> Flow:
+    """The paper's control flow tree (section III-E): dependents go to the branch of the condition before them, of the
+    next one where none precedes; conditions of one type without dissimilar argument values are merged."""
+    conditions: list[_OpenCondition] = []
+    top: list[_OpenCondition | int] = []
+    waiting: list[tuple[int, str]] = []
+    for task, label in zip(instruction.tasks, labels, strict=True):
+        if label == "conditional":
+            same = next((c for c in conditions if with_merging and _is_same(c, task.id, instruction)), None)
+            if same is not None:
+                same.numbers.append(task.id)
+                condition = same
+            else:
+                condition = _OpenCondition([task.id], [], [])
+                conditions.append(condition)
+                top.append(condition)
+            for number, waiting_label in waiting:
+                _attach(condition, number, waiting_label)
+            waiting = []
+        elif label == "sequential":
+            top.append(task.id)
+        elif conditions and not waiting:
+            _attach(conditions[-1], task.id, label)
+        else:
+            waiting.append((task.id, label))
+    top.extend(number for number, _ in waiting)
+    return Flow(tuple(_close(node) for node in top))
+
+
+def _attach(condition: _OpenCondition, number: int, label: str) -> None:
+    branch = condition.then if label == "dependent_positive" else condition.orelse
+    branch.append(Do((number,)))
+
+
+def _is_same(condition: _OpenCondition, number: int, instruction: Instruction) -> bool:
+    """Of one type, and no argument type that both have with different values (section III-E)."""
+    first, second = instruction.task(condition.numbers[0]), instruction.task(number)
+    if first.type != second.type:
+        return False
+    return all(
+        {value.lower() for value in first.values(kind)} == {value.lower() for value in second.values(kind)}
+        for kind in {a.type for a in first.arguments} & {a.type for a in second.arguments}
+    )
+
+
+def _close(node: _OpenCondition | int) -> Node:
+    if isinstance(node, int):
+        return Do((node,))
+    numbers = tuple(sorted(node.numbers))
+    return If(numbers, tuple(node.then), tuple(node.orelse)) if node.then or node.orelse else Do(numbers)

@@ -1,0 +1,60 @@
+"""The domain's words as hints for the language models: what a verb tends to mean, what kind of thing a noun names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.domain.lexicon import Lexicon
+from decomplex_bt.understanding.document import Document
+
+
+@dataclass(frozen=True)
+class Gazetteer:
+    """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing", "furniture",
+    "room", ...); `states`: words of state."""
+
+    verbs: Mapping[str, tuple[str, ...]]
+    nouns: Mapping[str, str]
+    states: frozenset[str]
+
+    @classmethod
+    def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:
+        nouns: dict[str, str] = {}
+        for kind in kinds.kinds.values():
+            for phrase in kind.words:
+                nouns.setdefault(phrase.split()[-1].lower(), kind.category)
+        states = {value for pair in kinds.state_pairs.values() for value in pair.values}
+        states |= {word for pair in kinds.state_pairs.values() for words in pair.words.values() for word in words}
+        return cls({verb: sense.tasks for verb, sense in lexicon.verbs.items()}, nouns, frozenset(states))
+
+    def senses(self, document: Document, i: int) -> tuple[str, ...]:
+        """The task types of a token as a verb, with the particle that belongs to it, if that makes a verb of its own."""
+        token = document.tokens[i]
+        for lemma in dict.fromkeys((token.lemma, token.lower)):
+            particle = self.particle(document, i)
+            if particle is not None and f"{lemma} {particle}" in self.verbs:
+                return self.verbs[f"{lemma} {particle}"]
+            if lemma in self.verbs:
+                return self.verbs[lemma]
+        return ()
+
+    def particle(self, document: Document, i: int) -> str | None:
+        """The particle of a phrasal verb: by the parse, else a particle word among the next four tokens."""
+        for child in document.children[i]:
+            if document.tokens[child].dep == "prt":
+                return document.tokens[child].lower
+        for token in document.tokens[i + 1 : i + 5]:
+            if token.lower in PARTICLES:
+                return token.lower
+            if token.pos in ("VERB", "PUNCT", "CCONJ"):
+                break
+        return None
+
+    def category(self, word: str) -> str:
+        """The category of a noun by its lemma, "" where unknown."""
+        return self.nouns.get(word, "")
+
+
+PARTICLES = frozenset("up down on off out in away back over open shut round around together along".split())

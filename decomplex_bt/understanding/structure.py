@@ -1,0 +1,253 @@
+"""Features of tasks in their order, for the models of role, attachment and order (the default control flow)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.clauses import Clause
+from decomplex_bt.understanding.crf import Features
+from decomplex_bt.understanding.cues import GOVERNING
+from decomplex_bt.understanding.features import Observed
+
+_PRONOUNS = frozenset("it they them that this those these one there he she".split())
+_SIGNALS = (
+    "if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "then", "after_that", "before", "before_that", "after", "until",
+    "first", "last", "either", "also", "while", "but", "or", "and", "not", "instead", "depending", "whether", "even_if",
+)  # fmt: skip
+
+
+def paper_features(observed: Observed, clauses: Sequence[Clause], *, with_task_type: bool = True) -> list[Features]:
+    """The observation features of the paper's dependency CRF, row by row (DeComplex, Table II)."""
+    document = observed.document
+    items: list[Features] = []
+    for clause in clauses:
+        i = clause.task.token
+        children = [document.tokens[child] for child in document.children[i]]
+        item: Features = {
+            "pos": document.tokens[i].tag,
+            "dep": document.tokens[i].dep,
+            "has_mark": any(child.dep == "mark" for child in children),
+            "advmod_child": next((child.lower for child in children if child.dep == "advmod"), ""),
+            "has_advcl_child": any(child.dep == "advcl" for child in children),
+            "length_conj": sum(child.dep == "conj" for child in children),
+        }
+        if with_task_type:
+            item["task_type"] = clause.task.type
+        items.append(item)
+    return items
+
+
+def role_features(observed: Observed, clauses: Sequence[Clause]) -> list[Features]:
+    """For every task: is it a condition, a mention of one, or a plain task?"""
+    own = [_own_features(observed, clauses, k) for k in range(len(clauses))]
+    items: list[Features] = []
+    for k in range(len(clauses)):
+        item = dict(own[k])
+        for offset in (-2, -1, 1, 2):
+            if 0 <= k + offset < len(clauses):
+                item.update(_neighbour_features(observed, clauses, k, offset))
+            else:
+                item[f"{offset:+d}.none"] = 1.0
+        item.update(_resemblance_features(observed, clauses, k))
+        items.append(item)
+    return items
+
+
+def attachment_features(observed: Observed, clauses: Sequence[Clause], roles: Sequence[str]) -> list[Features]:
+    """For every task, the roles being known: to which condition does it belong, and to which side of it?"""
+    items: list[Features] = []
+    for k, clause in enumerate(clauses):
+        item = _own_features(observed, clauses, k)
+        item["role"] = roles[k]
+        item["role.type"] = f"{roles[k]}.{clause.task.type}"
+        for offset in (-2, -1, 1, 2):
+            item[f"role{offset:+d}"] = roles[k + offset] if 0 <= k + offset < len(roles) else "none"
+        item["roles"] = f"{item['role-1']}|{roles[k]}|{item['role+1']}"
+        before = [j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES]
+        after = [j for j in range(k + 1, len(roles)) if roles[j] in CONDITION_ROLES]
+        item["conditions"] = f"{min(2, len(before))}|{min(2, len(after))}"
+        if before:
+            item.update(_left_features(clauses, k, before))
+        if after:
+            item.update(_right_features(clauses, k, after[0]))
+        for offset in (-1, 1):
+            if 0 <= k + offset < len(clauses):
+                item.update(_neighbour_features(observed, clauses, k, offset))
+        items.append(item)
+    return items
+
+
+def order_features(
+    observed: Observed, clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]
+) -> list[Features]:
+    """For every task, role and attachment being known: is it executed out of the order of the text?"""
+    items: list[Features] = []
+    for k, clause in enumerate(clauses):
+        document = observed.document
+        item: Features = {"bias": 1.0, "role": roles[k], "attached": attachments[k], "boundary": clause.boundary, "tag": document.tokens[clause.task.token].tag}
+        for name in ("near", "far", "behind"):
+            for cue in _ORDER_CUES.intersection(getattr(clause, name)):
+                item[f"{name}.{cue}"] = 1.0
+                item[f"{name}.{cue}.first"] = str(k == 0)
+                item[f"{name}.{cue}.tag"] = document.tokens[clause.task.token].tag
+        for offset in (-1, 1):
+            if 0 <= k + offset < len(clauses):
+                other = clauses[k + offset]
+                for name in ("near", "far", "behind"):
+                    for cue in _ORDER_CUES.intersection(getattr(other, name)):
+                        item[f"{offset:+d}.{name}.{cue}"] = 1.0
+                item[f"{offset:+d}.same_sentence"] = str(other.sentence == clause.sentence)
+                item[f"{offset:+d}.same_parent"] = str(attachments[k + offset] == attachments[k])
+            else:
+                item[f"{offset:+d}.none"] = 1.0
+        items.append(item)
+    return items
+
+
+_ORDER_CUES = frozenset(("before", "before_that", "after", "until", "first", "last", "after_that", "then", "while", "when", "not", "if", "either_way", "but"))
+
+
+def _own_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
+    document = observed.document
+    clause = clauses[k]
+    i = clause.task.token
+    token = document.tokens[i]
+    children = [document.tokens[child] for child in document.children[i]]
+    subject = next((child.lower for child in children if child.dep in ("nsubj", "nsubjpass", "expl")), "")
+    governing = _last_of(clause.near, GOVERNING)
+    item: Features = {
+        "bias": 1.0,
+        "type": clause.task.type,
+        "lemma": token.lemma,
+        "tag": token.tag,
+        "dep": token.dep,
+        "has_mark": any(child.dep == "mark" for child in children),
+        "has_advcl": any(child.dep == "advcl" for child in children),
+        "conj": min(2, sum(child.dep == "conj" for child in children)),
+        "subject": subject if subject in _PRONOUNS | {"you", "i"} else ("noun" if subject else "none"),
+        "negated": clause.polarity.is_negated,
+        "boundary": clause.boundary,
+        "governing": governing,
+        "governing.type": f"{governing}.{clause.task.type}",
+        "question": observed.question[i],
+        "question.type": f"{observed.question[i]}.{clause.task.type}",
+        "place": "only" if len(clauses) == 1 else "first" if k == 0 else "last" if k == len(clauses) - 1 else "inside",
+        "new_sentence": k == 0 or clauses[k - 1].sentence != clause.sentence,
+        "ends_sentence": k == len(clauses) - 1 or clauses[k + 1].sentence != clause.sentence,
+    }
+    for name in ("near", "far", "behind"):
+        for cue in dict.fromkeys(getattr(clause, name)):
+            if cue in _SIGNALS:
+                item[f"{name}.{cue}"] = 1.0
+    first_word = document.tokens[min(clause.first, i)].lower
+    item["first_word"] = first_word
+    item["type.new_sentence"] = f"{clause.task.type}.{item['new_sentence']}"
+    item["near.type"] = f"{'+'.join(sorted(set(clause.near) & _STRONG))}.{clause.task.type}"
+    item["far.signal"] = "+".join(sorted(set(clause.far) & _STRONG))
+    return item
+
+
+_STRONG = frozenset(("if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "before", "after", "until", "whether"))
+
+
+def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, offset: int) -> Features:
+    other = clauses[k + offset]
+    token = observed.document.tokens[other.task.token]
+    mark = f"{offset:+d}"
+    item: Features = {
+        f"{mark}.type": other.task.type,
+        f"{mark}.types": f"{other.task.type}|{clauses[k].task.type}",
+        f"{mark}.same_sentence": other.sentence == clauses[k].sentence,
+        f"{mark}.governing": _last_of(other.near, GOVERNING),
+        f"{mark}.tag": token.tag,
+        f"{mark}.negated": other.polarity.is_negated,
+        f"{mark}.question": observed.question[other.task.token],
+    }
+    for name in ("near", "far", "behind"):
+        for cue in _STRONG.intersection(getattr(other, name)):
+            item[f"{mark}.{name}.{cue}"] = 1.0
+    if offset == 1:
+        item["+1.far.first"] = next((cue for cue in other.far if cue in _STRONG), next((cue for cue in other.near if cue in _STRONG), ""))
+        item["+1.signal.type"] = f"{item['+1.far.first']}.{clauses[k].task.type}"
+    return item
+
+
+def _resemblance_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
+    """How a task resembles earlier ones: a mention speaks of the same thing, often by pronoun or with the opposite state."""
+    clause = clauses[k]
+    item: Features = {}
+    for j in range(k - 1, -1, -1):
+        other = clauses[j]
+        if clause.polarity.is_opposite_of(other.polarity):
+            item["opposite_state"] = min(3, k - j)
+        if clause.polarity.state is not None and clause.polarity.state == other.polarity.state:
+            item["same_state"] = min(3, k - j)
+        if set(clause.objects) & set(other.objects):
+            item.setdefault("same_object", min(3, k - j))
+            item.setdefault("same_object.types", f"{other.task.type}|{clause.task.type}")
+    item["object"] = "noun" if clause.objects else "pronoun" if _speaks_of_pronoun(observed, clause) else "none"
+    item["object.type"] = f"{item['object']}.{clause.task.type}.{_last_of(clause.near, GOVERNING)}"
+    item["earlier_search"] = any(other.task.type == "searching" for other in clauses[:k])
+    item["earlier_check"] = any(other.task.type == "check_state" for other in clauses[:k])
+    item["argument_count"] = min(3, len(clause.task.arguments))
+    return item
+
+
+def _speaks_of_pronoun(observed: Observed, clause: Clause) -> bool:
+    return any(observed.document.tokens[j].lower in _PRONOUNS for j in range(clause.first, clause.last + 1))
+
+
+def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int]) -> Features:
+    j = before[0]
+    clause, condition = clauses[k], clauses[j]
+    item: Features = {
+        "left.gap": min(4, k - j),
+        "left.sentences": min(2, clause.sentence - condition.sentence),
+        "left.type": condition.task.type,
+        "left.types": f"{condition.task.type}|{clause.task.type}",
+        "left.negated": condition.polarity.is_negated,
+        "left.governing": _last_of(condition.near, GOVERNING),
+    }
+    between: set[str] = set(condition.behind)
+    for m in range(j + 1, k + 1):
+        between |= {*clauses[m].far, *clauses[m].near}
+        if m < k:
+            between |= set(clauses[m].behind)
+    for cue in _SIGNALS:
+        if cue in between:
+            item[f"between.{cue}"] = 1.0
+    own = {*clause.far, *clause.near}
+    last = next((cue for cue in ("either_way", "else", "fail", "so", "then", "after_that", "also", "instead") if cue in own), "")
+    item["turn"] = last
+    item["turn.gap"] = f"{last}.{min(3, k - j)}.{item['left.sentences']}"
+    item["turn.governing"] = f"{last}.{item['left.governing']}.{condition.polarity.is_negated}"
+    item["turn.boundary"] = f"{last}.{clause.boundary}"
+    strong = [cue for cue in ("either_way", "else", "fail", "so") if cue in between]
+    item["turns"] = "+".join(strong)
+    item["turns.type"] = f"{'+'.join(strong)}.{clause.task.type}"
+    if len(before) > 1:
+        item["left.second.gap"] = min(4, k - before[1])
+        item["left.second.same_sentence"] = clauses[before[1]].sentence == condition.sentence
+    return item
+
+
+def _right_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
+    clause, condition = clauses[k], clauses[j]
+    governing = _last_of(condition.near, GOVERNING)
+    opens = {*clauses[k + 1].far, *clauses[k + 1].near, *clause.behind}
+    return {
+        "right.gap": min(4, j - k),
+        "right.sentences": min(2, condition.sentence - clause.sentence),
+        "right.type": condition.task.type,
+        "right.governing": governing,
+        "right.boundary": condition.boundary,
+        "right.near": f"{j - k == 1}.{condition.sentence == clause.sentence}.{governing}",
+        "right.boundary.governing": f"{condition.boundary}.{governing}.{min(2, j - k)}",
+        "right.negated": condition.polarity.is_negated,
+        "right.opens": "+".join(sorted(opens & _STRONG)),
+    }
+
+
+def _last_of(names: Sequence[str], wanted: frozenset[str]) -> str:
+    return next((name for name in reversed(names) if name in wanted), "none")
