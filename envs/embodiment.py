@@ -1,0 +1,120 @@
+"""The household robot's body: observations become percepts, plan steps become skills. It knows the house map alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from decomplex_bt.behaviour.embodiment import Skill
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.envs.floorplan import Cells, floorplan_of
+from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.navigation import DEFAULT_LIMITS, Driver, Limits
+from decomplex_bt.envs.senses import Senses
+from decomplex_bt.planning.pddl import GroundAction
+from decomplex_bt.planning.percept import Percept
+
+Action = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class BodyConfig:
+    """What the body knows of itself. Metres.
+
+    `reach`: how far from its centre the gripper gets; `reach_person`: how far it speaks and hands over; `radius`: of
+    the robot; `wall_thickness`: of the house's walls.
+    """
+
+    limits: Limits = DEFAULT_LIMITS
+    radius: float = 0.22
+    reach: float = 0.8
+    reach_person: float = 1.5
+
+
+class HouseholdEmbodiment:
+    """Implements `decomplex_bt.behaviour.embodiment.Embodiment` for the household environments.
+
+    It holds the house map and what it has observed; nothing in it leads to the simulator.
+    """
+
+    def __init__(self, house: House, kinds: Kinds, config: BodyConfig | None = None) -> None:
+        self.house = house
+        self.kinds = kinds
+        self.config = config or BodyConfig()
+        self.floorplan = floorplan_of(house, kinds, radius=self.config.radius)
+        self.senses = Senses(house, kinds, self.floorplan)
+        self._last: Any = None
+        self._percept: Percept | None = None
+
+    # -- the protocol -------------------------------------------------------------------------------------------------
+
+    def reset(self, observation: Mapping[str, Any]) -> None:
+        self.senses.clear()
+        self._last = self._percept = None
+        self.sense(observation)
+
+    def perceive(self, observation: Mapping[str, Any]) -> Percept:
+        """The observation in the domain's names; call it for every observation, in order."""
+        self.sense(observation)
+        senses = self.senses
+        return Percept(
+            room=senses.room,
+            held=senses.held,
+            tray=senses.tray,
+            places=senses.places,
+            states=senses.states,
+            inspected=senses.inspected,
+            near=senses.near,
+            result=_result_text(senses.result),
+            seconds=senses.seconds,
+        )
+
+    def skill(self, step: GroundAction) -> Skill:
+        from decomplex_bt.envs.skills import make_skill
+
+        return make_skill(self, step)
+
+    def rest(self) -> Action:
+        return self.drive(0.0, 0.0)
+
+    def finish(self) -> Action:
+        return self.interact(Interaction.FINISH)
+
+    # -- for the skills -----------------------------------------------------------------------------------------------
+
+    def sense(self, observation: Mapping[str, Any]) -> None:
+        """Takes an observation in, unless it is the one taken in last."""
+        if observation is self._last:
+            return
+        self._last = observation
+        self.senses.take(observation)
+
+    def drive(self, forward: float, turn: float) -> Action:
+        """The action that drives: shares of the limits in [-1, 1]."""
+        return {
+            "drive": np.array([min(1.0, max(-1.0, forward)), min(1.0, max(-1.0, turn))], dtype=np.float32),
+            "interact": int(Interaction.NONE),
+            "target": 0,
+        }
+
+    def interact(self, interaction: Interaction, target: str | None = None) -> Action:
+        """The action that stands still and does `interaction` with `target`, an entity's name."""
+        return {
+            "drive": np.zeros(2, dtype=np.float32),
+            "interact": int(interaction),
+            "target": 0 if target is None else self.senses.row[target],
+        }
+
+    def driver(self, goal: Cells) -> Driver:
+        return Driver(self.floorplan, goal, self.config.limits)
+
+
+def _result_text(result: Result) -> str:
+    """What `Percept.result` says of a result."""
+    if result is Result.NONE:
+        return ""
+    return result.name.lower().replace("_", " ")

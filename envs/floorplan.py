@@ -1,0 +1,306 @@
+"""Where a round robot can go in a house, and the shortest ways through it: an occupancy grid made of the house map.
+
+World frame as in the house file, metres. Everything here follows from the map alone, never from the true world.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.envs.geometry import WALL_RADIUS, Geometry
+
+Point = tuple[float, float]
+Rect = tuple[float, float, float, float]
+Cells = NDArray[np.int32]
+Mask = NDArray[np.bool_]
+
+RESOLUTION = 0.06
+"""[m] Side of a grid cell; the narrowest passage of the default house leaves six cells."""
+MARGIN = 0.04
+"""[m] Kept free around the robot besides its radius."""
+COMFORT = 0.40
+"""[m] Clearance below which a way counts as longer, so that paths keep off corners where there is room."""
+DISCOMFORT = 1.5
+"""Extra cost of a metre along an obstacle, relative to a metre in the open."""
+REACHABLE = 0.78
+"""[m] A place whose footprint the robot's centre cannot come nearer to than this is not used from there."""
+_FIELDS_KEPT = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A round obstacle that is not on the map: a person, a thing on the floor. Metres."""
+
+    x: float
+    y: float
+    radius: float
+
+
+@dataclass(frozen=True)
+class Way:
+    """A drivable polyline; `free` is the grid mask it was planned on, and says what else is drivable."""
+
+    points: tuple[Point, ...]
+    length: float
+    free: Mask
+
+
+class Floorplan:
+    """The free space of a house for a disc of `radius`, with the cells from which each place is used."""
+
+    def __init__(self, geometry: Geometry, *, radius: float = 0.22) -> None:
+        self.geometry = geometry
+        self.house = geometry.house
+        self.inflation = radius + MARGIN
+        self.x0, self.y0, right, top = geometry.bounds
+        self.columns = math.ceil((right - self.x0) / RESOLUTION)
+        self.rows = math.ceil((top - self.y0) / RESOLUTION)
+        index = np.arange(self.rows * self.columns)
+        self.cell_x = self.x0 + (index % self.columns + 0.5) * RESOLUTION
+        self.cell_y = self.y0 + (index // self.columns + 0.5) * RESOLUTION
+        self.clearance = self._clearance()
+        self.free: Mask = self.clearance >= self.inflation
+        self._edges = self._make_edges()
+        self._fields: OrderedDict[tuple[bytes, frozenset[str]], tuple[NDArray, NDArray]] = OrderedDict()
+        self._doors = {
+            name: _rect_distances(self.footprint(name), self.cell_x, self.cell_y) < self.inflation
+            for name in self.house.doorways
+        }
+
+    # -- where things are ---------------------------------------------------------------------------------------------
+
+    def room_at(self, x: float, y: float) -> str | None:
+        """The room a point lies in; None outside the house."""
+        for name, room in self.house.rooms.items():
+            left, bottom, right, top = room.rect
+            if left <= x < right and bottom <= y < top:
+                return name
+        return None
+
+    def footprint(self, place: str) -> Rect:
+        """The rectangle of a piece of furniture, a floor (its room) or a doorway. Raises `KeyError`."""
+        if place in self.geometry.openings:
+            return self.geometry.openings[place]
+        left, bottom, right, top = self.geometry.footprints[self.geometry.row[place]].tolist()
+        return left, bottom, right, top
+
+    def rooms_of(self, place: str) -> tuple[str, ...]:
+        """The room of a place, or the two rooms that a doorway joins. Raises `KeyError`."""
+        if place in self.house.furniture:
+            return (self.house.furniture[place].room,)
+        if place in self.house.doorways:
+            return self.house.doorways[place].rooms
+        return (place.removesuffix("_floor"),) if place.removesuffix("_floor") in self.house.rooms else ()
+
+    def distance_to(self, place: str, x: float, y: float) -> float:
+        """Metres from a point to the nearest point of a place's footprint; 0 inside."""
+        return rect_distance(self.footprint(place), x, y)
+
+    # -- goal regions -------------------------------------------------------------------------------------------------
+
+    def cells_at(self, place: str, *, room: str) -> Cells:
+        """The cells of `room` from which a place is used: in front of its sides, as near as the robot can stand.
+
+        Empty where there is none. For a floor: all free cells of the room.
+        """
+        inside = self.free & self._in_room(room)
+        if place in self.house.doorways:
+            return self._doorway_cells(place, inside)
+        rect = self.footprint(place)
+        if place not in self.house.furniture:
+            return np.flatnonzero(inside).astype(np.int32)
+        beside = np.zeros_like(inside)
+        for side in self.house.furniture[place].sides:
+            beside |= self._beside(rect, side)
+        distance = _rect_distances(rect, self.cell_x, self.cell_y)
+        for region in (inside & beside, inside):
+            if region.any() and distance[region].min() < REACHABLE:
+                return np.flatnonzero(region & (distance <= max(0.42, distance[region].min() + 0.06))).astype(np.int32)
+        return np.empty(0, np.int32)
+
+    def cells_around(self, x: float, y: float, *, nearest: float, farthest: float, room: str | None) -> Cells:
+        """The free cells of `room` (None: any) between two distances from a point."""
+        distance = np.hypot(self.cell_x - x, self.cell_y - y)
+        region = self.free & (distance >= nearest) & (distance <= farthest)
+        if room is not None:
+            region &= self._in_room(room)
+        return np.flatnonzero(region).astype(np.int32)
+
+    def _in_room(self, room: str) -> Mask:
+        left, bottom, right, top = self.house.rooms[room].rect
+        return (self.cell_x >= left) & (self.cell_x < right) & (self.cell_y >= bottom) & (self.cell_y < top)
+
+    def _beside(self, rect: Rect, side: str) -> Mask:
+        left, bottom, right, top = rect
+        slack = 0.1
+        along_x = (self.cell_x >= left - slack) & (self.cell_x <= right + slack)
+        along_y = (self.cell_y >= bottom - slack) & (self.cell_y <= top + slack)
+        if side == "north":
+            return along_x & (self.cell_y > top)
+        if side == "south":
+            return along_x & (self.cell_y < bottom)
+        return along_y & (self.cell_x > right if side == "east" else self.cell_x < left)
+
+    def _doorway_cells(self, place: str, inside: Mask) -> Cells:
+        doorway = self.house.doorways[place]
+        x, y = doorway.centre
+        across, along = abs(self.cell_y - y), abs(self.cell_x - x)
+        _, bottom, _, top = self.geometry.openings[place]
+        if bottom != top:  # in a wall that runs along y
+            across, along = along, across
+        before = (across >= 0.42) & (across <= 0.62) & (along <= doorway.width / 2)
+        return np.flatnonzero(inside & before).astype(np.int32)
+
+    # -- ways ---------------------------------------------------------------------------------------------------------
+
+    def way(
+        self,
+        start: Point,
+        goal: Cells,
+        *,
+        closed: frozenset[str] = frozenset(),
+        obstacles: Sequence[Disc] = (),
+    ) -> Way | None:
+        """The shortest comfortable way from `start` to the nearest of the `goal` cells; None if there is none.
+
+        `closed`: doors that are not to be driven through. `obstacles`: discs to keep clear of.
+        """
+        free = self._mask(closed, obstacles)
+        goal = goal[free[goal]]
+        if not goal.size:
+            return None
+        if obstacles:
+            distance, previous = self._solve(goal, free)
+        else:
+            distance, previous = self._field(goal, free, closed)
+        cell = self._entry(start, free, distance)
+        if cell is None:
+            return None
+        cells = [cell]
+        while previous[cells[-1]] >= 0:
+            cells.append(int(previous[cells[-1]]))
+        points = [(float(self.cell_x[c]), float(self.cell_y[c])) for c in cells]
+        return Way(tuple(self._pull(points, free)), float(distance[cell]), free)
+
+    def is_clear(self, start: Point, end: Point, free: Mask) -> bool:
+        """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
+        length = math.hypot(end[0] - start[0], end[1] - start[1])
+        count = int(length / (RESOLUTION / 2)) + 1
+        steps = np.arange(1, count + 1) / count
+        columns = ((start[0] - self.x0 + steps * (end[0] - start[0])) / RESOLUTION).astype(np.intp)
+        rows = ((start[1] - self.y0 + steps * (end[1] - start[1])) / RESOLUTION).astype(np.intp)
+        np.clip(columns, 0, self.columns - 1, out=columns)
+        np.clip(rows, 0, self.rows - 1, out=rows)
+        return bool(free[rows * self.columns + columns].all())
+
+    def _mask(self, closed: frozenset[str], obstacles: Iterable[Disc]) -> Mask:
+        if not closed and not obstacles:
+            return self.free
+        free = self.free.copy()
+        for name in closed:
+            free &= ~self._doors[name]
+        for disc in obstacles:
+            free &= np.hypot(self.cell_x - disc.x, self.cell_y - disc.y) >= disc.radius + self.inflation
+        return free
+
+    def _entry(self, start: Point, free: Mask, distance: NDArray) -> int | None:
+        """The cell at which a way from `start` begins: the nearest free one that leads to the goal, within 0.6 m."""
+        off = np.hypot(self.cell_x - start[0], self.cell_y - start[1])
+        off[~(free & np.isfinite(distance))] = math.inf
+        cell = int(off.argmin())
+        return cell if off[cell] <= 0.6 else None
+
+    def _field(self, goal: Cells, free: Mask, closed: frozenset[str]) -> tuple[NDArray, NDArray]:
+        key = (goal.tobytes(), closed)
+        if key in self._fields:
+            self._fields.move_to_end(key)
+            return self._fields[key]
+        self._fields[key] = self._solve(goal, free)
+        if len(self._fields) > _FIELDS_KEPT:
+            self._fields.popitem(last=False)
+        return self._fields[key]
+
+    def _solve(self, goal: Cells, free: Mask) -> tuple[NDArray, NDArray]:
+        """Distance to the goal and the next cell on the way to it (-9999: none), for every cell."""
+        first, second, cost = self._edges
+        drivable = free[first] & free[second]
+        size = self.rows * self.columns
+        graph = csr_matrix((cost[drivable], (first[drivable], second[drivable])), shape=(size, size))
+        distance, previous, _ = dijkstra(graph, directed=False, indices=goal, min_only=True, return_predecessors=True)
+        return distance.astype(np.float32), previous.astype(np.int32)
+
+    def _pull(self, points: list[Point], free: Mask) -> list[Point]:
+        """The polyline drawn tight: corners only where the straight line is not free."""
+        tight, anchor, index = [points[0]], 0, 1
+        while index < len(points):
+            if index + 1 < len(points) and self.is_clear(points[anchor], points[index + 1], free):
+                index += 1
+                continue
+            tight.append(points[index])
+            anchor, index = index, index + 1
+        return tight
+
+    # -- the grid -----------------------------------------------------------------------------------------------------
+
+    def _clearance(self) -> NDArray[np.float64]:
+        """Metres from every cell's centre to the nearest wall or piece of furniture; 0 or less inside."""
+        clearance = np.full(self.rows * self.columns, math.inf)
+        for left, bottom, right, top in self.geometry.walls:
+            wall = min(left, right), min(bottom, top), max(left, right), max(bottom, top)
+            np.minimum(clearance, _rect_distances(wall, self.cell_x, self.cell_y) - WALL_RADIUS, out=clearance)
+        for block in self.geometry.blocks:
+            np.minimum(clearance, _rect_distances(block, self.cell_x, self.cell_y), out=clearance)
+        return clearance
+
+    def _make_edges(self) -> tuple[NDArray, NDArray, NDArray]:
+        grid = np.arange(self.rows * self.columns).reshape(self.rows, self.columns)
+        pairs = [
+            (grid[:, :-1], grid[:, 1:], 1.0),
+            (grid[:-1], grid[1:], 1.0),
+            (grid[:-1, :-1], grid[1:, 1:], math.sqrt(2)),
+            (grid[1:, :-1], grid[:-1, 1:], math.sqrt(2)),
+        ]
+        tightness = np.clip(1 - self.clearance / COMFORT, 0, 1)
+        firsts, seconds, costs = [], [], []
+        for one, other, length in pairs:
+            first, second = one.ravel(), other.ravel()
+            keep = self.free[first] & self.free[second]
+            first, second = first[keep], second[keep]
+            cost = length * RESOLUTION * (1 + DISCOMFORT * (tightness[first] + tightness[second]) / 2)
+            firsts.append(first)
+            seconds.append(second)
+            costs.append(cost)
+        return np.concatenate(firsts), np.concatenate(seconds), np.concatenate(costs)
+
+
+def floorplan_of(house: House, kinds: Kinds, *, radius: float = 0.22) -> Floorplan:
+    """The floorplan of a house, made once per process for equal houses."""
+    return _cached(house.model_dump_json(), kinds.model_dump_json(), radius)
+
+
+@lru_cache(maxsize=8)
+def _cached(house: str, kinds: str, radius: float) -> Floorplan:
+    geometry = Geometry(House.model_validate_json(house), Kinds.model_validate_json(kinds))
+    return Floorplan(geometry, radius=radius)
+
+
+def rect_distance(rect: Rect, x: float, y: float) -> float:
+    """Metres from a point to a rectangle; 0 inside."""
+    return math.hypot(max(rect[0] - x, 0.0, x - rect[2]), max(rect[1] - y, 0.0, y - rect[3]))
+
+
+def _rect_distances(rect: Rect, x: NDArray, y: NDArray) -> NDArray:
+    across = np.maximum(np.maximum(rect[0] - x, x - rect[2]), 0)
+    along = np.maximum(np.maximum(rect[1] - y, y - rect[3]), 0)
+    return np.hypot(across, along)

@@ -1,0 +1,208 @@
+"""What the body has seen: observations decoded to names, with a short memory, by the house map alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.envs.floorplan import Disc, Floorplan
+from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Result
+from decomplex_bt.envs.navigation import Pose
+
+STEADY = 3
+"""Looks in a row that make a sighting sure: a place counts as inspected when it was so in the last three, and a thing
+missed by one look counts as seen while one of the last three had it."""
+NEAR_PLACE = 1.0
+"""[m] Within this distance of its footprint, and in its room, the robot is at a place."""
+NEAR_PERSON = 1.5
+"""[m] Within this distance of their centre, and in their room, the robot is with a person."""
+_VISIBLE, _X, _Y, _PLACE, _INSPECTED = (COLUMNS.index(name) for name in ("visible", "x", "y", "place", "inspected"))
+_FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
+_PERSON_RADIUS = 0.25
+_REPORTED = [COLUMNS.index(name) for name in ("place", *STATE_PAIRS)]
+
+Places = Mapping[str, str]
+States = Mapping[tuple[str, str], str]
+
+
+class Senses:
+    """The last observation in the domain's names, and where each entity was seen last.
+
+    The mappings keep their identity while nothing in them changes, so that a reader can tell by `is` that there is
+    nothing new.
+    """
+
+    def __init__(self, house: House, kinds: Kinds, floorplan: Floorplan) -> None:
+        self.house, self.kinds, self.floorplan = house, kinds, floorplan
+        self.names = house.entities()
+        self.row = {name: index for index, name in enumerate(self.names)}
+        self.people = tuple(house.people)
+        self._things = np.array([name in house.things for name in self.names])
+        self._values = {
+            (column, flag): kinds.state_pairs[pair].values[0 if flag else 1]
+            for column, pair in enumerate(STATE_PAIRS)
+            if pair in kinds.state_pairs
+            for flag in (0, 1)
+        }
+        self._fixed = (*house.furniture, *house.doorways)
+        self._fixed_rects = np.array([floorplan.footprint(name) for name in self._fixed], dtype=float).reshape(-1, 4)
+        self._radius = {name: house.kind(name, kinds).radius for name in house.things}
+        self.clear()
+
+    def clear(self) -> None:
+        """Forgets everything."""
+        count = len(self.names)
+        self.pose = Pose(0.0, 0.0, 0.0)
+        self.room = ""
+        self.held: str | None = None
+        self.tray: tuple[str | None, ...] = ()
+        self.result = Result.NONE
+        self.seconds = 0.0
+        self.places: Places = MappingProxyType({})
+        self.states: States = MappingProxyType({})
+        self.inspected: frozenset[str] = frozenset()
+        self.near: frozenset[str] = frozenset()
+        self._table = np.zeros((count, len(COLUMNS)))
+        self._position = np.full((count, 2), np.nan)
+        self._age = np.full(count, STEADY)
+        self._inspected_for = np.zeros(count, int)
+        self._signature: tuple[bytes, bytes] | None = None
+        self._near_signature: bytes | None = None
+        self._door_states: dict[str, str] = {}
+        self._on_floors: list[str] = []
+
+    def take(self, observation: Mapping[str, Any]) -> None:
+        """Takes one observation in. Call it once per observation, in order."""
+        x, y, heading, speed, turn_rate = (float(value) for value in observation["robot"])
+        self.pose = Pose(x, y, heading, speed, turn_rate)
+        self.room = self.floorplan.room_at(x, y) or self.room
+        held, *tray = (int(row) for row in observation["held"])
+        self.held = self.names[held] if held >= 0 else None
+        self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
+        self.result = Result(int(observation["result"]))
+        self.seconds = float(observation["seconds"][0])
+        self._take_table(observation["entities"])
+        self._take_near()
+
+    # -- answers ------------------------------------------------------------------------------------------------------
+
+    def position(self, name: str) -> tuple[float, float] | None:
+        """Where an entity was seen last (m); None if never."""
+        x, y = self._position[self.row[name]]
+        return None if math.isnan(x) else (float(x), float(y))
+
+    def is_seen(self, name: str) -> bool:
+        """Whether one of the last three looks had it."""
+        return bool(self._age[self.row[name]] < STEADY)
+
+    def distance(self, name: str) -> float:
+        """Metres from the robot's centre to a place's footprint, or to the centre of a thing or person as last seen."""
+        if name in self.house.furniture or name in self.house.doorways:
+            return self.floorplan.distance_to(name, self.pose.x, self.pose.y)
+        position = self.position(name)
+        if position is None:
+            return math.inf
+        return math.hypot(position[0] - self.pose.x, position[1] - self.pose.y)
+
+    def room_of_person(self, name: str) -> str | None:
+        """The room a person was last seen in; None if never seen."""
+        position = self.position(name)
+        return None if position is None else self.floorplan.room_at(*position)
+
+    def closed_doors(self) -> frozenset[str]:
+        """The doorways last seen closed."""
+        return frozenset(name for name, value in self._door_states.items() if value == "closed")
+
+    def obstacles(self, *, besides: str | None = None) -> list[Disc]:
+        """The people and the things on floors that are seen now, except for `besides`."""
+        discs = []
+        for name in self.people:
+            if name != besides and self.is_seen(name):
+                x, y = self._position[self.row[name]]
+                discs.append(Disc(float(x), float(y), _PERSON_RADIUS))
+        for name in self._on_floors:
+            if name != besides:
+                x, y = self._position[self.row[name]]
+                discs.append(Disc(float(x), float(y), self._radius[name]))
+        return discs
+
+    # -- decoding -----------------------------------------------------------------------------------------------------
+
+    def _take_table(self, table: NDArray) -> None:
+        visible = table[:, _VISIBLE] > 0.5
+        self._age = np.where(visible, 0, self._age + 1)
+        known = visible | ((table[:, _X] != 0) | (table[:, _Y] != 0))
+        self._position[known] = table[known, _X : _Y + 1]
+        self._table[visible] = table[visible]
+        inspected = table[:, _INSPECTED] > 0.5
+        self._inspected_for = np.where(inspected, self._inspected_for + 1, 0)
+        recent, sure = self._age < STEADY, self._inspected_for >= STEADY
+        signature = (recent.tobytes() + sure.tobytes(), self._table[recent][:, _REPORTED].tobytes())
+        if signature != self._signature or self._has_moving_person(recent):
+            self._signature = signature
+            self._report(np.flatnonzero(recent), np.flatnonzero(sure))
+
+    def _has_moving_person(self, recent: NDArray) -> bool:
+        """Whether a person in view has walked into another room since the last report."""
+        return any(
+            recent[self.row[name]] and self.places.get(name) != self.room_of_person(name) for name in self.people
+        )
+
+    def _report(self, recent: NDArray, sure: NDArray) -> None:
+        places: dict[str, str] = {}
+        states: dict[tuple[str, str], str] = {}
+        names = self.names
+        on_floors = []
+        for index, row in zip(recent.tolist(), self._table[recent].tolist(), strict=True):
+            name = names[index]
+            at = int(row[_PLACE])
+            if at >= 0:
+                places[name] = names[at]
+                if names[at].endswith("_floor") and name in self._radius:
+                    on_floors.append(name)
+            elif name in self.house.people:
+                places[name] = self.room_of_person(name) or ""
+            for column, pair in enumerate(STATE_PAIRS):
+                flag = int(row[_FIRST_STATE + column])
+                if flag >= 0:
+                    states[name, pair] = self._values[column, flag]
+                    if pair == "aperture" and name in self.house.doorways:
+                        self._door_states[name] = states[name, pair]
+        self._on_floors = on_floors
+        self.places, self.states = _kept(self.places, places), _kept(self.states, states)
+        self.inspected = frozenset(names[index] for index in sure.tolist())
+
+    def _take_near(self) -> None:
+        x, y = self.pose.point
+        rects = self._fixed_rects
+        across = np.maximum(np.maximum(rects[:, 0] - x, x - rects[:, 2]), 0)
+        along = np.maximum(np.maximum(rects[:, 1] - y, y - rects[:, 3]), 0)
+        close = across * across + along * along <= NEAR_PLACE**2
+        rows = [self.row[name] for name in self.people]
+        gaps = np.hypot(self._position[rows, 0] - x, self._position[rows, 1] - y)
+        with_people = (gaps <= NEAR_PERSON) & (self._age[rows] < STEADY)
+        signature = close.tobytes() + with_people.tobytes() + self.room.encode()
+        if signature == self._near_signature:
+            return
+        self._near_signature = signature
+        near = [
+            name
+            for name, is_close in zip(self._fixed, close.tolist(), strict=True)
+            if is_close and self.room in self.floorplan.rooms_of(name)
+        ]
+        near += [name for name, is_close in zip(self.people, with_people.tolist(), strict=True) if is_close]
+        if self.room:
+            near.append(self.house.floor_of(self.room))
+        self.near = frozenset(near)
+
+
+def _kept(old: Mapping, new: dict) -> Mapping:
+    """The old mapping where nothing has changed."""
+    return old if old == new else MappingProxyType(new)
