@@ -1,0 +1,166 @@
+"""The domain: a folder of data files, read once, checked against each other, and handed on as one frozen value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from decomplex_bt.domain.document import read_record
+from decomplex_bt.domain.goals import Goals, check_goals, pddl_predicates
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.kinds import Kind, Kinds
+from decomplex_bt.domain.lexicon import Lexicon
+from decomplex_bt.domain.nouns import Nouns
+from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.errors import DataFileError, InputError
+
+_ABILITIES = ("heats", "cools", "washes", "rinses", "fills", "drains", "wipes")
+
+
+@dataclass(frozen=True, eq=False)
+class Domain:
+    """Everything that is known before an episode: task types, words, kinds, the house, goals and the PDDL text.
+
+    Compared by identity: a folder is loaded once per process.
+    """
+
+    name: str
+    folder: Path
+    ontology: Ontology
+    kinds: Kinds
+    house: House
+    lexicon: Lexicon
+    goals: Goals
+    domain_pddl: str = field(repr=False)
+    nouns: Nouns = field(repr=False)
+
+    def kind(self, name: str) -> Kind:
+        """The kind of an entity of the house. Raises `KeyError` (also for an opening without a door)."""
+        return self.house.kind(name, self.kinds)
+
+    def room_of(self, place: str) -> str | None:
+        """The room in which a piece of furniture, a fixture or a floor is, or the room itself; None for anything else."""
+        if place in self.house.furniture:
+            return self.house.furniture[place].room
+        room = place.removesuffix("_floor")
+        return room if room in self.house.rooms else None
+
+    def pddl_type(self, name: str) -> str:
+        """The most special PDDL type of an entity, room or doorway. Raises `KeyError` where there is none."""
+        house = self.house
+        if name in house.things:
+            return "thing"
+        if name in house.people:
+            return "person"
+        if name in house.rooms:
+            return "room"
+        if name in house.doorways:
+            return "doorway"
+        if self.room_of(name) is not None:
+            return "place"
+        raise KeyError(name)
+
+    def has_type(self, name: str, of: str) -> bool:
+        """Whether an entity, room or doorway is of this PDDL type, or of one below it."""
+        try:
+            special = self.pddl_type(name)
+        except KeyError:
+            return False
+        return of in (special, "object") or (of == "position" and special in ("place", "person", "doorway"))
+
+
+def load_domain(domain: str | Path = "household") -> Domain:
+    """The domain of this name among those shipped, or the one in this folder.
+
+    Raises `DataFileError` where a file is missing or broken, or where two files do not fit; `InputError` for an
+    unknown name.
+    """
+    if isinstance(domain, Path):
+        return _load(domain.resolve())
+    shipped = Path(str(files("decomplex_bt.domains")))
+    folder = shipped / domain
+    if not (folder / "ontology.yaml").is_file():
+        known = sorted(path.parent.name for path in shipped.glob("*/ontology.yaml"))
+        raise InputError(f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder as a Path")
+    return _load(folder.resolve())
+
+
+@cache
+def _load(folder: Path) -> Domain:
+    ontology = read_record(folder / "ontology.yaml", Ontology)
+    kinds = read_record(folder / "kinds.yaml", Kinds)
+    house = read_record(folder / "house.yaml", House)
+    lexicon = read_record(folder / "words.yaml", Lexicon)
+    goals = read_record(folder / "goals.yaml", Goals)
+    try:
+        domain_pddl = (folder / "domain.pddl").read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise DataFileError(folder / "domain.pddl", f"cannot be read: {error}") from None
+    with _blame(folder / "kinds.yaml"):
+        _check_tags(kinds)
+    with _blame(folder / "house.yaml"):
+        house.check_kinds(kinds)
+        _check_places(house, kinds)
+    with _blame(folder / "words.yaml"):
+        _check_words(lexicon, ontology, kinds)
+    with _blame(folder / "goals.yaml"):
+        _check_task_types(goals, ontology)
+        values = tuple(value for pair in kinds.state_pairs.values() for value in pair.values)
+        check_goals(goals, pddl_predicates(domain_pddl), values)
+    nouns = Nouns.of(house, kinds)
+    return Domain(folder.name, folder, ontology, kinds, house, lexicon, goals, domain_pddl, nouns)
+
+
+@contextmanager
+def _blame(path: Path) -> Iterator[None]:
+    """Turns what a check finds into an error that names the file."""
+    try:
+        yield
+    except ValueError as error:
+        raise DataFileError(path, str(error)) from None
+
+
+def _check_tags(kinds: Kinds) -> None:
+    tags = {tag for kind in kinds.kinds.values() for tag in kind.tags}
+    for name, kind in kinds.kinds.items():
+        for ability in _ABILITIES:
+            for tag in getattr(kind, ability):
+                if tag not in tags:
+                    raise ValueError(f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}")
+
+
+def _check_places(house: House, kinds: Kinds) -> None:
+    for name, item in house.things.items():
+        for place in item.places:
+            if place not in kinds.kinds and place not in house.places():
+                raise ValueError(f"things.{name}.places: {place!r} is neither a place of the house nor a kind")
+    for name, person in house.people.items():
+        for room in person.rooms:
+            if room not in house.rooms:
+                raise ValueError(f"people.{name}.rooms: unknown room {room!r}")
+    for room in house.robot_start:
+        if room not in house.rooms:
+            raise ValueError(f"robot_start: unknown room {room!r}")
+    if not house.people:
+        raise ValueError("people: somebody must be at home, the first is the user")
+
+
+def _check_words(lexicon: Lexicon, ontology: Ontology, kinds: Kinds) -> None:
+    values = {value for pair in kinds.state_pairs.values() for value in pair.values}
+    for group in lexicon.groups:
+        for task in group.tasks:
+            if task not in ontology.task_types:
+                raise ValueError(f"groups: {group.verbs[0]!r}: unknown task type {task!r}")
+        if group.state is not None and group.state not in values:
+            raise ValueError(f"groups: {group.verbs[0]!r}: unknown state {group.state!r}")
+
+
+def _check_task_types(goals: Goals, ontology: Ontology) -> None:
+    if unknown := sorted(set(goals.goals) - set(ontology.task_types)):
+        raise ValueError(f"goals.{unknown[0]}: no such task type in ontology.yaml")
+    if without := sorted(set(ontology.task_types) - set(goals.goals)):
+        raise ValueError(f"goals: the task type {without[0]!r} of ontology.yaml has no goal")

@@ -1,0 +1,83 @@
+"""The nouns of a house: which entities a word may name, with plurals, and which known word is nearest to an unknown one."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from rapidfuzz import fuzz, process
+
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.kinds import Kinds
+
+_IRREGULAR = {
+    "knives": "knife", "shelves": "shelf", "bookshelves": "bookshelf", "loaves": "loaf", "children": "child", "men": "man",
+    "women": "woman", "people": "person", "scarves": "scarf", "wolves": "wolf", "mice": "mouse", "feet": "foot", "dishes": "dish",
+    "leaves": "leaf", "wives": "wife", "lives": "life",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Nouns:
+    """`entities`: word or phrase (lower case, singular or as it is always used) to the entities it names, likeliest first.
+
+    The last word of a compound names it too ("machine") where it is no name itself ("towel" is no tea towel).
+    """
+
+    entities: Mapping[str, tuple[str, ...]]
+
+    @classmethod
+    def of(cls, house: House, kinds: Kinds) -> Nouns:
+        """All nouns of a house: the words of its kinds, people's names, and names of entities read as words."""
+        own: dict[str, dict[str, int]] = defaultdict(dict)
+        for entity in (*house.rooms, *house.places(), *house.things, *house.people):
+            kind = kinds.kinds[house.kind_of(entity)]
+            person = house.people.get(entity)
+            # A person is named by what the house says of them; the kind's words are for those who have no name.
+            words = kind.words if person is None or not person.words else person.words
+            for rank, word in enumerate((*words, _spoken(entity, person is not None))):
+                own[word.lower()].setdefault(entity, rank)
+        found = {word: sorted(ranks, key=lambda entity: ranks[entity]) for word, ranks in own.items()}
+        heads: dict[str, list[str]] = defaultdict(list)
+        for word, entities in found.items():
+            head = word.rpartition(" ")[2]
+            if head not in found and not head.isdigit():
+                heads[head].extend(entities)
+        return cls({word: tuple(dict.fromkeys(entities)) for word, entities in {**found, **heads}.items()})
+
+    def lookup(self, phrase: str) -> tuple[tuple[str, ...], bool]:
+        """The entities a phrase (lower case) names, and whether it is a plural of their name; empty if none.
+
+        A word that is a name as it stands ("glasses", "keys") is no plural, but what it is the plural of comes after.
+        """
+        entities = list(self.entities.get(phrase, ()))
+        plurals = [entity for singular in singulars(phrase) for entity in self.entities.get(singular, ())]
+        return tuple(dict.fromkeys([*entities, *plurals])), bool(plurals) and not entities
+
+    def nearest(self, phrase: str, among: Iterable[str] = (), *, limit: int = 3) -> tuple[str, ...]:
+        """The known words (only those naming one of `among`, if given) that look most like the phrase, best first."""
+        allowed = frozenset(among)
+        words = [word for word, entities in self.entities.items() if not allowed or allowed & set(entities)]
+        matches = process.extract(phrase, words, scorer=fuzz.ratio, score_cutoff=55, limit=limit)
+        return tuple(match[0] for match in matches)
+
+
+def singulars(phrase: str) -> tuple[str, ...]:
+    """What the phrase may be the plural of, likeliest first; empty if it does not look like a plural."""
+    start, _, word = phrase.rpartition(" ")
+    stems: list[str] = []
+    if word in _IRREGULAR:
+        stems.append(_IRREGULAR[word])
+    if word.endswith("ies") and len(word) > 4:
+        stems.append(word[:-3] + "y")
+    if word.endswith("es") and len(word) > 3:
+        stems.append(word[:-2])
+    if word.endswith("s") and not word.endswith("ss") and len(word) > 2:
+        stems.append(word[:-1])
+    return tuple(f"{start} {stem}".strip() for stem in stems)
+
+
+def _spoken(entity: str, is_person: bool) -> str:
+    """An entity's name as words: "coffee_table" is "coffee table", "pen_1" is "pen 1"."""
+    return entity if is_person else entity.replace("_", " ")
