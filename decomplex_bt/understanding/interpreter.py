@@ -1,0 +1,126 @@
+"""The interpreter: text in, an understood `Instruction` out; the chain of all stages and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
+from pathlib import Path
+from typing import TypeVar
+
+from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.errors import InputError
+from decomplex_bt.flow import Flow
+from decomplex_bt.instruction import Argument, Instruction, Task
+from decomplex_bt.understanding.advice import missing_arguments, warnings_of
+from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument
+from decomplex_bt.understanding.coreference import ReferenceModel
+from decomplex_bt.understanding.dependencies import FlowModel, MarkedTask
+from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.manifest import check_models
+from decomplex_bt.understanding.tasks import FoundTask, TaskModel
+
+MAX_CHARACTERS = 2000
+"""The longest instruction that is read [code points]."""
+
+_Item = TypeVar("_Item")
+
+
+class Interpreter:
+    """Understands instructions of one domain with its trained models."""
+
+    def __init__(self, domain: Domain, models: Path, parser: Parser) -> None:
+        check_models(models, domain, parser.model_name)
+        self.domain = domain
+        self._parser = parser
+        self._gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
+        self._tasks = TaskModel(models / "tasks.crf")
+        self._arguments = ArgumentModel(models / "arguments.crf")
+        self._references = ReferenceModel(models / "references.crf", domain.ontology)
+        self._flows = FlowModel(models)
+
+    @classmethod
+    def load(cls, domain: str | Path | Domain = "household", *, models: Path | None = None) -> Interpreter:
+        """The interpreter of a domain, by name, folder or value; `models` defaults to the domain's own.
+
+        Loads spaCy and the models, about a second; the result is kept for the process. Raises `DataFileError` where the
+        models are missing, damaged or made by other versions, `LanguageModelError` where spaCy's English model is.
+        """
+        loaded = domain if isinstance(domain, Domain) else load_domain(domain)
+        return _cached(loaded.folder, models or loaded.folder / "models", loaded) if models is None else cls(
+            loaded, models, _parser()
+        )
+
+    def interpret(self, text: str) -> Instruction:
+        """The understood instruction. Text without a known task gives one without tasks and with a warning.
+
+        Raises `InputError` for text that is empty, longer than `MAX_CHARACTERS` or no valid Unicode.
+        """
+        check_text(text)
+        return self._understand(self._parser.parse(text))
+
+    def interpret_batch(self, texts: Iterable[str]) -> Iterator[Instruction]:
+        """As `interpret` for many texts, lazily and in order, several times faster than one by one.
+
+        Raises `InputError` at the first unusable text; `check_text` tells beforehand.
+        """
+        for document in self._parser.parse_batch(_checked(texts, check_text)):
+            yield self._understand(document)
+
+    def _understand(self, document: Document) -> Instruction:
+        observed = Observed(document, self._gazetteer)
+        found = self._tasks.find(observed)
+        types = {task.token: task.type for task in found}
+        arguments = self._arguments.find(observed, types)
+        marked = [MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments if a.owner == t.token)) for t in found]
+        flow = self._flows.find(observed, marked).flow if marked else Flow()
+        tasks = self._references.resolve(observed, _tasks_of(document, found, arguments), flow)
+        return Instruction(
+            text=document.text,
+            tasks=tasks,
+            flow=flow,
+            missing=tuple(missing_arguments(observed, tasks, self.domain)),
+            warnings=tuple(warnings_of(observed, tasks)),
+        )
+
+
+def check_text(text: str) -> None:
+    """Raises `InputError` where `text` cannot be an instruction: empty, too long, or no valid Unicode."""
+    if not text.strip():
+        raise InputError("the instruction is empty; expected a sentence such as 'Bring me a cup.'")
+    if len(text) > MAX_CHARACTERS:
+        raise InputError(f"the instruction has {len(text)} characters; expected at most {MAX_CHARACTERS}; split it")
+    if any("\ud800" <= character <= "\udfff" for character in text):
+        raise InputError("the instruction holds half of a surrogate pair; expected valid Unicode text")
+
+
+def _tasks_of(document: Document, found: tuple[FoundTask, ...], arguments: tuple[FoundArgument, ...]) -> list[Task]:
+    tasks = []
+    for number, task in enumerate(found, start=1):
+        own = tuple(
+            _argument(document, argument) for argument in arguments if argument.owner == task.token
+        )
+        tasks.append(Task(number, task.type, document.span(task.token, task.token), own, task.confidence))
+    return tasks
+
+
+def _argument(document: Document, argument: FoundArgument) -> Argument:
+    span = document.span(argument.tokens.start, argument.tokens.stop - 1)
+    return Argument(argument.type, span.of(document.text), span, argument.confidence)
+
+
+def _checked(items: Iterable[_Item], check: Callable[[_Item], None]) -> Iterator[_Item]:
+    for item in items:
+        check(item)
+        yield item
+
+
+@lru_cache(maxsize=1)
+def _parser() -> Parser:
+    return Parser()
+
+
+@lru_cache(maxsize=4)
+def _cached(folder: Path, models: Path, domain: Domain) -> Interpreter:
+    return Interpreter(domain, models, _parser())

@@ -1,0 +1,94 @@
+"""Training: from a corpus of annotated voices to a folder of models with a manifest."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from decomplex_bt.corpus import Example, read_corpus, read_voices
+from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.understanding.arguments import train_arguments
+from decomplex_bt.understanding.coreference import train_references
+from decomplex_bt.understanding.dependencies import train_flow
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.manifest import corpus_hash, write_manifest
+from decomplex_bt.understanding.tasks import train_tasks
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class TrainingReport:
+    """What was trained: the voices and examples used, the flows that no labels can say, where the models are."""
+
+    voices: tuple[str, ...]
+    examples: int
+    flows_left_out: int
+    folder: Path
+
+
+def train(
+    corpus: Path | None = None,
+    output: Path | None = None,
+    *,
+    domain: str | Path | Domain = "household",
+    progress: Progress = lambda stage: None,
+) -> TrainingReport:
+    """Trains all models on the voices of the splits "train" and "development" and writes them to `output`.
+
+    `corpus` and `output` default to the domain's own folders. The test voices are never read. Nothing is written unless
+    all models were trained. The same corpus and libraries give the same files. Raises `DataFileError`.
+    """
+    loaded = domain if isinstance(domain, Domain) else load_domain(domain)
+    corpus = corpus or loaded.folder / "corpus"
+    output = output or loaded.folder / "models"
+    voices = [name for name, voice in read_voices(corpus).items() if voice.split != "test"]
+    files = {f"{name}.yaml": (corpus / f"{name}.yaml").read_bytes() for name in voices}
+    examples = [e for name in voices for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
+    parser = Parser()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        left_out = train_models(folder, examples, loaded, parser, progress=progress)
+        write_manifest(
+            folder,
+            loaded,
+            corpus=corpus_hash(files),
+            voices=voices,
+            examples=len(examples),
+            language_model=parser.model_name,
+        )
+        output.mkdir(parents=True, exist_ok=True)
+        for file in sorted(folder.iterdir()):
+            shutil.copyfile(file, output / file.name)
+    return TrainingReport(tuple(voices), len(examples), left_out, output)
+
+
+def train_models(
+    folder: Path,
+    examples: Sequence[Example],
+    domain: Domain,
+    parser: Parser,
+    *,
+    progress: Progress = lambda stage: None,
+) -> int:
+    """Trains every model on these examples into `folder`; gives the number of flows that no labels can say."""
+    gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
+    progress("parsing")
+    documents = parser.parse_batch([example.instruction.text for example in examples])
+    data = [
+        (Observed(document, gazetteer), example.instruction)
+        for document, example in zip(documents, examples, strict=True)
+    ]
+    progress("tasks")
+    train_tasks(folder / "tasks.crf", data)
+    progress("arguments")
+    train_arguments(folder / "arguments.crf", data)
+    progress("references")
+    train_references(folder / "references.crf", data, domain.ontology)
+    progress("flow")
+    return train_flow(folder, data)
