@@ -1,0 +1,191 @@
+"""A tree in other forms: text, dot, JSON, BehaviorTree.CPP 4 XML; and a recorder of what changes while it runs."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Sequence as InOrder
+from py_trees.visitors import VisitorBase
+
+from decomplex_bt.behaviour.compiler import CompiledTree
+from decomplex_bt.behaviour.conditional import IfThenElse
+
+ASCII = {
+    Status.SUCCESS: "[x]", Status.FAILURE: "[!]", Status.RUNNING: "[*]", Status.INVALID: "[ ]",
+    "sequence": "->", "condition": "?", "leaf": "-",
+}  # fmt: skip
+UNICODE = {
+    Status.SUCCESS: "✓", Status.FAILURE: "✗", Status.RUNNING: "●", Status.INVALID: "○",
+    "sequence": "→", "condition": "?", "leaf": "·",
+}  # fmt: skip
+_COLOURS = {Status.SUCCESS: "#c8e6c9", Status.FAILURE: "#ffcdd2", Status.RUNNING: "#bbdefb", Status.INVALID: "#ffffff"}
+
+
+def to_text(root: Behaviour, *, is_ascii: bool = False, show_status: bool = False) -> str:
+    """The tree as indented lines, one for each node; with `show_status` also how it stands, and its feedback."""
+    return "\n".join(_lines(root, "", 0, ASCII if is_ascii else UNICODE, show_status))
+
+
+def to_dot(root: Behaviour) -> str:
+    """The tree in Graphviz' dot language, coloured by status; `dot -Tsvg` draws it."""
+    lines = ["digraph tree {", '  node [fontname="sans-serif", style=filled];', "  ordering=out;"]
+    numbers = {id(node): number for number, (node, _) in enumerate(_walk(root))}
+    for node, _ in _walk(root):
+        shape = {"sequence": "box", "condition": "diamond", "leaf": "ellipse"}[_family(node)]
+        label = node.name.replace("\\", "\\\\").replace('"', '\\"')
+        lines.append(f'  n{numbers[id(node)]} [label="{label}", shape={shape}, fillcolor="{_COLOURS[node.status]}"];')
+    for node, _ in _walk(root):
+        for child, role in _children(node):
+            label = f' [label="{role}"]' if role else ""
+            lines.append(f"  n{numbers[id(node)]} -> n{numbers[id(child)]}{label};")
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def to_json(root: Behaviour) -> dict[str, Any]:
+    """A snapshot: for each node its type, name, role under an if-then-else, status, feedback and children."""
+    return _snapshot(root, "")
+
+
+def to_behaviortree_cpp(root: Behaviour) -> str:
+    """The tree as XML that BehaviorTree.CPP 4 loads, once somebody registers the action `PlannedTask`.
+
+    BehaviorTree.CPP's IfThenElse fails where the condition fails and the third child is missing; ours succeeds. So a
+    missing branch is written out as AlwaysSuccess. What has no counterpart there: a condition that cannot be decided,
+    which fails the whole here and runs the third child there.
+    """
+    document = ElementTree.Element("root", BTCPP_format="4", main_tree_to_execute="Instruction")
+    tree = ElementTree.SubElement(document, "BehaviorTree", ID="Instruction")
+    _append_xml(tree, root)
+    models = ElementTree.SubElement(document, "TreeNodesModel")
+    model = ElementTree.SubElement(models, "Action", ID="PlannedTask")
+    for port, meaning in (("task", "number of the task in the instruction"), ("type", "type of the task")):
+        ElementTree.SubElement(model, "input_port", name=port).text = meaning
+    ElementTree.indent(document)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(document, encoding="unicode") + "\n"
+
+
+class TraceRecorder(VisitorBase):
+    """Takes down every change of a node's status or feedback, as `run --json` prints it.
+
+    Add it to a tree's visitors. `clock` gives the simulated seconds, `tick` the number of the tick. Entries have the
+    keys tick, sim_seconds, node (its place in the flow, as "0/then/1"), name, status, feedback and event ("started",
+    "finished", "interrupted" or "changed").
+    """
+
+    def __init__(self, compiled: CompiledTree, clock: Callable[[], float], tick: Callable[[], int]) -> None:
+        super().__init__(full=False)
+        self.entries: list[dict[str, Any]] = []
+        self._paths = {id(node): "/".join(map(str, path)) for path, node in compiled.nodes.items()}
+        self._clock, self._tick = clock, tick
+        self._last: dict[int, tuple[Status, str]] = {}
+
+    def run(self, behaviour: Behaviour) -> None:
+        now = behaviour.status, behaviour.feedback_message
+        before = self._last.get(id(behaviour), (Status.INVALID, ""))
+        if now == before:
+            return
+        self._last[id(behaviour)] = now
+        self.entries.append(
+            {
+                "tick": self._tick(),
+                "sim_seconds": round(self._clock(), 3),
+                "node": self._paths.get(id(behaviour), ""),
+                "name": behaviour.name,
+                "status": behaviour.status.value.lower(),
+                "feedback": behaviour.feedback_message,
+                "event": _event(before[0], now[0]),
+            }
+        )
+
+    def finalise(self) -> None:
+        """Nothing to do after a tick."""
+
+
+def _event(before: Status, now: Status) -> str:
+    if now == Status.INVALID:
+        return "interrupted"
+    if now != Status.RUNNING:
+        return "finished"
+    return "changed" if before == Status.RUNNING else "started"
+
+
+def _family(node: Behaviour) -> str:
+    if isinstance(node, IfThenElse):
+        return "condition"
+    return "sequence" if node.children else "leaf"
+
+
+def _children(node: Behaviour) -> Iterator[tuple[Behaviour, str]]:
+    """The children with their roles: "if", "then", "else" under an if-then-else, else ""."""
+    roles = {}
+    if isinstance(node, IfThenElse):
+        roles = {id(node.condition): "if", id(node.then): "then", id(node.orelse): "else"}
+    for child in node.children:
+        yield child, roles.get(id(child), "")
+
+
+def _walk(node: Behaviour, role: str = "") -> Iterator[tuple[Behaviour, str]]:
+    yield node, role
+    for child, child_role in _children(node):
+        yield from _walk(child, child_role)
+
+
+def _lines(node: Behaviour, role: str, depth: int, signs: dict[Any, str], show_status: bool) -> Iterator[str]:
+    parts = ["  " * depth + signs[_family(node)]]
+    parts += [f"{role}:"] if role else []
+    parts.append(node.name)
+    if show_status:
+        parts.append(signs[node.status])
+        parts += [f"({node.feedback_message})"] if node.feedback_message and not node.children else []
+    yield " ".join(parts)
+    for child, child_role in _children(node):
+        yield from _lines(child, child_role, depth + 1, signs, show_status)
+
+
+def _snapshot(node: Behaviour, role: str) -> dict[str, Any]:
+    value: dict[str, Any] = {"type": type(node).__name__, "name": node.name}
+    if role:
+        value["role"] = role
+    if hasattr(node, "task_number"):
+        value["task"] = node.task_number
+    if isinstance(node, IfThenElse):
+        value["truth"] = node.truth
+    value |= {"status": node.status.value.lower(), "feedback": node.feedback_message}
+    if node.children:
+        value["children"] = [_snapshot(child, child_role) for child, child_role in _children(node)]
+    return value
+
+
+def _append_xml(parent: ElementTree.Element, node: Behaviour) -> None:
+    if isinstance(node, IfThenElse):
+        element = ElementTree.SubElement(parent, "IfThenElse", name=_printable(node.name))
+        _append_xml(element, node.condition)
+        for branch in (node.then, node.orelse):
+            if branch is None:
+                ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
+            else:
+                _append_xml(element, branch)
+    elif isinstance(node, InOrder):
+        element = ElementTree.SubElement(parent, "Sequence", name=_printable(node.name))
+        for child in node.children:
+            _append_xml(element, child)
+        if not node.children:
+            ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
+    else:
+        attributes = {"ID": "PlannedTask", "name": _printable(node.name)}
+        if hasattr(node, "task_number"):
+            attributes |= {"task": str(node.task_number), "type": getattr(node, "task_type", "")}
+        ElementTree.SubElement(parent, "Action", attributes)
+
+
+def _printable(text: str) -> str:
+    """The text with "?" for what XML 1.0 cannot hold."""
+    return "".join(character if _is_xml(ord(character)) else "?" for character in text)
+
+
+def _is_xml(code: int) -> bool:
+    return code in (0x9, 0xA, 0xD) or 0x20 <= code < 0xD800 or 0xE000 <= code < 0xFFFE or code >= 0x10000

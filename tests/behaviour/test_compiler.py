@@ -1,0 +1,96 @@
+import py_trees
+import pytest
+from py_trees.behaviours import Dummy
+
+from decomplex_bt.behaviour.compiler import compile_flow
+from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.behaviour.sentences import say_condition, say_task
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.flow import Flow
+from decomplex_bt.instruction import Argument, Span, Task
+
+
+class Leaf(Dummy):
+    def __init__(self, name, number, is_condition):
+        super().__init__(name)
+        self.number, self.is_condition = number, is_condition
+
+
+def compile_json(flow, count=9):
+    names = {number: f"do {number}" for number in range(1, count + 1)}
+    return compile_flow(Flow.from_json(flow), names, Leaf, title="what was said")
+
+
+def shape(node):
+    """The tree as nested tuples of names and leaf numbers."""
+    if isinstance(node, Leaf):
+        return f"{node.number}?" if node.is_condition else node.number
+    return (type(node).__name__, *(shape(child) for child in node.children))
+
+
+def test_a_sequence_stays_a_sequence():
+    assert shape(compile_json([2, 1, 3]).root) == ("Sequence", 2, 1, 3)
+
+
+def test_a_condition_becomes_an_if_then_else_and_a_branch_of_one_is_that_one():
+    tree = compile_json([{"if": 1, "then": [2], "else": [3, 4]}, 5])
+    assert shape(tree.root) == ("Sequence", ("IfThenElse", "1?", 2, ("Sequence", 3, 4)), 5)
+    node = tree.nodes[0,]
+    assert isinstance(node, IfThenElse)
+    assert (node.then.number, node.orelse.name) == (2, "otherwise")
+
+
+def test_missing_branches_nesting_mentions_and_repeats():
+    flow = [{"if": [1, 2], "else": [{"if": 3, "then": [4], "else": [{"same": [4]}]}]}, {"same": [5, 6]}]
+    # a repeat in the other branch is another leaf of the same task
+    tree = compile_json(flow)
+    assert shape(tree.root) == ("Sequence", ("IfThenElse", "1?", ("IfThenElse", "3?", 4, 4)), 5)
+    assert tree.nodes[0,].then is None
+    assert tree.nodes[0, "else", 0, "then", 0] is not tree.nodes[0, "else", 0, "else", 0]
+
+
+def test_nodes_of_flow_and_tree_correspond_one_to_one():
+    tree = compile_json([1, {"if": 2, "then": [3, 4], "else": [{"if": 5, "then": [6]}]}])
+    assert set(tree.nodes.values()) == set(tree.root.iterate())
+    assert all(tree.path_of(node) == path for path, node in tree.nodes.items())
+    assert tree.nodes[1, "then", 1].number == 4
+
+
+def test_trees_share_nothing_and_all_sequences_remember():
+    first, second = compile_json([1, 2]), compile_json([1, 2])
+    assert not set(first.root.iterate()) & set(second.root.iterate())
+    sequences = [node for node in first.root.iterate() if isinstance(node, py_trees.composites.Sequence)]
+    assert all(node.memory for node in sequences)
+
+
+def test_an_empty_flow_is_an_empty_sequence():
+    assert shape(compile_json([]).root) == ("Sequence",)
+
+
+def task(kind, **arguments):
+    return Task(1, kind, Span(0, 1), tuple(Argument(name, value) for name, value in arguments.items()))
+
+
+@pytest.mark.parametrize(
+    ("task", "state", "sentence"),
+    [
+        (task("searching", object="a pen", location="in the drawer"), None, "look for a pen in the drawer"),
+        (task("searching", location="the desk"), None, "look in the desk"),
+        (task("bringing", object="it", recipient="me"), None, "bring it to me"),
+        (task("informing", recipient="to Anna", message="that I am late"), None, "tell Anna that I am late"),
+        (task("change_state", object="the tv"), "off", "make the tv off"),
+        (task("check_state", object="the coffee", state="hot"), None, "check that the coffee is hot"),
+        (task("check_state", object="milk", location="in the fridge"), None, "check that milk is in the fridge"),
+        (task("check_state", object="Anna"), None, "check that Anna is there"),
+        (task("motion", goal="the kitchen", manner="slowly"), None, "go to the kitchen slowly"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_names_are_sentences(task, state, sentence):
+    assert say_task(task, load_domain("household").ontology, state=state) == sentence
+
+
+def test_conditions_are_sentences():
+    assert say_condition("check that the coffee is hot") == "if the coffee is hot"
+    assert say_condition("look for a pen in the drawer") == "if I can find a pen in the drawer"
+    assert say_condition("make the tv on") == "if I can make the tv on"

@@ -1,0 +1,85 @@
+import json
+import xml.etree.ElementTree as ElementTree
+
+import py_trees
+from py_trees.behaviours import StatusQueue
+from py_trees.common import Status
+
+from decomplex_bt.behaviour.compiler import compile_flow
+from decomplex_bt.behaviour.export import TraceRecorder, to_behaviortree_cpp, to_dot, to_json, to_text
+from decomplex_bt.flow import Flow
+
+NAMES = {1: "look for a pen", 2: 'say "<pen> & {co}"', 3: "go home", 4: "wait"}
+
+
+def compiled(flow=({"if": 1, "else": [2, 3]}, 4), queues=None):
+    class Leaf(StatusQueue):
+        def __init__(self, name, number, is_condition):
+            queue = (queues or {}).get(number, [Status.SUCCESS])
+            super().__init__(name, queue, eventually=queue[-1])
+            self.task_number, self.task_type = number, "searching"
+
+    return compile_flow(Flow.from_json(list(flow)), NAMES, Leaf, title="what was said")
+
+
+def test_text_reads_as_the_instruction_does():
+    assert to_text(compiled().root, is_ascii=True).splitlines() == [
+        "-> what was said",
+        "  ? if I can find a pen",
+        "    - if: look for a pen",
+        "    -> else: otherwise",
+        '      - say "<pen> & {co}"',
+        "      - go home",
+        "  - wait",
+    ]
+
+
+def test_xml_writes_the_missing_branch_out_and_keeps_the_text():
+    root = ElementTree.fromstring(to_behaviortree_cpp(compiled().root))
+    condition = root.find("./BehaviorTree/Sequence/IfThenElse")
+    assert [child.tag for child in condition] == ["Action", "AlwaysSuccess", "Sequence"]
+    assert condition[2][0].get("name") == NAMES[2]
+    assert condition[0].get("task") == "1"
+    assert root.get("BTCPP_format") == "4"
+
+
+def test_xml_stands_characters_that_xml_cannot_hold():
+    tree = compiled([1])
+    tree.root.children[0].name = "a\x00b\ud800c"
+    assert 'name="a?b?c"' in to_behaviortree_cpp(tree.root)
+
+
+def test_dot_has_every_node_and_labels_the_branches():
+    dot = to_dot(compiled().root)
+    assert dot.count("shape=") == 7
+    assert '[label="else"]' in dot
+    assert '[label="then"]' not in dot
+    assert r"say \"<pen> & {co}\"" in dot
+
+
+def test_json_snapshot_says_how_things_stand():
+    tree = compiled(queues={1: [Status.FAILURE], 2: [Status.RUNNING]})
+    tree.root.tick_once()
+    value = json.loads(json.dumps(to_json(tree.root)))
+    condition, last = value["children"]
+    assert condition["truth"] is False
+    assert [child["role"] for child in condition["children"]] == ["if", "else"]
+    assert condition["children"][1]["children"][0]["status"] == "running"
+    assert (last["status"], last["task"]) == ("invalid", 4)
+
+
+def test_trace_holds_changes_only():
+    tree = compiled([1, 2], queues={1: [Status.RUNNING, Status.RUNNING, Status.SUCCESS], 2: [Status.SUCCESS]})
+    behaviour_tree = py_trees.trees.BehaviourTree(tree.root)
+    recorder = TraceRecorder(tree, clock=lambda: behaviour_tree.count * 0.1, tick=lambda: behaviour_tree.count)
+    behaviour_tree.add_visitor(recorder)
+    for _ in range(3):
+        behaviour_tree.tick()
+    assert [(e["tick"], e["node"], e["status"], e["event"]) for e in recorder.entries] == [
+        (0, "0", "running", "started"),
+        (0, "", "running", "started"),
+        (2, "0", "success", "finished"),
+        (2, "1", "success", "finished"),
+        (2, "", "success", "finished"),
+    ]
+    assert recorder.entries[2]["sim_seconds"] == 0.2
