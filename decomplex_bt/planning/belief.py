@@ -1,0 +1,235 @@
+"""What the robot believes of the house: fed by percepts and by the ends of its own steps, by nothing else."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.pddl import Atom, GroundAction
+from decomplex_bt.planning.percept import Percept
+from decomplex_bt.planning.prior import Prior
+
+LOOKS = 2
+"""Looks in a row that must agree before a thing that was not seen counts as not there: one look may miss it."""
+MAX_ATTEMPTS = 4
+"""Failures of one step after which it is not tried again."""
+FINAL_REASONS = ("broken", "not possible", "not_possible")
+"""Words in a step's reason of failure that make trying it again pointless."""
+NEVER = -1
+ROBOT = "robot"
+
+
+class Belief:
+    """The symbolic belief of one episode.
+
+    `tick` counts percepts, `revision` grows when something has changed that could change a decision. `room`, `held`,
+    `tray`, `near` are the last percept's. Places of things persist until a look disproves them.
+    """
+
+    def __init__(self, domain: Domain, *, prior: Prior | None = None) -> None:
+        self.domain = domain
+        self.prior = prior or Prior.of(domain)
+        self.tick = 0
+        self.revision = 0
+        self.percept = Percept(room=next(iter(domain.house.robot_start)))
+        self._place: dict[str, str] = {}
+        self._seen: dict[str, int] = {}
+        self._carried: dict[str, int] = {}
+        self._misses: Counter[str] = Counter()
+        self._state: dict[tuple[str, str], str] = {}
+        self._state_seen: dict[tuple[str, str], int] = {}
+        self._looks: Counter[str] = Counter()
+        self._inspected: dict[str, int] = {}
+        self._noted: dict[Atom, int] = {}
+        self._attempts: Counter[GroundAction] = Counter()
+        self._blocked: dict[GroundAction, str] = {}
+        self._given_up: dict[tuple[Atom, ...], str] = {}
+
+    # -- what comes in ---------------------------------------------------------------------------------------------------
+
+    def update(self, percept: Percept) -> None:
+        """Takes in one look at the world."""
+        self.tick += 1
+        last, self.percept = self.percept, percept
+        changed = (
+            self._see_things(percept)
+            | self._see_states(percept.states)
+            | self._see_contents(percept)
+            | (last.room != percept.room or last.near != percept.near)
+            | (last.held != percept.held or last.tray != percept.tray)
+            | (last.places.keys() != percept.places.keys() or self.tick == 1)
+        )
+        self.revision += changed
+
+    def succeeded(self, step: GroundAction) -> None:
+        """Notes that a step was carried out, with those of its effects that cannot be seen afterwards."""
+        self._attempts.pop(step, None)
+        noted = {
+            "say": lambda: [Atom("told", step.objects)],
+            "follow": lambda: [
+                Atom("followed", (step.objects[0], step.objects[-1])),
+                Atom("accompanied", step.objects[:1]),
+            ],
+            "tag-along": lambda: [Atom("accompanied", step.objects)],
+        }.get(step.name, list)()
+        for atom in noted:
+            self._noted[atom] = self.tick
+        if step.name == "place" and self._place.get(step.objects[0]) in (None, ROBOT):
+            self._place[step.objects[0]] = step.objects[1]
+        if step.name == "give" and self._place.get(step.objects[0]) in (None, ROBOT):
+            self._place[step.objects[0]] = step.objects[1]
+        self.revision += 1
+
+    def failed(self, step: GroundAction, reason: str) -> None:
+        """Notes that a step failed; tried too often, or failed for good, it is in no later plan."""
+        self._attempts[step] += 1
+        if self._attempts[step] >= MAX_ATTEMPTS or any(word in reason for word in FINAL_REASONS):
+            self._blocked[step] = reason
+        self.revision += 1
+
+    def give_up(self, goal_atoms: Iterable[Atom], reason: str) -> None:
+        """Notes that no plan brings this about any more."""
+        self._given_up[tuple(goal_atoms)] = reason
+        self.revision += 1
+
+    # -- what is believed --------------------------------------------------------------------------------------------------
+
+    @property
+    def room(self) -> str:
+        return self.percept.room
+
+    @property
+    def held(self) -> str | None:
+        return self.percept.held
+
+    @property
+    def tray(self) -> tuple[str | None, ...]:
+        return self.percept.tray
+
+    @property
+    def near(self) -> frozenset[str]:
+        return self.percept.near
+
+    def place_of(self, name: str) -> str | None:
+        """Where a thing is: a place, a person, or "robot"; a person's room; None where it is not known."""
+        return self._place.get(name)
+
+    def room_of(self, name: str) -> str | None:
+        """The room of an entity, place or room; None where it is not known."""
+        seen: set[str] = set()
+        while name not in seen:
+            seen.add(name)
+            if name == ROBOT:
+                return self.room
+            room = self.domain.room_of(name)
+            if room is not None:
+                return room
+            name = self._place.get(name, name)
+        return None
+
+    def state(self, name: str, pair: str) -> str | None:
+        """The value of a state pair last seen; None where it was never seen."""
+        return self._state.get((name, pair))
+
+    def likely_value(self, name: str, pair: str) -> str | None:
+        """The value seen, else the likelier one; None where the entity has no such state."""
+        return self._state.get((name, pair)) or self.prior.values.get((name, pair))
+
+    def seen(self, name: str) -> int:
+        """The tick of the last sight of an entity, `NEVER` if there was none."""
+        return self._seen.get(name, NEVER)
+
+    def state_seen(self, name: str, pair: str) -> int:
+        """The tick at which a state was last seen, `NEVER` if it was not."""
+        return self._state_seen.get((name, pair), NEVER)
+
+    def inspected(self, place: str) -> int:
+        """The tick at which the whole contents of a place were last in view, `NEVER` if they were not."""
+        return self._inspected.get(place, NEVER)
+
+    def carried(self, thing: str) -> int:
+        """The tick at which a thing was last in the hand or on the tray, `NEVER` if it was not."""
+        return self._carried.get(thing, NEVER)
+
+    def noted(self, atom: Atom) -> int:
+        """The tick at which a step brought about what cannot be seen (told, followed), `NEVER` if none did."""
+        return self._noted.get(atom, NEVER)
+
+    def likely_places(self, name: str) -> tuple[tuple[str, float], ...]:
+        """Where a thing or person may be, with weights, likeliest first: where it is known to be, alone, or the prior's
+        places that have not been inspected without finding it. Empty when nothing is left."""
+        known = self._place.get(name)
+        if known is not None:
+            place = self.domain.house.floor_of(known) if known in self.domain.house.rooms else known
+            return ((place, 1.0),)
+        return tuple(entry for entry in self.prior.places.get(name, ()) if entry[0] not in self._inspected)
+
+    def blocked(self) -> Mapping[GroundAction, str]:
+        """Steps that are not tried again, with the reason."""
+        return self._blocked
+
+    def given_up(self, goal_atoms: Iterable[Atom]) -> str | None:
+        """Why there is no plan for this goal any more; None if it was not given up."""
+        return self._given_up.get(tuple(goal_atoms))
+
+    def __str__(self) -> str:
+        rows = [f"robot in {self.room}, holding {self.held or 'nothing'}, tray {[t for t in self.tray if t]}"]
+        house = self.domain.house
+        for name in (*house.places(), *house.things, *house.people):
+            states = [value for (entity, _), value in sorted(self._state.items()) if entity == name]
+            where = self._place.get(name)
+            if where is None and name in self.prior.places:
+                guesses = self.likely_places(name)[:3]
+                where = "? " + ", ".join(f"{place} {weight:.2f}" for place, weight in guesses) if guesses else "nowhere"
+            inspected = f"inspected at {self._inspected[name]}" if name in self._inspected else ""
+            if where or states or inspected:
+                rows.append(f"{name:22} {where or '':44} {' '.join(states):18} {inspected}".rstrip())
+        return "\n".join(rows)
+
+    # -- how a look is taken in --------------------------------------------------------------------------------------------
+
+    def _see_things(self, percept: Percept) -> bool:
+        changed = False
+        tick, known = self.tick, self._place
+        for name, place in percept.places.items():
+            if known.get(name) != place:
+                known[name] = place
+                changed = True
+            self._seen[name] = tick
+            self._misses.pop(name, None)
+        for thing in (percept.held, *percept.tray):
+            if thing is not None:
+                changed |= known.get(thing) != ROBOT
+                known[thing] = ROBOT
+                self._seen[thing] = self._carried[thing] = tick
+        return changed
+
+    def _see_states(self, states: Mapping[tuple[str, str], str]) -> bool:
+        changed = False
+        tick, known, seen = self.tick, self._state, self._state_seen
+        for key, value in states.items():
+            changed |= known.get(key) != value or seen.get(key, NEVER) != tick - 1
+            known[key] = value
+            seen[key] = tick
+        return changed
+
+    def _see_contents(self, percept: Percept) -> bool:
+        """Counts looks into places; enough of them make a place inspected and disprove what should have been there."""
+        changed = False
+        for place in [place for place in self._looks if place not in percept.inspected]:
+            del self._looks[place]
+        for place in sorted(percept.inspected):
+            self._looks[place] += 1
+            if self._looks[place] >= LOOKS:
+                changed |= self._looks[place] == LOOKS
+                self._inspected[place] = self.tick
+        for name, place in list(self._place.items()):
+            held = place == ROBOT and name not in (percept.held, *percept.tray)
+            floor = self.domain.house.floor_of(place) if place in self.domain.house.rooms else place
+            if name not in percept.places and (held or floor in percept.inspected):
+                self._misses[name] += 1
+                if held or self._misses[name] >= LOOKS:
+                    del self._place[name]
+                    changed = True
+        return changed

@@ -1,0 +1,59 @@
+"""Where things and people tend to be, and what state things tend to be in, before anything was seen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from decomplex_bt.domain.house import House
+from decomplex_bt.domain.loader import Domain
+
+
+@dataclass(frozen=True)
+class Prior:
+    """`places`: thing (or person) to (place, weight), likeliest first; a person's places are the floors of rooms.
+
+    `values`: (entity, state pair) to the likelier value.
+    """
+
+    places: Mapping[str, tuple[tuple[str, float], ...]]
+    values: Mapping[tuple[str, str], str]
+
+    @classmethod
+    def of(cls, domain: Domain) -> Prior:
+        """What the kinds and the house say."""
+        house, kinds = domain.house, domain.kinds
+        named = _places_by_name(house)
+        places: dict[str, tuple[tuple[str, float], ...]] = {}
+        for name, item in house.things.items():
+            places[name] = _spread(item.places or domain.kind(name).places, named)
+        for name, person in house.people.items():
+            floors = {house.floor_of(room): weight for room, weight in person.rooms.items()}
+            places[name] = _spread(floors if person.home > 0 else {}, named)
+        values = {
+            (name, pair): kinds.state_pairs[pair].values[0 if kind.chance.get(pair, 0.5) > 0.5 else 1]
+            for name in (*house.places(), *house.things)
+            for kind in [domain.kind(name)]
+            for pair in kind.states
+        }
+        return cls(places, values)
+
+
+def _places_by_name(house: House) -> dict[str, list[str]]:
+    """The places of the house by name and by kind."""
+    named: dict[str, list[str]] = {}
+    for place in house.places():
+        for key in dict.fromkeys((place, house.kind_of(place))):
+            named.setdefault(key, []).append(place)
+    return named
+
+
+def _spread(weights: Mapping[str, float], named: Mapping[str, list[str]]) -> tuple[tuple[str, float], ...]:
+    """Weights of kinds shared out among their places, heaviest first; equal weights by name."""
+    spread: dict[str, float] = {}
+    for key, weight in weights.items():
+        for place in named.get(key, ()):
+            spread[place] = spread.get(place, 0.0) + weight / len(named[key])
+    total = sum(spread.values())
+    ranked = sorted(spread.items(), key=lambda pair: (-pair[1], pair[0]))
+    return tuple((place, weight / total) for place, weight in ranked if weight > 0)

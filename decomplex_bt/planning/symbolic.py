@@ -1,0 +1,110 @@
+"""The symbolic state that a plan starts from: what is believed, completed by what is assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from decomplex_bt.planning.belief import ROBOT, Belief
+from decomplex_bt.planning.pddl import GroundAction
+
+
+@dataclass(frozen=True)
+class SymbolicState:
+    """A belief, and what is assumed over it: post-conditions of earlier steps, outcomes of conditions.
+
+    `places` and `values` override the belief's; a place of None means nowhere. `at`: the position the robot is at, of
+    those in the belief's `near` when None. Where neither says anything, a thing lies at its likeliest place.
+    """
+
+    belief: Belief
+    room: str
+    at: str | None = None
+    held: str | None = None
+    tray: tuple[str | None, ...] = ()
+    places: Mapping[str, str | None] = field(default_factory=dict)
+    values: Mapping[tuple[str, str], str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, belief: Belief) -> SymbolicState:
+        return cls(belief, belief.room, None, belief.held, belief.tray)
+
+    def place_of(self, name: str) -> str | None:
+        """Where a thing lies or who has it, ROBOT when carried, a person's room; assumed if need be, None if nowhere."""
+        if name in self.places:
+            return self.places[name]
+        if name == self.held or name in self.tray:
+            return ROBOT
+        likely = self.belief.place_of(name)
+        if likely is None:
+            places = self.belief.likely_places(name)
+            likely = places[0][0] if places else None
+        if likely == ROBOT:
+            return None
+        return likely.removesuffix("_floor") if likely and name in self.belief.domain.house.people else likely
+
+    def room_of(self, name: str) -> str | None:
+        """The room of an entity, place or room; None if it is nowhere."""
+        domain = self.belief.domain
+        for _ in range(4):
+            if name == ROBOT:
+                return self.room
+            room = domain.room_of(name)
+            if room is not None:
+                return room
+            place = self.place_of(name)
+            if place is None:
+                return None
+            name = place
+        return None
+
+    def value(self, name: str, pair: str) -> str | None:
+        """The value of a state pair as assumed or seen; None where it is not known."""
+        return self.values.get((name, pair)) or self.belief.state(name, pair)
+
+    def assume(self, *, places: Mapping[str, str | None] | None = None,
+               values: Mapping[tuple[str, str], str] | None = None) -> SymbolicState:  # fmt: skip
+        """This state with more assumed."""
+        return replace(self, places={**self.places, **(places or {})}, values={**self.values, **(values or {})})
+
+    def after(self, step: GroundAction) -> SymbolicState:
+        """The state after a step, by the effects that later steps can depend on (post-conditions, DeComplex III-E)."""
+        name, objects = step.name, step.objects
+        if name == "move":
+            return replace(self, at=objects[1])
+        if name == "pass":
+            return replace(self, room=objects[2])
+        if name == "follow":
+            return replace(self, room=objects[2], at=objects[0]).assume(places={objects[0]: objects[2]})
+        if name in ("pick", "receive"):
+            return replace(self, held=objects[0]).assume(places={objects[0]: ROBOT})
+        if name in ("place", "give"):
+            return replace(self, held=None).assume(places={objects[0]: objects[1]})
+        if name in ("stow", "unstow"):
+            return self._move_to_tray(objects[0], int(objects[1].rpartition("_")[2]) - 1, name == "stow")
+        return self.assume(values=_values_after(name, objects))
+
+    def _move_to_tray(self, thing: str, slot: int, is_stowed: bool) -> SymbolicState:
+        tray = tuple((thing if is_stowed else None) if i == slot else t for i, t in enumerate(self.tray))
+        return replace(self, held=None if is_stowed else thing, tray=tray)
+
+
+_EFFECTS: dict[str, tuple[tuple[int, str, str], ...]] = {
+    # action: (index of the object, state pair, value)
+    "open-up": ((0, "aperture", "open"),),
+    "close-up": ((0, "aperture", "closed"),),
+    "switch-on": ((0, "power", "on"),),
+    "switch-off": ((0, "power", "off"),),
+    "heat": ((0, "temperature", "hot"), (1, "power", "on")),
+    "wash": ((0, "cleanliness", "clean"), (1, "power", "on")),
+    "chill": ((0, "temperature", "cold"), (1, "aperture", "closed")),
+    "rinse": ((0, "cleanliness", "clean"),),
+    "fill": ((0, "fill", "full"),),
+    "drain": ((0, "fill", "empty"),),
+    "drain-place": ((0, "fill", "empty"),),
+    "wipe": ((0, "cleanliness", "clean"),),
+}
+
+
+def _values_after(name: str, objects: tuple[str, ...]) -> dict[tuple[str, str], str]:
+    return {(objects[index], pair): value for index, pair, value in _EFFECTS.get(name, ())}
