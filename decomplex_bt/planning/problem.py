@@ -156,10 +156,11 @@ class _Scene:
 
     def _way(self, named: Iterable[str]) -> tuple[list[str], list[str]]:
         """The rooms of all that matters with the rooms and doorways on the shortest ways between them."""
-        rooms, doorways = {self.state.room}, set()
+        rooms, doorways = {self.state.room}, set[str]()
         wanted = {room for name in named if (room := self._room(name)) is not None}
         wanted |= {room for name in named if name in self.house.doorways for room in self.house.doorways[name].rooms}
-        ends = sorted(wanted | rooms)
+        rooms |= wanted
+        ends = sorted(rooms)
         for i, start in enumerate(ends):
             for room, doorway in _shortest_ways(self.house, start, ends[i + 1 :], self._is_blocked):
                 rooms.add(room)
