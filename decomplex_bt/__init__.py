@@ -1,5 +1,32 @@
-"""The household robot that does what a complex sentence says."""
+"""The household robot that does what a complex sentence says.
 
+`TreeAgent` carries an instruction out in an environment; `Interpreter` understands a sentence. Both are imported when
+first asked for, so that `import decomplex_bt` stays light.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
 from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
 
+if TYPE_CHECKING:
+    from decomplex_bt.behaviour.agent import TreeAgent
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+__all__ = ["Interpreter", "TreeAgent", "__version__"]
 __version__ = version("decomplex-bt")
+
+_HOMES = {"Interpreter": "decomplex_bt.understanding.interpreter", "TreeAgent": "decomplex_bt.behaviour.agent"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_HOMES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from decomplex_bt.behaviour.embodiment import Skill
-from decomplex_bt.domain.house import House
-from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.floorplan import Cells, floorplan_of
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.navigation import DEFAULT_LIMITS, Driver, Limits
@@ -41,12 +40,12 @@ class HouseholdEmbodiment:
     It holds the house map and what it has observed; nothing in it leads to the simulator.
     """
 
-    def __init__(self, house: House, kinds: Kinds, config: BodyConfig | None = None) -> None:
-        self.house = house
-        self.kinds = kinds
+    def __init__(self, domain: Domain, config: BodyConfig | None = None) -> None:
+        self.domain = domain
+        self.house = domain.house
         self.config = config or BodyConfig()
-        self.floorplan = floorplan_of(house, kinds, radius=self.config.radius)
-        self.senses = Senses(house, kinds, self.floorplan)
+        self.floorplan = floorplan_of(domain.house, domain.kinds, radius=self.config.radius)
+        self.senses = Senses(domain.house, domain.kinds, self.floorplan)
         self._last: Any = None
         self._percept: Percept | None = None
 

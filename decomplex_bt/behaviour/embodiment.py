@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Protocol
 
-from decomplex_bt.domain.house import House
+from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
 
@@ -39,9 +39,12 @@ class Skill(Protocol):
 
 
 class Embodiment(Protocol):
-    """A body: it makes percepts of observations and skills of plan steps; it holds no reference to the true world."""
+    """A body: it makes percepts of observations and skills of plan steps; it holds no reference to the true world.
 
-    house: House
+    `domain`: what it lives in, the house map included.
+    """
+
+    domain: Domain
 
     def reset(self, observation: Any) -> None:
         """Forgets the last episode."""

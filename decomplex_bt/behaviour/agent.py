@@ -1,0 +1,153 @@
+"""The agent: understands an instruction, compiles its tree, and ticks it against a Gymnasium environment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from py_trees.common import Status
+from py_trees.trees import BehaviourTree
+
+from decomplex_bt.behaviour.compiler import CompiledTree, compile_flow
+from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.behaviour.embodiment import Embodiment
+from decomplex_bt.behaviour.export import TraceRecorder
+from decomplex_bt.behaviour.failure import Failure
+from decomplex_bt.behaviour.planned_task import PlannedTask
+from decomplex_bt.behaviour.sentences import say_task
+from decomplex_bt.behaviour.session import Session
+from decomplex_bt.errors import InputError
+from decomplex_bt.instruction import Instruction, Missing
+from decomplex_bt.planning.belief import Belief
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction
+from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+
+Ask = Callable[[Missing], str | None]
+
+
+class TreeAgent:
+    """Carries an instruction out with a behaviour tree.
+
+    `env`: an environment whose `embodiment()` makes a body; nothing else of it is used, and nothing of it is kept.
+    `flow`: a gold instruction to go by instead of understanding the text. `ask`: answers a question for what the
+    instruction does not say; None: such an instruction is an error.
+
+    After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
+    by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
+    has sent its last action, which ends the episode.
+    """
+
+    def __init__(
+        self, env: Any, *, flow: Instruction | None = None, ask: Ask | None = None, planner: Planner | None = None
+    ) -> None:
+        make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
+        self._body = make_body()
+        self._domain = self._body.domain
+        self._planner = planner or PyperplanPlanner()
+        self._gold = flow
+        self._ask = ask
+        self._session: Session | None = None
+        self.done = False
+
+    # -- the Gymnasium loop -------------------------------------------------------------------------------------------
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        """Begins an episode: understands `info["instruction"]`, grounds it and compiles the tree.
+
+        Raises `InputError` for an instruction without a known task, `UnknownWordError`, `ImpossibleGoalError` and
+        `MissingArgumentError` for what cannot be grounded in this house.
+        """
+        self.instruction = self._gold or self._understand(str(info["instruction"]))
+        if not self.instruction.tasks:
+            raise InputError(
+                f"{self.instruction.text!r} holds no task that this robot knows; it can "
+                f"{', '.join(kind.description.split(',')[0] for kind in self._domain.ontology.task_types.values())}"
+            )
+        self.grounded: GroundInstruction = ground(self.instruction, self._domain, ask=self._ask)
+        self._body.reset(observation)
+        self._session = Session(self._body, Belief(self._domain), self._planner)
+        self.compiled = self._compile()
+        self.tree = BehaviourTree(self.compiled.root)
+        self.tree.setup(session=self._session)
+        self.done = False
+
+    def act(self, observation: Any) -> Any:
+        """The action for this observation: ticks the tree once. The last action is the one that ends the episode."""
+        session = self.session
+        if self.done:
+            return self._body.finish()
+        session.begin_tick(observation)
+        self.tree.tick()
+        if self.tree.root.status == Status.RUNNING:
+            assert session.action is not None
+            return session.action
+        self.done = True
+        return self._body.finish()
+
+    # -- how it stands ------------------------------------------------------------------------------------------------
+
+    @property
+    def session(self) -> Session:
+        """What the leaves share: belief, bindings, plan counts."""
+        if self._session is None:
+            raise RuntimeError("call reset(observation, info) first")
+        return self._session
+
+    @property
+    def status(self) -> Status:
+        """The status of the tree's root: RUNNING, SUCCESS or FAILURE; INVALID before the first action."""
+        return self.tree.root.status
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """Why tasks failed, in order; empty where none did. A condition that is false is no failure."""
+        return tuple(self.session.failures)
+
+    def branches(self) -> tuple[tuple[int, bool | None, str | None], ...]:
+        """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken."""
+        judged = []
+        for _, node in sorted(self.compiled.nodes.items()):
+            if isinstance(node, IfThenElse) and node.condition.status in (Status.SUCCESS, Status.FAILURE):
+                assert isinstance(node.condition, PlannedTask)
+                judged.append((node.condition.task_number, node.truth, node.taken))
+        return tuple(judged)
+
+    def record(self) -> TraceRecorder:
+        """A recorder of all that changes in the tree from now on (`run --json`)."""
+        session = self.session
+        recorder = TraceRecorder(
+            self.compiled, clock=lambda: session.belief.percept.seconds, tick=lambda: self.tree.count
+        )
+        self.tree.add_visitor(recorder)
+        return recorder
+
+    # -- making the tree ----------------------------------------------------------------------------------------------
+
+    def _understand(self, text: str) -> Instruction:
+        # Only here is language needed; a gold flow runs without it.
+        from decomplex_bt.understanding.interpreter import Interpreter
+
+        return Interpreter.load(self._domain.name).interpret(text)
+
+    def _compile(self) -> CompiledTree:
+        tasks = {task.number: task for task in self.grounded.tasks}
+        prepositions = self._domain.lexicon.prepositions
+        names = {
+            task.id: say_task(
+                task, self._domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions
+            )
+            for task in self.instruction.tasks
+        }
+        return compile_flow(
+            self.grounded.flow,
+            names,
+            lambda name, number, is_condition: PlannedTask(name, tasks[number], is_condition=is_condition),
+            title=self.instruction.text,
+        )
+
+
+def _spoken_state(state: str | None) -> str | None:
+    """The state as it belongs into a sentence; that something is there is said without a word."""
+    return None if state == HERE else state

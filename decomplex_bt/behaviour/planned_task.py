@@ -1,0 +1,220 @@
+"""The leaf of a task: finds out what to bring about, plans it, carries the plan out step by step, and plans again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from decomplex_bt.behaviour.embodiment import Skill, SkillStatus
+from decomplex_bt.behaviour.failure import Failure
+from decomplex_bt.behaviour.session import Fingerprint, Session
+from decomplex_bt.planning.ground_task import GroundTask
+from decomplex_bt.planning.pddl import Atom, GroundAction
+from decomplex_bt.planning.planner import PlanStatus
+from decomplex_bt.planning.pursuit import Pursuit, PursuitStatus, pursue
+
+MAX_PLANS = 60
+"""Plans for one task after which the leaf gives up: each place searched takes one or two."""
+MAX_ROUNDS = 30
+"""Decisions within one tick; only a planner and a belief that contradict each other need so many."""
+PATIENCE_TICKS = 5
+"""Ticks to wait for the effect of a finished plan to be perceived."""
+
+UNDECIDABLE_TYPES = ("check_state", "searching")
+"""Types of tasks that, given up, are neither true nor false as a condition."""
+
+
+class PlannedTask(Behaviour):
+    """One task of an instruction as a leaf.
+
+    As a plain step it succeeds when the task is done. As a condition it succeeds when the task is true and fails when
+    it is false; where it is neither, it fails with `is_undecided`. Construct it from plain values; `setup` hands it the
+    session. A tick asks the belief what is due, plans where needed, and ticks one skill: at most one action a tick.
+    """
+
+    def __init__(self, name: str, task: GroundTask, *, is_condition: bool = False) -> None:
+        super().__init__(name)
+        self.task = task
+        self.task_number = task.number
+        self.task_type = task.type
+        self.is_condition = is_condition
+        self._session: Session | None = None
+        self._clear()
+
+    # -- the four hooks of py_trees -----------------------------------------------------------------------------------
+
+    def setup(self, **kwargs: Any) -> None:
+        """Takes the `session`. Raises `KeyError` without one."""
+        self._session = kwargs["session"]
+
+    def initialise(self) -> None:
+        """The task has become due: forgets the last run."""
+        self._clear()
+        self._since = self.session.belief.tick
+
+    def update(self) -> Status:
+        session = self.session
+        for _ in range(MAX_ROUNDS):
+            if self._revision != session.belief.revision:
+                status = self._consider()
+                if status is not None:
+                    return status
+            if not self._has_plan and not self._make_plan():
+                continue
+            if self._position < len(self._steps):
+                self._tick_skill()
+            else:
+                self._await_effect()
+            if session.action is not None:
+                return Status.RUNNING
+        session.action = session.embodiment.rest()
+        return Status.RUNNING
+
+    def terminate(self, new_status: Status) -> None:
+        """Stops the skill at once; interrupted, the body comes to rest unless somebody else has use for it."""
+        action = self._drop_plan()
+        if new_status == Status.INVALID and action is not None and self.session.action is None:
+            self.session.action = action
+
+    # -- what is seen from outside ------------------------------------------------------------------------------------
+
+    @property
+    def session(self) -> Session:
+        if self._session is None:
+            raise RuntimeError(f"{self.name!r} was ticked before setup(session=...)")
+        return self._session
+
+    @property
+    def step(self) -> GroundAction | None:
+        """The step of the plan that is being carried out."""
+        return self._steps[self._position] if self._position < len(self._steps) else None
+
+    # -- one tick's work ----------------------------------------------------------------------------------------------
+
+    def _clear(self) -> None:
+        self.is_undecided = False
+        self.truth: bool | None = None
+        self.feedback_message = ""
+        self._since = 0
+        self._revision = -1
+        self._pursuit = Pursuit(PursuitStatus.ONGOING)
+        self._has_plan = False
+        self._steps: tuple[GroundAction, ...] = ()
+        self._known: Fingerprint = ()
+        self._goal: tuple[Atom, ...] = ()
+        self._position = 0
+        self._skill: Skill | None = None
+        self._waited = 0
+        self._attempts = 0
+        self._last_problem: tuple[GroundAction | None, str] = (None, "")
+
+    def _consider(self) -> Status | None:
+        """Asks what the task needs by what is believed now; the leaf's status if the task is over."""
+        session = self.session
+        self._revision = session.belief.revision
+        pursuit = pursue(self.task, session.belief, session.bindings, since=self._since)
+        self._pursuit = pursuit
+        session.bindings = pursuit.bindings
+        if pursuit.status is not PursuitStatus.ONGOING:
+            return self._finish(pursuit)
+        if self._attempts >= MAX_PLANS:
+            truth = None if self.task.type in UNDECIDABLE_TYPES else False
+            reason = f"gave up after {self._attempts} plans: {self._last_problem[1] or pursuit.doing}"
+            return self._finish(Pursuit(PursuitStatus.FAILED, truth=truth, reason=reason))
+        if self._has_plan and (pursuit.goal_atoms != self._goal or not self._still_works()):
+            self._drop_plan()
+        return None
+
+    def _make_plan(self) -> bool:
+        session = self.session
+        self._goal = self._pursuit.goal_atoms
+        result = session.plan(self._goal)
+        self._attempts += 1
+        session.replans += self._attempts > 1
+        if result.status is not PlanStatus.SOLVED:
+            self._last_problem = (None, result.reason)
+            session.belief.give_up(self._goal, result.reason)
+            return False
+        self._has_plan, self._steps, self._position, self._waited = True, tuple(result.steps), 0, 0
+        self._known = session.fingerprint(self._steps)
+        self._show()
+        return True
+
+    def _tick_skill(self) -> None:
+        session, step = self.session, self._steps[self._position]
+        if self._skill is None:
+            self._skill = session.embodiment.skill(step)
+        tick = self._skill.tick(session.observation)
+        if tick.status is SkillStatus.RUNNING:
+            session.action = tick.action
+            return
+        self._skill = None
+        if tick.status is SkillStatus.SUCCESS:
+            self._position += 1
+            session.belief.succeeded(step)
+            self._show()
+        else:
+            self._last_problem = (step, tick.reason)
+            session.belief.failed(step, tick.reason)
+            self._drop_plan()
+
+    def _await_effect(self) -> None:
+        """The plan is through and the task is not: waits for the effect to be perceived, then plans again."""
+        if self._waited < PATIENCE_TICKS:
+            self._waited += 1
+            self.session.action = self.session.embodiment.rest()
+            return
+        last = self._steps[-1] if self._steps else None
+        self._last_problem = (last, "its effect did not show")
+        if last is None:
+            self.session.belief.give_up(self._goal, "what was planned for holds already, and the task is not done")
+        else:
+            self.session.belief.failed(last, "its effect did not show")
+        self._drop_plan()
+
+    def _still_works(self) -> bool:
+        """Whether the rest of the plan still leads to the goal; looked into when something it is about has changed."""
+        known = self.session.fingerprint(self._steps)
+        if known == self._known:
+            return True
+        self._known = known
+        return self.session.still_works(self._goal, self._steps[self._position :])
+
+    def _drop_plan(self) -> Any:
+        """Forgets the plan; the action that ends its running skill, None if there was none."""
+        skill, self._skill = self._skill, None
+        self._has_plan, self._steps, self._position, self._waited = False, (), 0, 0
+        return skill.stop() if skill is not None else None
+
+    def _finish(self, pursuit: Pursuit) -> Status:
+        self.truth = pursuit.truth
+        is_good = pursuit.truth is True if self.is_condition else pursuit.status is PursuitStatus.DONE
+        if is_good:
+            self.feedback_message = "done"
+            return Status.SUCCESS
+        self.feedback_message = pursuit.reason
+        if self.is_condition and pursuit.truth is False:
+            return Status.FAILURE
+        self.is_undecided = self.is_condition
+        self.session.failures.append(self._failure(pursuit))
+        return Status.FAILURE
+
+    def _failure(self, pursuit: Pursuit) -> Failure:
+        step, problem = self._last_problem
+        has_tried = step is not None
+        return Failure(
+            stage="execution" if has_tried else "planning",
+            task=self.task.number,
+            words=self.task.span,
+            action=step,
+            expected=" ".join(str(atom) for atom in self._goal),
+            observed=pursuit.reason or problem or "nothing is left to try",
+            attempts=self._attempts,
+        )
+
+    def _show(self) -> None:
+        step = self.step
+        if step is not None:
+            self.feedback_message = f"{step} ({self._position + 1} of {len(self._steps)}): {self._pursuit.doing}"

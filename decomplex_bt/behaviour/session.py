@@ -1,0 +1,63 @@
+"""What the leaves of one tree share during one episode: the body, the belief, the planner, the action of this tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from decomplex_bt.behaviour.embodiment import Embodiment
+from decomplex_bt.behaviour.failure import Failure
+from decomplex_bt.behaviour.foresight import leads_to_goal
+from decomplex_bt.planning.belief import Belief
+from decomplex_bt.planning.pddl import Atom, GroundAction
+from decomplex_bt.planning.planner import Planner, PlanResult
+from decomplex_bt.planning.problem import Problem, belief_problem
+from decomplex_bt.planning.pursuit import Bindings
+
+Fingerprint = tuple[str | None, ...]
+
+
+@dataclass
+class Session:
+    """One episode's shared state; each tree has its own, so trees in one process have nothing in common.
+
+    `observation` is this tick's. `action` is what the running leaf wants done in this tick, None until it says so.
+    `bindings`: what phrases have turned out to mean. `failures`: why tasks failed, in order. `plans` and `replans` are
+    counts over the episode.
+    """
+
+    embodiment: Embodiment
+    belief: Belief
+    planner: Planner
+    make_problem: Callable[[Belief, tuple[Atom, ...]], Problem] = belief_problem
+    observation: Any = None
+    action: Any = None
+    bindings: Bindings = field(default_factory=dict)
+    failures: list[Failure] = field(default_factory=list)
+    plans: int = 0
+    replans: int = 0
+
+    def begin_tick(self, observation: Any) -> None:
+        """Takes an observation in: the belief is fed, the last action forgotten."""
+        self.observation, self.action = observation, None
+        self.belief.update(self.embodiment.perceive(observation))
+
+    def fingerprint(self, steps: tuple[GroundAction, ...]) -> Fingerprint:
+        """What is believed of everything that these steps are about; equal fingerprints, same prospects."""
+        belief = self.belief
+        pairs = tuple(belief.domain.kinds.state_pairs)
+        facts: list[str | None] = [belief.held, *belief.tray]
+        for name in dict.fromkeys(name for step in steps for name in step.objects):
+            facts.append(belief.place_of(name))
+            facts += [belief.state(name, pair) for pair in pairs]
+        return tuple(facts)
+
+    def still_works(self, goal_atoms: tuple[Atom, ...], steps: tuple[GroundAction, ...]) -> bool:
+        """Whether these steps, the first of them under way, still lead to the goal from what is believed now."""
+        return leads_to_goal(self.make_problem(self.belief, goal_atoms), steps)
+
+    def plan(self, goal_atoms: tuple[Atom, ...]) -> PlanResult:
+        """A plan from what is believed now."""
+        self.plans += 1
+        return self.planner.solve(self.make_problem(self.belief, goal_atoms))
