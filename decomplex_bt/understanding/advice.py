@@ -45,14 +45,20 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         if word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
-        if _forbids(observed, i) and not any(document.tokens[j].start in starts for j in range(i + 1, min(i + 5, len(document)))):
+        if _forbids(observed, i) and not any(
+            document.tokens[j].start in starts for j in range(i + 1, min(i + 5, len(document)))
+        ):
             yield f"{document.span(i, min(i + 3, len(document) - 1)).of(document.text)!r}: a prohibition is not watched"
 
 
 def _forbids(observed: Observed, i: int) -> bool:
     """Whether a prohibition ("don't", "do not", "never" with a bare verb) starts at token `i`, at the start of a clause."""
     tokens = observed.document.tokens
-    at_start = i == 0 or tokens[i - 1].text in (",", ".", ";", "!", "?", "-", "—") or tokens[i - 1].lower in ("and", "but", "please", "just", "so")
+    at_start = (
+        i == 0
+        or tokens[i - 1].text in (",", ".", ";", "!", "?", "-", "—")
+        or tokens[i - 1].lower in ("and", "but", "please", "just", "so")
+    )
     if not at_start:
         return False
     if tokens[i].lower == "never":

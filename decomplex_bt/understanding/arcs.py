@@ -16,7 +16,7 @@ order       `keep` (text order), `before` (ahead of the sibling before it), `fir
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
@@ -76,10 +76,23 @@ def arcs_of(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | Non
 
 
 def is_flipped(mention: int, first: int, polarities: Sequence[Polarity]) -> bool:
-    """Whether a mention as stated is the opposite of its condition's first mention without its negation."""
+    """Whether a mention as stated is, by grammar, the opposite of its first mention without the first one's negation."""
     flipped = polarities[mention].is_negated
     if mention != first and polarities[mention].is_opposite_of(polarities[first]):
         flipped = not flipped
+    return flipped
+
+
+def _side(is_opposite: bool) -> str:
+    return "else" if is_opposite else "then"
+
+
+def _flip_of(token: int, first: int, polarities: Sequence[Polarity], used: set[str]) -> bool:
+    """`is_flipped`, but who states a condition again whose one side has its tasks already means the other side:
+    "if it is dry, fold it; if it is damp, hang it up" needs no word list to know that damp is not dry."""
+    flipped = is_flipped(token, first, polarities)
+    if token != first and _side(flipped) in used and len(used) == 1:
+        return not flipped
     return flipped
 
 
@@ -90,9 +103,11 @@ class _Builder:
         self.groups: dict[int, _Group] = {}
         self.group_of: dict[int, int] = {}
         self.again: dict[int, list[int]] = {}
+        self.flips: dict[int, bool] = {}
 
     def build(self) -> tuple[Node, ...]:
         self._collect_groups()
+        self._collect_flips()
         top: list[int] = []
         for i, arc in enumerate(self.arcs):
             if arc.role == "again" and self._repeat_of(i) is not None:
@@ -120,6 +135,20 @@ class _Builder:
                 join = arc.role if arc.role in ("and", "or") else ""
                 self.groups[i] = _Group(i, join, [i])
                 self.group_of[i] = i
+
+    def _collect_flips(self) -> None:
+        """From left to right, since what a mention means depends on the branches that have tasks before it."""
+        for token in sorted(self.group_of):
+            group = self.group_of[token]
+            used: set[str] = set()
+            for i in range(token):
+                found = self._find(i, self.arcs[i].attachment) if self.group_of.get(i, i) == i else None
+                if found is not None and found < token and self.group_of[found] == group:
+                    used.add(self._side_of(i, found))
+            self.flips[token] = _flip_of(token, group, self.polarities, used)
+
+    def _side_of(self, i: int, token: int) -> str:
+        return _side(self.flips[token] != self.arcs[i].attachment.endswith("-"))
 
     def _repeat_of(self, i: int) -> int | None:
         """The earlier plain task that task `i` mentions again."""
@@ -153,7 +182,7 @@ class _Builder:
         if found is None:
             return None
         group = self.group_of[found]
-        side = "else" if is_flipped(found, group, self.polarities) != arc.attachment.endswith("-") else "then"
+        side = self._side_of(i, found)
         if i in self.groups:
             if self._is_above(i, group):
                 return None
@@ -196,7 +225,7 @@ class _Builder:
 
     def _join(self, group: _Group, side: str, inner: _Group) -> Node:
         other = _other(side)
-        inner_stated = "else" if is_flipped(inner.first, inner.first, self.polarities) else "then"
+        inner_stated = _side(self.flips[inner.first])
         inner_other = _other(inner_stated)
         met = self._nodes(inner.sides[inner_stated])
         unmet = (*self._nodes(inner.sides[inner_other]), *self._nodes(group.sides[other]))
@@ -278,24 +307,28 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
     for i, first in group_of.items():
         if i != first:
             arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
+    targets: dict[int, tuple[str, int, str]] = {}  # pointer, token pointed at, side
     for node, parent in _with_parents(flow.nodes, None):
         if isinstance(node, Do) and node.is_repeat:
             continue
         i = node.task - 1
         role = joins.get(i, "condition") if isinstance(node, If) else "task"
+        arcs[i] = Arc(role)
         if parent is None:
-            arcs[i] = Arc(role)
             continue
         group, side = parent
         if role == "or":
             side = _other(side)
-        elif (group, side) in alternatives:
-            group = alternatives[group, side]
-            side = "else" if is_flipped(group, group, polarities) else "then"
-        attachment = _attachment(i, group, side, group_of, polarities)
-        if attachment is None:
+        elif parent in alternatives:
+            group = alternatives[parent]
+            side = _side(is_flipped(group, group, polarities))
+        pointer = _pointer(i, group, group_of)
+        if pointer is None:
             return None
-        arcs[i] = Arc(role, attachment)
+        targets[i] = (pointer, _pointed_at(i, group, pointer, group_of, count), side)
+    flips = _flips_of(targets, group_of, polarities)
+    for i, (pointer, token, side) in targets.items():
+        arcs[i] = replace(arcs[i], attachment=pointer + ("-" if _side(flips[token]) != side else "+"))
     return tuple(arcs)
 
 
@@ -346,16 +379,23 @@ def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:
     return None
 
 
-def _attachment(
-    i: int, group: int, side: str, group_of: dict[int, int], polarities: Sequence[Polarity]
-) -> str | None:
-    pointer = _pointer(i, group, group_of)
-    if pointer is None:
-        return None
-    tokens = range(i - 1, -1, -1) if pointer[0] == "<" else range(i + 1, len(polarities))
-    token = next(j for j in tokens if group_of.get(j) == group)
-    is_opposite = (side == "else") != is_flipped(token, group, polarities)
-    return pointer + ("-" if is_opposite else "+")
+def _pointed_at(i: int, group: int, pointer: str, group_of: dict[int, int], count: int) -> int:
+    """The token of `group` that a pointer of task `i` means: the nearest in its direction."""
+    tokens = range(i - 1, -1, -1) if pointer[0] == "<" else range(i + 1, count)
+    return next(j for j in tokens if group_of.get(j) == group)
+
+
+def _flips_of(
+    targets: Mapping[int, tuple[str, int, str]], group_of: dict[int, int], polarities: Sequence[Polarity]
+) -> dict[int, bool]:
+    flips: dict[int, bool] = {}
+    for token in sorted(group_of):
+        group = group_of[token]
+        used = {
+            side for i, (_, j, side) in targets.items() if i < token and j < token and group_of[j] == group
+        }
+        flips[token] = _flip_of(token, group, polarities, used)
+    return flips
 
 
 def _with_orders(arcs: tuple[Arc, ...]) -> Iterator[tuple[Arc, ...]]:

@@ -109,7 +109,11 @@ def gold_labels(document: Document, instruction: Instruction) -> list[str]:
     order = sorted(places.values())
 
     def suffix(owner: int, tokens: range) -> str:
-        side = order[: _position(order, tokens.start)][::-1] if owner < tokens.start else [p for p in order if p >= tokens.stop]
+        side = (
+            order[: _position(order, tokens.start)][::-1]
+            if owner < tokens.start
+            else [p for p in order if p >= tokens.stop]
+        )
         rank = side.index(owner) + 1 if owner in side else 1
         return ("<" if owner < tokens.start else ">") * min(rank, FARTHEST_OWNER)
 
@@ -175,7 +179,11 @@ def _associated(
     if association is None:
         return list(base)
     return [
-        {**item, "g": "itself" if i in tasks else tasks[association[i]], "g.lower": f"{tasks[association[i]]}.{item['lower']}"}
+        {
+            **item,
+            "g": "itself" if i in tasks else tasks[association[i]],
+            "g.lower": f"{tasks[association[i]]}.{item['lower']}",
+        }
         for i, item in enumerate(base)
     ]
 

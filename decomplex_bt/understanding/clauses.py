@@ -61,7 +61,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
     split = breaks[-1] if breaks else previous
     message = {j for kind, indices in tasks[k].arguments if kind == "message" for j in indices}
     end = next(
-        (j for j in range(token + 1, following) if document.tokens[j].text in _PUNCTUATION and j not in message), following
+        (j for j in range(token + 1, following) if document.tokens[j].text in _PUNCTUATION and j not in message),
+        following,
     )
     cues = [cue for cue in observed.cues if cue.first not in message]
     far = tuple(cue.name for cue in cues if previous < cue.first <= split)

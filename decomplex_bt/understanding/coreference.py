@@ -27,7 +27,9 @@ PERSON_PRONOUNS = frozenset("him her he she".split())
 PLACE_PRONOUNS = frozenset(("there",))
 REFERRING = frozenset("it that this one another some any".split()) | PLURAL_PRONOUNS | PERSON_PRONOUNS | PLACE_PRONOUNS
 _LEADING = frozenset("the that this these those other another a an each both either of".split())
-_POINTING = frozenset("me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody nobody nothing".split())
+_POINTING = frozenset(
+    "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody nobody nothing".split()
+)
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _PERSON_NOUNS = frozenset(
     "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague boss friend nurse doctor kid kids child children baby man woman guy girl boy "
@@ -105,9 +107,13 @@ class ReferenceModel:
             for kind in ("state", "location"):
                 value = first.value(kind)
                 if value is not None:
-                    yield Argument(kind, _without_preposition(value) if kind == "location" else value, None, first.confidence)
+                    yield Argument(
+                        kind, _without_preposition(value) if kind == "location" else value, None, first.confidence
+                    )
 
-    def _unsaid(self, observed: Observed, task: Task, pool: Sequence[Candidate], first: Task | None) -> Iterator[Argument]:
+    def _unsaid(
+        self, observed: Observed, task: Task, pool: Sequence[Candidate], first: Task | None
+    ) -> Iterator[Argument]:
         for kind, is_required in unsaid_arguments(task, self._ontology):
             if first is not None and task.type == "check_state":
                 continue
@@ -234,7 +240,13 @@ def _features(observed: Observed, gap: Gap, candidate: Candidate, rank: str, kin
     role = document.tokens[candidate.head].dep
     number = "plural" if document.tokens[candidate.head].tag in ("NNS", "NNPS") else "singular"
     first = document.tokens[candidate.tokens.start].lower
-    determiner = "indefinite" if first in ("a", "an", "some", "any") else "definite" if first in ("the", "my", "your", "his", "her") else "bare"
+    determiner = (
+        "indefinite"
+        if first in ("a", "an", "some", "any")
+        else "definite"
+        if first in ("the", "my", "your", "his", "her")
+        else "bare"
+    )
     return {
         "bias": 1.0,
         "rank": rank,
@@ -287,7 +299,9 @@ def _as_candidate(document: Document, task: Task, argument: Argument, target: Ca
     """A resolved mention, which later words may refer to in turn: it keeps its target's head and text."""
     assert argument.span is not None
     tokens = document.indices(argument.span)
-    return replace(target, text=value, tokens=tokens, owner=task.id, type=argument.type, task_type=task.type, is_resolved=True)
+    return replace(
+        target, text=value, tokens=tokens, owner=task.id, type=argument.type, task_type=task.type, is_resolved=True
+    )
 
 
 def _stripped(document: Document, tokens: range) -> range:
@@ -319,7 +333,16 @@ def _head(document: Document, tokens: range) -> int:
     head = None
     for i in tokens:
         token = document.tokens[i]
-        if token.pos in ("NOUN", "PROPN", "PRON") or token.lower in REFERRING - {"that", "this", "these", "those", "some", "any", "both", "another"}:
+        if token.pos in ("NOUN", "PROPN", "PRON") or token.lower in REFERRING - {
+            "that",
+            "this",
+            "these",
+            "those",
+            "some",
+            "any",
+            "both",
+            "another",
+        }:
             head = i
         elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") and head is not None:
             break
@@ -346,8 +369,11 @@ def _combined(document: Document, argument: Argument, best: Candidate) -> str:
     modifiers = [document.tokens[i].text for i in inner if i < head.i]
     if head.lower in ("one", "ones") and any(word.lower() not in _LEADING for word in modifiers):
         return " ".join([*modifiers, document.tokens[best.head].text])
-    if head.lower in ("one", "other") and modifiers and modifiers[0].lower() in ("the", "another") and (
-        "other" in (m.lower() for m in modifiers) or head.lower == "other"
+    if (
+        head.lower in ("one", "other")
+        and modifiers
+        and modifiers[0].lower() in ("the", "another")
+        and ("other" in (m.lower() for m in modifiers) or head.lower == "other")
     ):
         return f"the other {document.tokens[best.head].text}"
     return best.text

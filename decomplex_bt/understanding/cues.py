@@ -68,7 +68,10 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "also": ("also", "too", "as well", "in addition", "additionally", "plus", "besides", "moreover", "on top of that", "likewise", "same for", "same goes for"),
         "while": ("while", "whilst", "meanwhile", "in the meantime", "at the same time", "on your way", "on the way", "while you are at it", "as you", "in the meanwhile"),
         # within a clause
-        "not": ("not", "never", "nothing", "nobody", "none", "nowhere", "neither", "nor", "without", "no", "no longer", "no more", "out of", "no one", "fails", "fail", "failed", "unable", "cannot", "not any", "lacks", "missing", "absent", "gone"),
+        "not": (
+            "not", "never", "nothing", "nobody", "none", "nowhere", "neither", "nor", "no", "no longer", "no more", "no one", "not any",
+            "unable", "cannot", "not yet", "hardly", "no sign of", "without",
+        ),
         "either": ("either", "neither"),
         "instead": ("instead", "rather", "in its place"),
         "still": ("still", "already", "yet"),
@@ -150,7 +153,11 @@ def _disambiguated(name: str, document: Document, position: int) -> str:
     before = document.tokens[position - 1]
     if before.lemma in ASKING_LEMMAS or before.lower in ASKING_LEMMAS:
         return "whether"
-    if position > 1 and before.lower in ("me", "out", "us", "sure") and document.tokens[position - 2].lemma in ASKING_LEMMAS:
+    if (
+        position > 1
+        and before.lower in ("me", "out", "us", "sure")
+        and document.tokens[position - 2].lemma in ASKING_LEMMAS
+    ):
         return "whether"
     return name
 

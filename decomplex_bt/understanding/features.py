@@ -50,6 +50,22 @@ class Observed:
         return tuple(result)
 
     @cached_property
+    def verbs_since_cue(self) -> tuple[str, ...]:
+        """For every token the last governing cue before it in the sentence, with how many verbs stand between (at most 3)."""
+        governing = {cue.last: cue.name for cue in self.cues if cue.name in _CLAUSE_OPENING}
+        result: list[str] = []
+        cue, verbs = "none", 0
+        for token in self.document.tokens:
+            if token.i and self.document.sentences[token.i] != self.document.sentences[token.i - 1]:
+                cue, verbs = "none", 0
+            result.append(f"{cue}.{min(3, verbs)}")
+            if token.i in governing:
+                cue, verbs = governing[token.i], 0
+            elif token.pos in ("VERB", "AUX") and token.tag != "MD" and token.dep not in ("aux", "auxpass"):
+                verbs += 1
+        return tuple(result)
+
+    @cached_property
     def question(self) -> tuple[bool, ...]:
         """For every token whether its sentence ends in a question mark."""
         asking = {
@@ -60,7 +76,20 @@ class Observed:
         return tuple(number in asking for number in self.document.sentences)
 
 
-_MARKING = GOVERNING | {"so", "else", "fail", "before", "after", "until", "then", "after_that", "before_that", "either_way", "while"}
+_MARKING = GOVERNING | {
+    "so",
+    "else",
+    "fail",
+    "before",
+    "after",
+    "until",
+    "then",
+    "after_that",
+    "before_that",
+    "either_way",
+    "while",
+}
+_CLAUSE_OPENING = GOVERNING | {"so", "else", "fail", "before", "after", "until", "even_if"}
 _COPULA = frozenset(("be", "'s", "is", "are", "'re", "was", "were", "s", "isnt", "arent"))
 
 
@@ -144,6 +173,11 @@ def clause_features(observed: Observed, i: int) -> Features:
     features["cue"] = cue
     features["cue.gap"] = f"{cue}.{gap}"
     features["cue.tag"] = f"{cue}.{document.tokens[i].tag}"
+    since = observed.verbs_since_cue[i]
+    features["since"] = since
+    features["since.tag"] = f"{since}.{document.tokens[i].tag}"
+    features["since.lemma"] = f"{since}.{document.tokens[i].lemma}"
+    features["since.sense"] = f"{since}.{observed.senses[i][0] if observed.senses[i] else ''}"
     if i and document.sentences[i] == document.sentences[i - 1]:
         features["question"] = observed.question[i]
     else:
@@ -165,7 +199,10 @@ def cue_features(observed: Observed, i: int) -> Features:
 def verb_context_features(observed: Observed, i: int) -> Features:
     """The verbs to either side: whether the token introduces another verb or is introduced by one ("go and get")."""
     features: Features = {}
-    for name, steps in (("verb_before", range(i - 1, max(-1, i - 8), -1)), ("verb_after", range(i + 1, min(len(observed.document), i + 8)))):
+    for name, steps in (
+        ("verb_before", range(i - 1, max(-1, i - 8), -1)),
+        ("verb_after", range(i + 1, min(len(observed.document), i + 8))),
+    ):
         for distance, j in enumerate(steps, start=1):
             if observed.document.sentences[j] != observed.document.sentences[i]:
                 break
@@ -284,7 +321,20 @@ def _separator(observed: Observed, left: int, right: int) -> str:
         return "sentence"
     between = range(left + 1, right)
     names = {name for j in between for name in observed.cue_names[j]}
-    for name in ("if", "only_if", "unless", "when", "whether", "before", "after", "until", "else", "fail", "so", "then"):
+    for name in (
+        "if",
+        "only_if",
+        "unless",
+        "when",
+        "whether",
+        "before",
+        "after",
+        "until",
+        "else",
+        "fail",
+        "so",
+        "then",
+    ):
         if name in names:
             return name
     words = {document.tokens[j].lower for j in between}

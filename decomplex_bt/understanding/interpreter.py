@@ -48,8 +48,10 @@ class Interpreter:
         models are missing, damaged or made by other versions, `LanguageModelError` where spaCy's English model is.
         """
         loaded = domain if isinstance(domain, Domain) else load_domain(domain)
-        return _cached(loaded.folder, models or loaded.folder / "models", loaded) if models is None else cls(
-            loaded, models, _parser()
+        return (
+            _cached(loaded.folder, models or loaded.folder / "models", loaded)
+            if models is None
+            else cls(loaded, models, _parser())
         )
 
     def interpret(self, text: str) -> Instruction:
@@ -73,7 +75,10 @@ class Interpreter:
         found = self._tasks.find(observed)
         types = {task.token: task.type for task in found}
         arguments = self._arguments.find(observed, types)
-        marked = [MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments if a.owner == t.token)) for t in found]
+        marked = [
+            MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments if a.owner == t.token))
+            for t in found
+        ]
         flow = self._flows.find(observed, marked).flow if marked else Flow()
         tasks = self._references.resolve(observed, _tasks_of(document, found, arguments), flow)
         return Instruction(
@@ -98,9 +103,7 @@ def check_text(text: str) -> None:
 def _tasks_of(document: Document, found: tuple[FoundTask, ...], arguments: tuple[FoundArgument, ...]) -> list[Task]:
     tasks = []
     for number, task in enumerate(found, start=1):
-        own = tuple(
-            _argument(document, argument) for argument in arguments if argument.owner == task.token
-        )
+        own = tuple(_argument(document, argument) for argument in arguments if argument.owner == task.token)
         tasks.append(Task(number, task.type, document.span(task.token, task.token), own, task.confidence))
     return tasks
 

@@ -87,11 +87,15 @@ def check_models(folder: Path, domain: Domain, language_model: str) -> Manifest:
             path, f"features_version {manifest.features_version}, expected {FEATURES_VERSION}; run `decomplex-bt train`"
         )
     if language_model.rpartition("-")[2].split(".")[:2] != manifest.language_model.rpartition("-")[2].split(".")[:2]:
-        raise DataFileError(path, f"made with {manifest.language_model}, found {language_model}; run `decomplex-bt train`")
+        raise DataFileError(
+            path, f"made with {manifest.language_model}, found {language_model}; run `decomplex-bt train`"
+        )
     _check_files(folder, manifest)
     unknown = set(manifest.models["tasks"].labels) - {"O", *domain.ontology.task_types}
     if unknown:
-        raise DataFileError(path, f"the task model knows {sorted(unknown)}, the ontology does not; run `decomplex-bt train`")
+        raise DataFileError(
+            path, f"the task model knows {sorted(unknown)}, the ontology does not; run `decomplex-bt train`"
+        )
     return manifest
 
 

@@ -85,7 +85,13 @@ def order_features(
     items: list[Features] = []
     for k, clause in enumerate(clauses):
         document = observed.document
-        item: Features = {"bias": 1.0, "role": roles[k], "attached": attachments[k], "boundary": clause.boundary, "tag": document.tokens[clause.task.token].tag}
+        item: Features = {
+            "bias": 1.0,
+            "role": roles[k],
+            "attached": attachments[k],
+            "boundary": clause.boundary,
+            "tag": document.tokens[clause.task.token].tag,
+        }
         for name in ("near", "far", "behind"):
             for cue in _ORDER_CUES.intersection(getattr(clause, name)):
                 item[f"{name}.{cue}"] = 1.0
@@ -105,7 +111,24 @@ def order_features(
     return items
 
 
-_ORDER_CUES = frozenset(("before", "before_that", "after", "until", "first", "last", "after_that", "then", "while", "when", "not", "if", "either_way", "but"))
+_ORDER_CUES = frozenset(
+    (
+        "before",
+        "before_that",
+        "after",
+        "until",
+        "first",
+        "last",
+        "after_that",
+        "then",
+        "while",
+        "when",
+        "not",
+        "if",
+        "either_way",
+        "but",
+    )
+)
 
 
 def _own_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
@@ -148,7 +171,9 @@ def _own_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Feat
     return item
 
 
-_STRONG = frozenset(("if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "before", "after", "until", "whether"))
+_STRONG = frozenset(
+    ("if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "before", "after", "until", "whether")
+)
 
 
 def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, offset: int) -> Features:
@@ -168,7 +193,9 @@ def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, o
         for cue in _STRONG.intersection(getattr(other, name)):
             item[f"{mark}.{name}.{cue}"] = 1.0
     if offset == 1:
-        item["+1.far.first"] = next((cue for cue in other.far if cue in _STRONG), next((cue for cue in other.near if cue in _STRONG), ""))
+        item["+1.far.first"] = next(
+            (cue for cue in other.far if cue in _STRONG), next((cue for cue in other.near if cue in _STRONG), "")
+        )
         item["+1.signal.type"] = f"{item['+1.far.first']}.{clauses[k].task.type}"
     return item
 
@@ -218,7 +245,9 @@ def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int]) -> 
         if cue in between:
             item[f"between.{cue}"] = 1.0
     own = {*clause.far, *clause.near}
-    last = next((cue for cue in ("either_way", "else", "fail", "so", "then", "after_that", "also", "instead") if cue in own), "")
+    last = next(
+        (cue for cue in ("either_way", "else", "fail", "so", "then", "after_that", "also", "instead") if cue in own), ""
+    )
     item["turn"] = last
     item["turn.gap"] = f"{last}.{min(3, k - j)}.{item['left.sentences']}"
     item["turn.governing"] = f"{last}.{item['left.governing']}.{condition.polarity.is_negated}"
