@@ -23,10 +23,12 @@ class VerbGroup(VerbSense):
 
 
 class Lexicon(Record):
-    """`words.yaml`: verbs in groups of one sense, colours, and the words around a noun.
+    """`words.yaml`: verbs in groups of one sense, colours, and the small words around nouns.
 
-    `all_words` ask for all of a kind; `any_words` name nothing by themselves; `prepositions` lead a phrase about a
-    place; `determiners` may stand before a noun and do not say which one is meant.
+    `all_words` ask for all of a kind; `anybody_words`, `everybody_words` for people of the house; `here_words` for the
+    place of the one who speaks; `presence_words` say only that something is there. `prepositions` lead a phrase, those
+    in `beside` mean near or under a thing; `determiners` do not say which one is meant; `measures` count ("a slice of
+    bread"); `parts` stand for the whole ("the fridge door").
     """
 
     format: int
@@ -34,9 +36,15 @@ class Lexicon(Record):
     colours: tuple[str, ...]
     user_words: tuple[str, ...]
     all_words: tuple[str, ...] = ()
-    any_words: tuple[str, ...] = ()
+    anybody_words: tuple[str, ...] = ()
+    everybody_words: tuple[str, ...] = ()
+    here_words: tuple[str, ...] = ()
+    presence_words: tuple[str, ...] = ()
     prepositions: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
     determiners: tuple[str, ...] = ()
+    measures: dict[str, int] = {}
+    parts: tuple[str, ...] = ()
 
     @model_validator(mode="after")
     def _check(self) -> Lexicon:

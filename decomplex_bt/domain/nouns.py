@@ -46,14 +46,13 @@ class Nouns:
                 heads[head].extend(entities)
         return cls({word: tuple(dict.fromkeys(entities)) for word, entities in {**found, **heads}.items()})
 
-    def lookup(self, phrase: str) -> tuple[tuple[str, ...], bool]:
-        """The entities a phrase (lower case) names, and whether it is a plural of their name; empty if none.
+    def lookup(self, phrase: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The entities that a phrase (lower case) names as it stands, and those that it is a plural of.
 
-        A word that is a name as it stands ("glasses", "keys") is no plural, but what it is the plural of comes after.
+        "glasses" is the name of one thing and the plural of others.
         """
-        entities = list(self.entities.get(phrase, ()))
         plurals = [entity for singular in singulars(phrase) for entity in self.entities.get(singular, ())]
-        return tuple(dict.fromkeys([*entities, *plurals])), bool(plurals) and not entities
+        return self.entities.get(phrase, ()), tuple(dict.fromkeys(plurals))
 
     def nearest(self, phrase: str, among: Iterable[str] = (), *, limit: int = 3) -> tuple[str, ...]:
         """The known words (only those naming one of `among`, if given) that look most like the phrase, best first."""
