@@ -28,17 +28,22 @@ class Spots:
 
     def __init__(self, geometry: Geometry) -> None:
         self.geometry = geometry
+        self._floors = frozenset(int(row) for row in geometry.floor_row)
         self._of_place: dict[int, Floats] = {}
+        self._lying: dict[tuple[int, float], Floats] = {}
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots at which a thing of this radius can lie on or in a place, none on another; may be empty."""
-        points = self._candidates(place)
-        if place in self.geometry.floor_row:
-            room = int(self.geometry.place_room[place])
-            points = points[self._floor_clearance[room] >= radius + FLOOR_GAP]
-        else:
-            points = points[self._fits(points, place, radius)]
-        return _apart(points, radius, taken)
+        key = (place, radius)
+        if key not in self._lying:
+            points = self._candidates(place)
+            if place in self._floors:
+                room = int(self.geometry.place_room[place])
+                fits = self._floor_clearance[room] >= radius + FLOOR_GAP
+            else:
+                fits = self._fits(points, place, radius)
+            self._lying[key] = points[fits]
+        return _apart(self._lying[key], radius, taken)
 
     def standing(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where a person can stand in a room so that the robot still gets everywhere in it."""
@@ -58,7 +63,7 @@ class Spots:
     def _candidates(self, place: int) -> Floats:
         if place not in self._of_place:
             x0, y0, x1, y1 = self.geometry.footprints[place]
-            pitch = FLOOR_PITCH if place in self.geometry.floor_row else LYING_PITCH
+            pitch = FLOOR_PITCH if place in self._floors else LYING_PITCH
             self._of_place[place] = _grid((x0, y0, x1, y1), pitch)
         return self._of_place[place]
 

@@ -1,0 +1,241 @@
+"""The balance: mixes a start towards an instruction, so that all outcomes of what it tests come up.
+
+What a flow tests is handed over as plain values (`Test`), each a question whose answer the start of the episode holds.
+Everything that no test names stays as it was drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.random import Generator
+
+from decomplex_bt.envs.chance import POWER, Draw, _choose
+from decomplex_bt.envs.geometry import Floats
+from decomplex_bt.envs.interface import STATE_PAIRS
+from decomplex_bt.envs.prior import ABSENT
+from decomplex_bt.errors import InputError
+
+LEAF_SHARE = 2 / 3
+"""Each leaf of a chain of searches has at least this share of the balance: 0.2 for the default of 0.3."""
+
+
+@dataclass(frozen=True, slots=True)
+class StateTest:
+    """Whether the entities have this value of a state pair ("temperature", "hot"); those of one test agree."""
+
+    entities: tuple[str, ...]
+    pair: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class PlaceTest:
+    """Where the first of the things turns up that a chain of searches would find.
+
+    `stages`: the places looked at, one tuple for each search; the leaves are "found at the first", "at the second", ...
+    and "at none of them". A single empty stage asks whether any of the things is in the house at all.
+    """
+
+    things: tuple[str, ...]
+    stages: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PersonTest:
+    """Whether any of the people is at home, or, with `rooms`, in one of these rooms."""
+
+    people: tuple[str, ...]
+    rooms: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class WorksTest:
+    """Whether the devices work; those of one test agree."""
+
+    devices: tuple[str, ...]
+
+
+Test = StateTest | PlaceTest | PersonTest | WorksTest
+
+
+def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> None:
+    """Mixes a start towards the tests, in order; who is settled by one test is left alone by later ones.
+
+    `balance`: each answer of a test has at least this probability, in [0, 0.5]; 0 leaves the prior as it is. What
+    cannot be mixed, for being impossible in this house, is noted in the start's `exempt`.
+    """
+    if not 0 <= balance <= 0.5:
+        raise InputError(f"balance is {balance!r}; expected a probability in [0, 0.5]")
+    if balance == 0:
+        return
+    settled: set[tuple[str, str]] = set()
+    for test in tests:
+        if isinstance(test, StateTest):
+            _mix_states(draw, test, balance, rng, settled)
+        elif isinstance(test, PlaceTest):
+            _mix_places(draw, test, balance * LEAF_SHARE if len(test.stages) > 1 else balance, rng, settled)
+        elif isinstance(test, PersonTest):
+            _mix_people(draw, test, balance, rng, settled)
+        else:
+            _mix_works(draw, test, balance, rng, settled)
+
+
+def at_least(shares: Floats, least: float) -> Floats:
+    """Probabilities with none below `least` (or below an equal share), the others scaled down in proportion."""
+    least = min(least, 1 / len(shares))
+    mixed, low = np.array(shares, dtype=float), np.zeros(len(shares), dtype=bool)
+    while (mixed[~low] < least - 1e-12).any():
+        low |= mixed < least
+        rest = shares[~low].sum()
+        mixed = np.where(low, least, shares * (1 - least * low.sum()) / rest if rest > 0 else least)
+    return mixed / mixed.sum()
+
+
+def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    column = STATE_PAIRS.index(test.pair)
+    is_positive = draw.geometry.kinds.state_pairs[test.pair].values[0] == test.value
+    rows = _rows(draw, test.entities, settled, test.pair, lambda row: bool(draw.prior.has_state[row, column]))
+    if not rows:
+        return
+    chance = float(draw.prior.chance[rows, column].mean())
+    holds = _holds(chance if is_positive else 1 - chance, balance, rng)
+    draw.start.states[rows, column] = int(holds == is_positive)
+    if column == POWER:
+        draw.start.broken[[row for row in rows if draw.start.states[row, POWER] == 1]] = False
+
+
+def _mix_works(draw: Draw, test: WorksTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    rows = _rows(draw, test.devices, settled, "works", lambda row: bool(draw.prior.has_state[row, POWER]))
+    if not rows:
+        return
+    works = _holds(1 - float(draw.prior.broken[rows].mean()), balance, rng)
+    draw.start.broken[rows] = not works
+    if not works:
+        draw.start.states[rows, POWER] = 0
+
+
+def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    geometry, prior = draw.geometry, draw.prior
+    first = geometry.people_rows[0]
+    wanted = [geometry.room_index[room] for room in test.rooms] or list(range(len(geometry.rooms)))
+
+    def can_vary(row: int) -> bool:
+        return prior.home[row - first] > 0 and (row != geometry.user_row or bool(test.rooms))
+
+    rows = _rows(draw, test.people, settled, "person", can_vary)
+    if not rows:
+        return
+    inside = {row: float(prior.home[row - first] * prior.rooms[row - first, wanted].sum()) for row in rows}
+    holds = _holds(1 - float(np.prod([1 - p for p in inside.values()])), balance, rng)
+    present = [row for row in rows if draw.start.home[row] and _room(draw, row) in wanted]
+    if holds and not present:
+        row = rows[_choose(np.full(len(rows), 1 / len(rows)), rng)]
+        draw.stand(row, _pick_room(prior.rooms[row - first], wanted, rng), rng)
+    elif not holds:
+        others = [room for room in range(len(geometry.rooms)) if room not in wanted]
+        for row in present:
+            stays = row == geometry.user_row or (bool(others) and rng.random() < prior.home[row - first])
+            draw.stand(row, _pick_room(prior.rooms[row - first], others, rng) if stays else None, rng)
+
+
+def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    geometry, prior = draw.geometry, draw.prior
+    things = _rows(draw, test.things, settled, "place", lambda row: row in geometry.thing_rows)
+    if not things:
+        return
+    stages = [_holding(draw, stage) for stage in test.stages]
+    is_possible = np.array([*(bool(stage) for stage in stages), True])
+    shares = at_least(_leaf_shares(draw, things, stages)[is_possible], least)
+    leaf = int(np.flatnonzero(is_possible)[_choose(shares, rng)])
+    for stage, places in zip(test.stages, stages, strict=True):
+        if not places:
+            draw.start.exempt.append(f"nothing lies at {', '.join(stage)}")
+    forbidden = sorted({place for stage in stages[: leaf if leaf < len(stages) else None] for place in stage})
+    wanted = [place for place in stages[leaf] if place not in forbidden] if leaf < len(stages) else []
+    for thing in things:
+        if int(draw.start.place[thing]) in forbidden:
+            _move_out(draw, thing, forbidden, rng)
+    if wanted and not any(int(draw.start.place[thing]) in wanted for thing in things):
+        order = rng.permutation(things)
+        if not any(_move_in(draw, int(thing), wanted, rng) for thing in order):
+            draw.start.exempt.append(f"no room for {', '.join(test.things)} at {', '.join(test.stages[leaf])}")
+
+
+def _leaf_shares(draw: Draw, things: Sequence[int], stages: Sequence[Sequence[int]]) -> Floats:
+    """The prior probability of each leaf of a chain of searches: found at stage 0, 1, ..., at none."""
+    none_yet, shares, seen = 1.0, [], set[int]()
+    for stage in stages:
+        seen |= set(stage)
+        none_now = float(np.prod([1 - draw.prior.mass(thing, sorted(seen)) for thing in things]))
+        shares.append(none_yet - none_now)
+        none_yet = none_now
+    return np.array([*shares, none_yet]).clip(min=0)
+
+
+def _move_out(draw: Draw, thing: int, forbidden: Sequence[int], rng: Generator) -> None:
+    """Lays a thing elsewhere, by its prior; nowhere in the house if there is no elsewhere."""
+    rows, weights = draw.prior.places(thing)
+    weights = np.where(np.isin(rows, forbidden), 0, weights)
+    while weights.sum() > 0:
+        column = _choose(weights / weights.sum(), rng)
+        if draw.lay(thing, int(rows[column]), rng):
+            return
+        weights[column] = 0
+    draw.lay(thing, ABSENT, rng)
+
+
+def _move_in(draw: Draw, thing: int, wanted: Sequence[int], rng: Generator) -> bool:
+    """Lays a thing at one of the wanted places, by its prior, or at any of them where the prior has none."""
+    rows, weights = draw.prior.places(thing)
+    preferred = np.where(np.isin(rows, wanted), weights, 0)
+    fallback = np.isin(rows, wanted).astype(float)
+    for weights in (preferred, fallback):
+        while weights.sum() > 0:
+            column = _choose(weights / weights.sum(), rng)
+            if draw.lay(thing, int(rows[column]), rng):
+                return True
+            weights[column] = 0
+    return False
+
+
+def _holding(draw: Draw, stage: Sequence[str]) -> list[int]:
+    """The places (rows) of a stage on or in which things can lie; all of the house for an empty stage."""
+    geometry = draw.geometry
+    rows = [geometry.row[place] for place in stage] if stage else range(geometry.place_count)
+    return [row for row in rows if row < geometry.place_count and draw.prior.holds[row]]
+
+
+def _rows(
+    draw: Draw, names: Sequence[str], settled: set[tuple[str, str]], aspect: str, can_vary: Callable[[int], bool]
+) -> list[int]:
+    """The rows a test may change, in order; notes the others as exempt and these as settled."""
+    rows = []
+    for name in names:
+        row = draw.geometry.row[name]
+        if (name, aspect) in settled:
+            draw.start.exempt.append(f"{name}: its {aspect} is settled by an earlier test")
+        elif not can_vary(row):
+            draw.start.exempt.append(f"{name}: its {aspect} cannot vary")
+        else:
+            settled.add((name, aspect))
+            rows.append(row)
+    return rows
+
+
+def _holds(prior: float, balance: float, rng: Generator) -> bool:
+    return bool(rng.random() < min(max(prior, balance), 1 - balance))
+
+
+def _room(draw: Draw, person: int) -> int:
+    x, y = draw.start.position[person].tolist()
+    return draw.geometry.room_at(x, y)
+
+
+def _pick_room(weights: Floats, rooms: Sequence[int], rng: Generator) -> int:
+    """One of these rooms by weight, by equal weights where none has any."""
+    shares = weights[list(rooms)]
+    shares = shares if shares.sum() > 0 else np.ones(len(rooms))
+    return rooms[_choose(shares / shares.sum(), rng)]

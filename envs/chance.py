@@ -1,0 +1,186 @@
+"""Chance: how an episode begins, drawn from a generator."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from math import hypot, pi
+
+import numpy as np
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+from decomplex_bt.envs.geometry import Floats
+from decomplex_bt.envs.interface import STATE_PAIRS
+from decomplex_bt.envs.prior import ABSENT, Prior
+from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Spots
+from decomplex_bt.errors import InputError
+
+TRIES = 12
+"""Spots tried at a place before all are looked at, and places tried before a thing counts as not placeable."""
+POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
+
+
+@dataclass(slots=True)
+class Start:
+    """How an episode begins, by row of the entity table.
+
+    `place`: `(rows,)` row of the place a thing lies at, `ABSENT` where it is nowhere (and for places, people, robot).
+    `position`: `(rows, 2)` metres, NaN where absent. `states`: `(rows, pairs)` 1, 0, or -1 where there is no such pair.
+    `broken`: `(rows,)`. `home`: `(rows,)`, of people. `heading`: the robot's. `exempt`: what the balance could not mix.
+    """
+
+    place: NDArray[np.int64]
+    position: Floats
+    states: NDArray[np.int8]
+    broken: NDArray[np.bool_]
+    home: NDArray[np.bool_]
+    heading: float = 0.0
+    exempt: list[str] = field(default_factory=list)
+
+
+class Draw:
+    """One draw of a start, step by step: `everything` first, then what a balance or a caller wants otherwise."""
+
+    def __init__(self, prior: Prior, spots: Spots) -> None:
+        self.prior = prior
+        self.spots = spots
+        self.geometry = prior.geometry
+        rows = len(self.geometry.names)
+        self.start = Start(
+            place=np.full(rows, ABSENT),
+            position=np.full((rows, 2), np.nan),
+            states=np.full((rows, len(STATE_PAIRS)), -1, dtype=np.int8),
+            broken=np.zeros(rows, dtype=bool),
+            home=np.zeros(rows, dtype=bool),
+        )
+
+    def everything(self, rng: Generator) -> None:
+        """Draws all of it from the prior, in a fixed order. Raises `InputError` where something finds no spot."""
+        prior, start = self.prior, self.start
+        start.broken = rng.random(len(prior.broken)) < prior.broken
+        is_positive = rng.random(prior.chance.shape) < prior.chance
+        start.states = np.where(prior.has_state, is_positive, -1).astype(np.int8)
+        start.states[start.broken & (start.states[:, POWER] >= 0), POWER] = 0
+        self._things(rng)
+        self._people(rng)
+        self._settle()
+
+    def likeliest(self, rng: Generator) -> None:
+        """The start without chance: everything as it is most often, nothing broken. Spots are still drawn."""
+        prior, start = self.prior, self.start
+        start.states = np.where(prior.has_state, prior.chance >= 0.5, -1).astype(np.int8)
+        for row in self.geometry.thing_rows:
+            self.lay(row, prior.likeliest_place(row), rng)
+        for index, row in enumerate(self.geometry.people_rows):
+            if prior.home[index] >= 0.5:
+                self.stand(row, int(np.argmax(prior.rooms[index])), rng)
+        self._settle()
+
+    def robot(self, rng: Generator, *, has_chance: bool = True) -> None:
+        """Where the robot stands; drawn last, so that it stands clear of everything on the floor."""
+        row = self.geometry.robot_row
+        rooms = self.prior.robot_rooms
+        room = int(_choose(rooms, rng)) if has_chance else int(np.argmax(rooms))
+        taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
+        self.start.position[row] = _pick(self.spots.robot(room, taken), rng, "the robot", self.geometry.rooms[room])
+        self.start.heading = float(rng.uniform(-pi, pi))
+
+    def lay(self, thing: int, place: int, rng: Generator) -> bool:
+        """Lays a thing at a place (`ABSENT`: nowhere), at a free spot; False, and nothing changed, where it is full."""
+        start = self.start
+        if place == ABSENT:
+            start.place[thing], start.position[thing] = ABSENT, np.nan
+            return True
+        spot = self._free_spot(thing, place, rng)
+        if spot is None:
+            return False
+        start.place[thing], start.position[thing] = place, spot
+        return True
+
+    def stand(self, person: int, room: int | None, rng: Generator) -> None:
+        """Stands a person in a room (None: out of the house). Raises `InputError` where there is no spot for them."""
+        start = self.start
+        start.home[person] = False
+        start.position[person] = np.nan
+        if room is None:
+            return
+        taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
+        spots = self.spots.standing(room, taken)
+        start.position[person] = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+        start.home[person] = True
+
+    def _things(self, rng: Generator) -> None:
+        prior = self.prior
+        draws = rng.random(len(prior.place_sums))
+        columns = (draws[:, None] >= prior.place_sums).sum(axis=1).clip(max=prior.place_sums.shape[1] - 1)
+        places = prior.place_table[np.arange(len(columns)), columns].tolist()
+        for thing, place in zip(self.geometry.thing_rows, places, strict=True):
+            tries = 0
+            while not self.lay(thing, place, rng):
+                tries += 1
+                if tries > TRIES:
+                    raise InputError(
+                        f"{self.geometry.names[thing]} found no free spot in {TRIES} places; give it more places in "
+                        "house.yaml, or the house fewer things"
+                    )
+                rows, weights = prior.places(thing)
+                place = int(rows[_choose(weights, rng)])
+
+    def _people(self, rng: Generator) -> None:
+        for index, row in enumerate(self.geometry.people_rows):
+            is_home = rng.random() < self.prior.home[index]
+            room = int(_choose(self.prior.rooms[index], rng))
+            self.stand(row, room if is_home else None, rng)
+
+    def _settle(self) -> None:
+        """What has stood long enough in a closed fridge is cold, in a closed oven that is on hot."""
+        states, place = self.start.states, self.start.place
+        kinds = self.prior.kinds
+        for row in self.geometry.thing_rows:
+            at = int(place[row])
+            if at == ABSENT or states[row, TEMPERATURE] < 0 or states[at, APERTURE] != 0:
+                continue
+            tags = kinds[row].tags
+            if any(tag in tags for tag in kinds[at].cools):
+                states[row, TEMPERATURE] = 0
+            elif states[at, POWER] == 1 and any(tag in tags for tag in kinds[at].heats):
+                states[row, TEMPERATURE] = 1
+
+    def _free_spot(self, thing: int, place: int, rng: Generator) -> Floats | None:
+        radius = self.prior.radius[thing]
+        spots = self.spots.lying(place, radius)
+        if not len(spots):
+            return None
+        taken = [disc for disc in self._lying_at(place, besides=thing)]
+        if place in self.geometry.floor_row:
+            taken.extend(self._standing())
+        for _ in range(TRIES):
+            x, y = spots[int(rng.random() * len(spots))].tolist()
+            if all(hypot(x - ox, y - oy) >= radius + other for ox, oy, other in taken):
+                return np.array((x, y))
+        spots = self.spots.lying(place, radius, taken)
+        return spots[int(rng.random() * len(spots))] if len(spots) else None
+
+    def _lying_at(self, place: int, besides: int = ABSENT) -> Iterator[Disc]:
+        start = self.start
+        for row in np.flatnonzero(start.place == place).tolist():
+            if row != besides:
+                x, y = start.position[row].tolist()
+                yield x, y, self.prior.radius[row]
+
+    def _standing(self) -> Iterator[Disc]:
+        for row in np.flatnonzero(self.start.home).tolist():
+            x, y = self.start.position[row].tolist()
+            yield x, y, PERSON_RADIUS
+
+
+def _choose(weights: Floats, rng: Generator) -> int:
+    """An index drawn by weight; the weights sum to one."""
+    return min(int(np.searchsorted(np.cumsum(weights), rng.random(), side="right")), len(weights) - 1)
+
+
+def _pick(spots: Floats, rng: Generator, who: str, room: str) -> Floats:
+    if not len(spots):
+        raise InputError(f"{who} finds no free spot to stand in {room}; make the room larger or emptier")
+    return spots[int(rng.random() * len(spots))]

@@ -1,0 +1,104 @@
+"""The prior: what a house and its kinds say about how an episode may begin, as arrays by row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from decomplex_bt.domain.kinds import Kind
+from decomplex_bt.envs.geometry import Floats, Geometry
+from decomplex_bt.envs.interface import STATE_PAIRS
+from decomplex_bt.errors import InputError
+
+ABSENT = -1
+"""In place of a row: nowhere in the house."""
+
+
+class Prior:
+    """Probabilities of the start of an episode; read only, shared by all episodes in a house.
+
+    `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
+    `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
+    `(people, rooms)`; `robot_rooms`: `(rooms,)`.
+    """
+
+    def __init__(self, geometry: Geometry) -> None:
+        self.geometry = geometry
+        kinds = [self._kind(row) for row in range(geometry.robot_row)]
+        self.kinds: tuple[Kind, ...] = tuple(kinds)
+        self.chance = np.array([[_chance(kind, pair) for pair in STATE_PAIRS] for kind in kinds] + [[np.nan] * 5])
+        self.has_state = ~np.isnan(self.chance)
+        self.broken = np.array([kind.broken for kind in kinds] + [0.0])
+        self.radius = tuple(kind.radius for kind in kinds)
+        self.holds = np.array([kind.surface or kind.inside for kind in kinds[: geometry.place_count]])
+        self.has_door = np.array([kind.inside and kind.has_door for kind in kinds[: geometry.place_count]])
+        people = geometry.house.people.values()
+        self.home = np.array([person.home for person in people])
+        self.home[0] = 1.0
+        self.rooms = np.array([self._shares(person.rooms, "people") for person in people])
+        self.robot_rooms = self._shares(geometry.house.robot_start, "robot_start")
+        self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
+        self.place_table = np.array([rows for rows, _ in self._of_thing.values()])
+        self.place_sums = np.array([np.cumsum(weights) for _, weights in self._of_thing.values()])
+
+    def mass(self, thing: int, places: Iterable[int] | None) -> float:
+        """The probability that a thing lies at one of these places (rows); None: anywhere in the house."""
+        rows, weights = self._of_thing[thing]
+        if places is None:
+            return float(weights[rows != ABSENT].sum())
+        return float(weights[np.isin(rows, list(places))].sum())
+
+    def places(self, thing: int) -> tuple[NDArray[np.int64], Floats]:
+        """Where a thing may lie (rows, `ABSENT` among them) with the probability of each; padded with zeros."""
+        return self._of_thing[thing]
+
+    def likeliest_place(self, thing: int) -> int:
+        rows, weights = self._of_thing[thing]
+        return int(rows[np.argmax(weights)])
+
+    def _kind(self, row: int) -> Kind:
+        return self.geometry.house.kind(self.geometry.names[row], self.geometry.kinds)
+
+    def _places(self, row: int) -> tuple[NDArray[np.int64], Floats]:
+        """Places and probabilities of a thing, brought to one length for all things."""
+        geometry, kind = self.geometry, self.kinds[row]
+        item = geometry.house.things[geometry.names[row]]
+        absent = kind.absent if item.absent is None else item.absent
+        weights = np.zeros(geometry.place_count + 1)
+        for name, weight in (item.places or kind.places).items():
+            found = self._named(name)
+            if not found:
+                raise InputError(
+                    f"things.{geometry.names[row]}: lies at {name!r}, which no place of the house is, by name or kind"
+                )
+            for place in found:
+                if not self.holds[place]:
+                    raise InputError(f"things.{geometry.names[row]}: nothing can lie on or in {geometry.names[place]!r}")
+                weights[place] += weight / len(found)
+        total = weights.sum()
+        weights = weights * (1 - absent) / total if total > 0 else weights
+        weights[-1] = absent if total > 0 else 1.0
+        return np.append(np.arange(geometry.place_count), ABSENT), weights
+
+    def _named(self, name: str) -> list[int]:
+        """The places of this name or kind."""
+        geometry = self.geometry
+        return [
+            row
+            for row, place in enumerate(geometry.names[: geometry.place_count])
+            if name in (place, geometry.house.kind_of(place))
+        ]
+
+    def _shares(self, weights: Mapping[str, float], key: str) -> Floats:
+        shares = np.zeros(len(self.geometry.rooms))
+        for room, weight in weights.items():
+            if room not in self.geometry.room_index:
+                raise InputError(f"{key}: unknown room {room!r}; the rooms are {', '.join(self.geometry.rooms)}")
+            shares[self.geometry.room_index[room]] = weight
+        return shares / shares.sum()
+
+
+def _chance(kind: Kind, pair: str) -> float:
+    return kind.chance.get(pair, 0.5) if pair in kind.states else np.nan

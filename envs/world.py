@@ -1,0 +1,389 @@
+"""The world: bodies, contacts and time of one episode, and the truth about everything in the house.
+
+SI units; world frame with the origin bottom left; headings in radians, counter-clockwise from +x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntFlag
+from math import cos, pi, sin
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pymunk
+import pymunk.batch
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+from decomplex_bt.envs.chance import APERTURE, Start
+from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Floats, Geometry
+from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.prior import ABSENT, Prior
+from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
+
+if TYPE_CHECKING:
+    from decomplex_bt.envs.walking import Walk
+
+GRAVITY = 9.81  # [m/s²] presses things on the floor
+FLOOR_FRICTION = 0.4  # [-] of things on the floor
+CONTACT_FRICTION = 0.2  # [-] between bodies
+ROBOT_MASS = 15.0  # [kg]
+NOTHING = -1
+"""In place of a row: an empty hand or slot."""
+_FIELDS = (
+    pymunk.batch.BodyFields.BODY_ID
+    | pymunk.batch.BodyFields.POSITION
+    | pymunk.batch.BodyFields.ANGLE
+    | pymunk.batch.BodyFields.VELOCITY
+    | pymunk.batch.BodyFields.ANGULAR_VELOCITY
+)
+_FIELD_COUNT = 6  # x, y, angle, velocity x, y, turn rate
+
+
+class Collision(IntFlag):
+    """Categories of shapes; everything collides with everything, the category tells who is who."""
+
+    WALL = 1
+    DOOR = 2
+    FURNITURE = 4
+    ROBOT = 8
+    THING = 16
+    PERSON = 32
+
+
+@dataclass(frozen=True, slots=True)
+class WorldConfig:
+    """What the robot can do, and how time runs.
+
+    `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
+    rad/s². `reach` [m]: from the robot's centre to the nearest point of what it handles; `speak_reach` [m]: from centre
+    to centre, to speak and to hand over. `tray_slots`: things the tray holds.
+    """
+
+    substep: float = 0.01
+    substeps: int = 10
+    max_speed: float = 1.0
+    max_turn_rate: float = 2.5
+    max_acceleration: float = 1.5
+    max_turn_acceleration: float = 8.0
+    reach: float = 0.8
+    speak_reach: float = 1.5
+    tray_slots: int = 4
+
+    @property
+    def step_seconds(self) -> float:
+        return self.substep * self.substeps
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """An interaction that was tried in the last step, by names: with what in the hand (before it) and what came of it.
+
+    `person`: who was spoken to, who got or gave the thing. `goal`: where somebody who leads the way is going.
+    """
+
+    interaction: Interaction
+    target: str
+    result: Result
+    thing: str | None = None
+    person: str | None = None
+    goal: str | None = None
+
+
+class World:
+    """One episode's world. `drive` moves it on by a control step; `hands.interact` changes it by what the robot does.
+
+    Arrays by row of the entity table: `position` `(rows, 2)`, `heading` `(rows,)`, `place` (row of the place a thing
+    lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
+    house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts changes
+    that are no motion.
+    """
+
+    def __init__(
+        self, geometry: Geometry, prior: Prior, spots: Spots, start: Start, rng: Generator, config: WorldConfig
+    ) -> None:
+        self.geometry, self.prior, self.spots, self.config, self.rng = geometry, prior, spots, config, rng
+        self.grasp_slip = geometry.house.grasp_slip
+        self.place = start.place.copy()
+        self.position = start.position.copy()
+        self.heading = np.zeros(len(geometry.names))
+        self.heading[geometry.robot_row] = start.heading
+        self.states: NDArray[np.int8] = start.states.copy()
+        self.broken: NDArray[np.bool_] = start.broken.copy()
+        self.home: NDArray[np.bool_] = start.home.copy()
+        self.exempt = tuple(start.exempt)
+        self.room = np.full(len(geometry.names), -1)
+        self.is_somewhere = self.home | (self.place != ABSENT)
+        """`(rows,)`: of things and people, whether they are in the house."""
+        self.held = NOTHING
+        self.tray = [NOTHING] * config.tray_slots
+        self.speed = self.turn_rate = 0.0
+        self.steps = 0
+        self.version = 0
+        self.event: Event | None = None
+        self.walks: dict[int, Walk] = {}
+        self._floors = frozenset(int(row) for row in geometry.floor_row)
+        self._build()
+        self._locate_all()
+
+    # -- time ---------------------------------------------------------------------------------------------------------
+
+    @property
+    def seconds(self) -> float:
+        return self.steps * self.config.step_seconds
+
+    def drive(self, forward: float, turn: float) -> None:
+        """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate."""
+        self._push(forward, turn)
+        step, substep = self.space.step, self.config.substep
+        for _ in range(self.config.substeps):
+            step(substep)
+        self.steps += 1
+        self._read()
+
+    # -- questions ----------------------------------------------------------------------------------------------------
+
+    @property
+    def robot(self) -> tuple[float, float]:
+        return self._robot_point
+
+    def is_floor(self, row: int) -> bool:
+        return row in self._floors
+
+    def closed_leaves(self) -> tuple[str, ...]:
+        """The doors between rooms that are closed."""
+        return tuple(self._leaf_shapes)
+
+    def at(self, place: int) -> list[int]:
+        """The things that lie at a place, or are carried by a person or the robot, in order of rows."""
+        return np.flatnonzero(self.place == place).tolist()
+
+    def discs_at(self, place: int) -> Iterator[Disc]:
+        """What takes up room at a place: the things there; on a floor also people and robot."""
+        for row in self.at(place):
+            yield (*self.position[row].tolist(), self.prior.radius[row])
+        if place in self._floors:
+            for row in np.flatnonzero(self.home).tolist():
+                yield (*self.position[row].tolist(), PERSON_RADIUS)
+            yield (*self._robot_point, ROBOT_RADIUS)
+
+    # -- changes ------------------------------------------------------------------------------------------------------
+
+    def lift(self, thing: int, holder: int) -> None:
+        """Takes a thing from where it is to its holder: the robot or a person."""
+        if thing in self._bodies:
+            self._drop_body(thing)
+        self.place[thing] = holder
+        self._carried = self._carried_rows()
+        self._carry()
+        self.version += 1
+
+    def lay(self, thing: int, place: int, spot: tuple[float, float]) -> None:
+        """Lays a thing down at a spot of a place."""
+        self.place[thing] = place
+        self.position[thing] = spot
+        self.room[thing] = self.geometry.place_room[place]
+        if place in self._floors:
+            self._add_thing(thing)
+        self._carried = self._carried_rows()
+        self.version += 1
+
+    def set_state(self, row: int, pair: int, value: int) -> None:
+        self.states[row, pair] = value
+        self.version += 1
+        name = self.geometry.names[row]
+        if pair == APERTURE and name in self.geometry.leaves:
+            self._swing(name)
+
+    def is_leaf_clear(self, door: str) -> bool:
+        """Whether nobody and nothing stands where the door's leaf closes."""
+        ax, ay, bx, by = self.geometry.leaves[door]
+        leaf = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
+        movable = Collision.ROBOT | Collision.THING | Collision.PERSON
+        hits = self.space.shape_query(leaf)
+        return not any(hit.shape is not None and hit.shape.filter.categories & movable for hit in hits)
+
+    def start_walking(self, person: int) -> pymunk.Body:
+        """Gives a standing person a body that can be moved; the walk sets its velocity."""
+        self.space.remove(self._people.pop(person))
+        body = pymunk.Body(70.0, float("inf"))
+        body.position = self.position[person].tolist()
+        self._add_body(person, body, _shaped(pymunk.Circle(body, PERSON_RADIUS), Collision.PERSON))
+        return body
+
+    def stop_walking(self, person: int) -> None:
+        self._drop_body(person)
+        self._stand(person)
+
+    # -- building -----------------------------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        geometry = self.geometry
+        self.space = pymunk.Space()
+        self.space.sleep_time_threshold = 0.4
+        self.space.idle_speed_threshold = 0.02
+        self.space.iterations = 10
+        static = self.space.static_body
+        shapes: list[pymunk.Shape] = [
+            _shaped(pymunk.Segment(static, (ax, ay), (bx, by), WALL_RADIUS), Collision.WALL)
+            for ax, ay, bx, by in geometry.walls
+        ]
+        shapes.extend(
+            _shaped(pymunk.Poly(static, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), Collision.FURNITURE)
+            for x0, y0, x1, y1 in geometry.blocks
+        )
+        self.space.add(*shapes)
+        self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
+        self._people: dict[int, pymunk.Shape] = {}
+        self._leaf_shapes: dict[str, pymunk.Shape] = {}
+        self._buffer = pymunk.batch.Buffer()
+        self._order = b""
+        self._loose = np.empty(0, dtype=np.int64)
+        self._located = np.empty(0)
+        for name in geometry.leaves:
+            self._swing(name)
+        for person in np.flatnonzero(self.home).tolist():
+            self._stand(person)
+        for thing in geometry.thing_rows:
+            if int(self.place[thing]) in self._floors:
+                self._add_thing(thing)
+        self._add_robot()
+        self._carried = self._carried_rows()
+
+    def _add_robot(self) -> None:
+        row = self.geometry.robot_row
+        body = pymunk.Body(ROBOT_MASS, pymunk.moment_for_circle(ROBOT_MASS, 0, ROBOT_RADIUS))
+        body.position = self.position[row].tolist()
+        body.angle = float(self.heading[row])
+        self._add_body(row, body, _shaped(pymunk.Circle(body, ROBOT_RADIUS), Collision.ROBOT))
+        self._robot = body
+        self._robot_point = (float(body.position.x), float(body.position.y))
+
+    def _add_thing(self, thing: int) -> None:
+        """Puts a thing on the floor as a body that slides with friction: a joint to the ground that gives way."""
+        kind = self.prior.kinds[thing]
+        body = pymunk.Body(kind.mass, pymunk.moment_for_circle(kind.mass, 0, kind.radius))
+        body.position = self.position[thing].tolist()
+        ground = self.space.static_body
+        slide, spin = pymunk.PivotJoint(ground, body, (0, 0), (0, 0)), pymunk.GearJoint(ground, body, 0.0, 1.0)
+        for joint, force in ((slide, 1.0), (spin, kind.radius * 2 / 3)):
+            joint.max_bias = 0
+            joint.max_force = FLOOR_FRICTION * kind.mass * GRAVITY * force
+        self._add_body(thing, body, _shaped(pymunk.Circle(body, kind.radius), Collision.THING), slide, spin)
+
+    def _add_body(self, row: int, body: pymunk.Body, *parts: pymunk.Shape | pymunk.Constraint) -> None:
+        self._bodies[row] = (body, parts)
+        self.space.add(body, *parts)
+        self._order = b""
+
+    def _drop_body(self, row: int) -> None:
+        body, parts = self._bodies.pop(row)
+        self.space.remove(*parts, body)
+        self._order = b""
+
+    def _stand(self, person: int) -> None:
+        shape = pymunk.Circle(self.space.static_body, PERSON_RADIUS, self.position[person].tolist())
+        self._people[person] = _shaped(shape, Collision.PERSON)
+        self.space.add(shape)
+
+    def _swing(self, door: str) -> None:
+        """Brings the leaf of a door in line with its state."""
+        is_closed = self.states[self.geometry.row[door], APERTURE] == 0
+        if is_closed and door not in self._leaf_shapes:
+            ax, ay, bx, by = self.geometry.leaves[door]
+            shape = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
+            self._leaf_shapes[door] = _shaped(shape, Collision.DOOR)
+            self.space.add(shape)
+        elif not is_closed and door in self._leaf_shapes:
+            self.space.remove(self._leaf_shapes.pop(door))
+
+    # -- moving -------------------------------------------------------------------------------------------------------
+
+    def _push(self, forward: float, turn: float) -> None:
+        """Sets the robot's velocities for a step: towards those wanted, within its accelerations, no sideways slip.
+
+        The contacts of the step may then change them. The direction is that of the middle of the step.
+        """
+        config, body = self.config, self._robot
+        if forward == 0.0 and turn == 0.0 and abs(self.speed) < 1e-3 and abs(self.turn_rate) < 1e-3:
+            return
+        most = config.max_acceleration * config.step_seconds
+        speed = self.speed + min(max(forward * config.max_speed - self.speed, -most), most)
+        most = config.max_turn_acceleration * config.step_seconds
+        turn_rate = self.turn_rate + min(max(turn * config.max_turn_rate - self.turn_rate, -most), most)
+        middle = body.angle + turn_rate * config.step_seconds / 2
+        body.velocity = speed * cos(middle), speed * sin(middle)
+        body.angular_velocity = turn_rate
+
+    def _read(self) -> None:
+        """Reads all bodies in one go; what is carried goes along."""
+        buffer = self._buffer
+        buffer.clear()
+        pymunk.batch.get_space_bodies(self.space, _FIELDS, buffer)
+        order = bytes(buffer.int_buf())
+        if order != self._order:
+            self._map(order)
+        values = np.frombuffer(buffer.float_buf(), dtype=np.float64).reshape(-1, _FIELD_COUNT)
+        moving = values[self._rows_read]
+        self.position[self._body_rows] = moving[:, :2]
+        x, y, angle, vx, vy, turn_rate = moving[self._robot_index].tolist()
+        self._robot_point = (x, y)
+        self.heading[self.geometry.robot_row] = angle = (angle + pi) % (2 * pi) - pi
+        self.speed = vx * cos(angle) + vy * sin(angle)
+        self.turn_rate = turn_rate
+        self._carry()
+
+    def _map(self, order: bytes) -> None:
+        """Works out which row of the table each row of the batch belongs to; the order changes with sleeping."""
+        self._order = order
+        row_of = {body.id: row for row, (body, _) in self._bodies.items()}
+        rows = [row_of.get(identity, NOTHING) for identity in np.frombuffer(order, dtype=np.uintp).tolist()]
+        self._rows_read = np.array([index for index, row in enumerate(rows) if row != NOTHING])
+        self._body_rows = np.array([row for row in rows if row != NOTHING])
+        self._robot_index = self._body_rows.tolist().index(self.geometry.robot_row)
+        self._loose = self._body_rows[self._body_rows != self.geometry.robot_row]
+        self._located = np.empty(0)
+
+    def locate(self) -> None:
+        """Brings rooms in line with positions, and the floor a thing lies on with where it was pushed."""
+        geometry = self.geometry
+        self.room[geometry.robot_row] = geometry.room_at(*self._robot_point)
+        if self._carried.size:
+            self.room[self._carried] = self.room[self.place[self._carried]]
+        loose = self._loose
+        if not loose.size or not self._order:
+            return
+        at = self.position[loose]
+        if np.array_equal(at, self._located):
+            return
+        self._located = at
+        self.room[loose] = rooms = geometry.rooms_at(at)
+        is_thing = loose < geometry.people_rows[0]
+        floors = geometry.floor_row[rooms[is_thing]]
+        if not np.array_equal(floors, self.place[loose[is_thing]]):
+            self.place[loose[is_thing]] = floors
+            self.version += 1
+
+    def _locate_all(self) -> None:
+        geometry = self.geometry
+        self.room[: geometry.place_count] = geometry.place_room
+        lying = np.flatnonzero(self.place != ABSENT)
+        self.room[lying] = geometry.place_room[self.place[lying]]
+        people = np.flatnonzero(self.home)
+        self.room[people] = geometry.rooms_at(self.position[people])
+        self.locate()
+
+    def _carry(self) -> None:
+        if self._carried.size:
+            self.position[self._carried] = self.position[self.place[self._carried]]
+
+    def _carried_rows(self) -> NDArray[np.int64]:
+        return np.flatnonzero(self.place >= self.geometry.people_rows[0])
+
+
+def _shaped(shape: pymunk.Shape, category: Collision) -> pymunk.Shape:
+    shape.friction = CONTACT_FRICTION
+    shape.filter = pymunk.ShapeFilter(categories=int(category))
+    return shape
