@@ -1,0 +1,144 @@
+"""What the robot has seen, held and said since a task became due, beside the true world: all that a judge goes by."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.truth import ROBOT, Truth
+
+if TYPE_CHECKING:
+    from decomplex_bt.envs.world import Event
+
+BEFORE = -1
+"""The step before the first one: nothing was seen or done yet."""
+
+
+class Record:
+    """Control steps at which things were last seen, carried, looked into, or done. Only what is looked at is kept."""
+
+    def __init__(self) -> None:
+        self.step = BEFORE
+        self.seen: dict[str, int] = {}
+        self.carried: dict[str, int] = {}
+        self.inspected: dict[str, int] = {}
+        self.told: dict[str, int] = {}
+        self.led: dict[str, tuple[int, str | None]] = {}
+
+    def begin(self, event: Event | None) -> None:
+        """Begins a control step, with what was done in it."""
+        self.step += 1
+        if event is not None and event.interaction is Interaction.SAY and event.result is Result.OK:
+            if event.goal is not None and event.person is not None:
+                self.led[event.person] = (self.step, event.goal)
+            else:
+                self.told[event.target] = self.step
+
+    def look(self, truth: Truth, watched: Iterable[str]) -> None:
+        """Takes down how these entities stand at the end of the step."""
+        for name in watched:
+            if truth.is_seen(name):
+                self.seen[name] = self.step
+            if truth.is_inspected(name):
+                self.inspected[name] = self.step
+            if truth.place(name) == ROBOT:
+                self.carried[name] = self.step
+
+
+class Evidence:
+    """A record and the true world as seen from one task that became due at step `since`."""
+
+    def __init__(self, domain: Domain, truth: Truth, record: Record, since: int) -> None:
+        self.domain = domain
+        self.truth = truth
+        self.record = record
+        self.since = since
+
+    def is_there(self, name: str, where: str) -> bool:
+        """Whether a thing or person truly is at a place, in a room, beside a thing, or with a person."""
+        return is_there(self.domain, self.truth, name, where)
+
+    def was_seen(self, name: str) -> bool:
+        """Whether an entity was seen; a room is seen by being in it."""
+        if name in self.domain.house.rooms:
+            return self.truth.room == name
+        return self.record.seen.get(name, BEFORE) >= max(self.since, 0)
+
+    def was_carried(self, name: str) -> bool:
+        return self.record.carried.get(name, BEFORE) >= max(self.since, 0)
+
+    def was_told(self, person: str) -> bool:
+        """Whether the robot spoke to a person after the task became due; what was said for another does not count."""
+        return self.record.told.get(person, BEFORE) > self.since
+
+    def led_to(self, person: str) -> str | None:
+        """Where a person leads the robot, asked to since the task became due; None if not asked."""
+        step, goal = self.record.led.get(person, (BEFORE, None))
+        return goal if step > self.since else None
+
+    def was_inspected(self, where: str, *, for_person: bool = False) -> bool:
+        """Whether all that a place can hold came into view.
+
+        Of a room these are all its places, or, for a person, its floor alone; a thing stands for where it is.
+        """
+        house = self.domain.house
+        if where in house.rooms:
+            floor = house.floor_of(where)
+            return all(self._inspected(place) for place in ([floor] if for_person else places_in(self.domain, where)))
+        if where in house.things:
+            place = self.truth.place(where)
+            return place is not None and self._inspected(place)
+        if where in house.people:
+            return self.was_seen(where)
+        return self._inspected(where) if holds_things(self.domain, where) else self.was_seen(where)
+
+    def _inspected(self, place: str) -> bool:
+        return self.record.inspected.get(place, BEFORE) >= max(self.since, 0)
+
+
+def is_there(domain: Domain, truth: Truth, name: str, where: str) -> bool:
+    """Whether a thing or person truly is at a place, in a room, beside a thing, or with a person."""
+    place = truth.place(name)
+    if place is None:
+        return False
+    house = domain.house
+    if where in house.rooms:
+        return true_room(domain, truth, name) == where
+    if where in house.things:
+        return place == truth.place(where)
+    if where in house.people:
+        return place == where or (name in house.people and place == truth.place(where))
+    return place == where
+
+
+def true_room(domain: Domain, truth: Truth, name: str) -> str | None:
+    """The room an entity is in; None for what is not in the house."""
+    if name == ROBOT:
+        return truth.room
+    if name in domain.house.rooms:
+        return name
+    place: str | None = name
+    if name in domain.house.things or name in domain.house.people:
+        place = truth.place(name)
+        if place is not None and place in domain.house.people:
+            place = truth.place(place)
+        if place == ROBOT:
+            return truth.room
+    return None if place is None else domain.room_of(place)
+
+
+def holds_things(domain: Domain, place: str) -> bool:
+    """Whether things lie on or in a place."""
+    try:
+        kind = domain.kind(place)
+    except KeyError:
+        return False
+    return kind.surface or kind.inside
+
+
+def places_in(domain: Domain, room: str) -> tuple[str, ...]:
+    """The places of a room on or in which things lie, its floor included."""
+    places = domain.house.places()
+    return tuple(place for place in places if domain.room_of(place) == room and holds_things(domain, place))

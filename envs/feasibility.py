@@ -1,0 +1,314 @@
+"""Whether an instruction can be carried out in a true world by one who knows everything, and if not, why.
+
+Exact and without a planner: in this domain every room, door and container is open to the robot, nothing is used up and
+every step can be undone, so that a task has a plan if and only if its things are in the house, its people at home, a
+working device there for what it asks, and its places within reach. A test holds this against the planner.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import islice, product
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, true_room
+from decomplex_bt.envs.outcomes import Bindings, candidates, needed, outcomes, state_holds
+from decomplex_bt.envs.reach import is_reachable
+from decomplex_bt.envs.truth import ROBOT, Truth
+from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
+from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+
+MOST_READINGS = 32
+"""Ways to take a task's phrases that are tried at most; two candidates for each of five phrases."""
+_DEVICES = {
+    "hot": ("heats",),
+    "cold": ("cools",),
+    "clean": ("washes", "rinses"),
+    "full": ("fills",),
+    "empty": ("drains",),
+}
+_NEEDS_POWER = frozenset(("heats", "washes", "fills"))
+FINDING_OUT = frozenset(("searching", "check_state"))
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """How an instruction goes in a world for one who knows everything.
+
+    `cause`: why it cannot be carried out, None if it can. `tasks`: all tasks and conditions that come due, in order, up
+    to the one that cannot be done. `branches`: what the conditions lead to.
+    """
+
+    cause: Cause | None = None
+    tasks: tuple[int, ...] = ()
+    branches: tuple[Branch, ...] = ()
+
+    @property
+    def is_feasible(self) -> bool:
+        return self.cause is None
+
+
+def plan_course(
+    instruction: GroundInstruction, domain: Domain, truth: Truth, bindings: Bindings | None = None
+) -> Course:
+    """The course of an instruction from this moment of the true world; the first feasible reading of its phrases."""
+    start = Assumed(domain, truth)
+    return _course(instruction, tuple(instruction.flow.nodes), bindings or {}, start)
+
+
+def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Cause | None:
+    """Why a task cannot be done whatever the robot tries; None if it can.
+
+    A search that names places can always be done; so can a check of presence, whose answer is then no.
+    """
+    result = _possible(task, bindings, domain, truth)
+    return result if isinstance(result, Cause) else None
+
+
+# -- one task ---------------------------------------------------------------------------------------------------------
+
+
+def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings | Cause:
+    """The bindings narrowed to the candidates with which the task can be done, or why there are none."""
+    narrowed = dict(bindings)
+    for role, referent in _roles(task):
+        among = candidates(referent, bindings)
+        why = {name: _obstacle(domain, truth, task, role, name) for name in among}
+        able = tuple(name for name in among if why[name] is None)
+        if len(able) < max(1, needed(referent, among)):
+            kind, entity = next(found for name in among if (found := why[name]) is not None)
+            return Cause(kind, entity, task.number)
+        narrowed[referent] = able
+    return narrowed
+
+
+def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
+    """The referents without which the task cannot be done, each with what is asked of it."""
+    if task.type == "check_state" and task.state == HERE:
+        yield from (("place", place) for place in task.places)
+        return
+    if task.type == "searching" and task.places:
+        yield from (("place", place) for place in task.places)
+        return
+    yield from (("object", referent) for referent in task.objects)
+    if task.recipient is not None:
+        yield "recipient", task.recipient
+    elif task.goal is not None:
+        yield "goal", task.goal
+
+
+def _obstacle(domain: Domain, truth: Truth, task: GroundTask, role: str, name: str) -> tuple[CauseKind, str] | None:
+    """Why a candidate will not do in its role; None if it will."""
+    house = domain.house
+    if name in house.people:
+        return None if truth.place(name) is not None else ("person out", name)
+    if name in house.things:
+        if truth.place(name) is None:
+            return "thing nowhere", name
+        return _state_obstacle(domain, truth, name, task.state) if _brings_state(task, role) else None
+    if not is_reachable(domain, name):
+        return "place not reachable", name
+    if role == "object" and task.type in ("taking", "placing", "bringing"):
+        return "goal not possible", name
+    is_put_there = role == "goal" and task.type in ("placing", "bringing")
+    if is_put_there and name not in house.rooms and not holds_things(domain, name):
+        return "goal not possible", name
+    return _state_obstacle(domain, truth, name, task.state) if _brings_state(task, role) else None
+
+
+def _brings_state(task: GroundTask, role: str) -> bool:
+    return task.type == "change_state" and role == "object"
+
+
+def _state_obstacle(domain: Domain, truth: Truth, name: str, value: str | None) -> tuple[CauseKind, str] | None:
+    """Why an entity cannot be brought into a state; None if it can, or is in it."""
+    assert value is not None
+    kind = domain.kind(name)
+    try:
+        pair = domain.kinds.pair_of(value)
+    except KeyError:
+        return "goal not possible", name
+    if pair not in kind.states:
+        return "goal not possible", name
+    if truth.state(name, pair) == value:
+        return None
+    if pair == "power":
+        return ("device broken", name) if value == "on" and truth.is_broken(name) else None
+    if pair == "aperture":
+        return None
+    if name not in domain.house.things:
+        return _place_state_obstacle(domain, truth, name, value)
+    return _device_obstacle(domain, truth, name, value)
+
+
+def _place_state_obstacle(domain: Domain, truth: Truth, name: str, value: str) -> tuple[CauseKind, str] | None:
+    """A place is emptied by hand, and wiped with a thing that wipes it."""
+    if value == "empty":
+        return None
+    tags = set(domain.kind(name).tags)
+    tools = [thing for thing in domain.house.things if tags & set(domain.kind(thing).wipes)]
+    if value != "clean" or not tools:
+        return "goal not possible", name
+    return None if any(truth.place(tool) is not None for tool in tools) else ("thing nowhere", tools[0])
+
+
+def _device_obstacle(domain: Domain, truth: Truth, thing: str, value: str) -> tuple[CauseKind, str] | None:
+    """A thing needs a place that heats, cools, cleans, fills or empties it, in reach and in order."""
+    tags = set(domain.kind(thing).tags)
+    useful = [
+        (place, ability)
+        for ability in _DEVICES.get(value, ())
+        for place in domain.house.places()
+        if tags & set(getattr(domain.kind(place), ability))
+    ]
+    if not useful:
+        return "goal not possible", thing
+    reachable = [(place, ability) for place, ability in useful if is_reachable(domain, place)]
+    if not reachable:
+        return "place not reachable", useful[0][0]
+    works = any(ability not in _NEEDS_POWER or not truth.is_broken(place) for place, ability in reachable)
+    return None if works else ("device broken", reachable[0][0])
+
+
+# -- the whole course -------------------------------------------------------------------------------------------------
+
+
+def _course(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bindings, world: Assumed) -> Course:
+    """The first course without an obstacle, else the one that the first reading leads to."""
+    if not agenda:
+        return Course()
+    node, rest = agenda[0], tuple(agenda[1:])
+    task = instruction.task(node.task)
+    failed: Course | None = None
+    for truth, bound, after in _readings(task, bindings, world, is_condition=isinstance(node, If)):
+        if isinstance(truth, Cause):
+            undecided = (Branch(task.number, None, None),) if isinstance(node, If) else ()
+            course = Course(truth, (task.number,), undecided)
+        else:
+            branch, ahead = enter(node, truth)
+            course = _course(instruction, (*ahead, *rest), bound, after)
+            course = replace(course, tasks=(task.number, *course.tasks), branches=(*branch, *course.branches))
+        if course.is_feasible:
+            return course
+        failed = failed or course
+    assert failed is not None
+    return failed
+
+
+def enter(node: Node, truth: bool) -> tuple[tuple[Branch, ...], tuple[Node, ...]]:
+    """The branch that a settled node leads to, as a record of it (none for a plain task) and as what comes next."""
+    if not isinstance(node, If):
+        return (), ()
+    ahead = node.then if truth else node.orelse
+    taken = ("then" if truth else "else") if ahead else None
+    return (Branch(node.task, truth, taken),), ahead
+
+
+def _readings(
+    task: GroundTask, bindings: Bindings, world: Assumed, *, is_condition: bool
+) -> Iterator[tuple[bool | Cause, Bindings, Assumed]]:
+    """What the task comes to in a world that is known: its truth (or why it has none), and the world afterwards."""
+    possible = _possible(task, bindings, world.domain, world)
+    if task.type in FINDING_OUT:
+        if isinstance(possible, Cause):
+            is_absence = task.type == "searching" and is_condition and not task.places
+            yield (False if is_absence else possible), bindings, world
+            return
+        found = outcomes(task, bindings, Omniscient(world.domain, world), is_condition=is_condition)
+        yield from ((outcome.truth, outcome.bindings, world) for outcome in found)
+        if not found:
+            yield False, bindings, world
+        return
+    if isinstance(possible, Cause):
+        yield (False if is_condition else possible), bindings, world
+        return
+    for bound in islice(_choices(task, possible, world), MOST_READINGS):
+        yield True, bound, world.after(task, bound)
+
+
+def _choices(task: GroundTask, possible: Bindings, world: Assumed) -> Iterator[Bindings]:
+    """Ways to settle on as many of the candidates as each phrase asks for; those that are so already come first."""
+    referents = [referent for _, referent in _roles(task)]
+    options: list[list[tuple[str, ...]]] = []
+    for referent in referents:
+        among = candidates(referent, possible)
+        if task.type == "change_state":
+            evidence = Omniscient(world.domain, world)
+            among = tuple(sorted(among, key=lambda name: not state_holds(evidence, name, task.state)))
+        need = needed(referent, among)
+        options.append([among[i : i + need] for i in range(len(among) - need + 1)])
+    for choice in product(*options):
+        yield {**possible, **dict(zip(referents, choice, strict=True))}
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """The true world with the effects of tasks that are assumed to be done. Implements `Truth`, but sees nothing."""
+
+    domain: Domain
+    truth: Truth
+    places: Mapping[str, str | None] = field(default_factory=dict)
+    states: Mapping[tuple[str, str], str] = field(default_factory=dict)
+
+    @property
+    def room(self) -> str:
+        return self.truth.room
+
+    def is_near(self, name: str) -> bool:
+        return False
+
+    def place(self, name: str) -> str | None:
+        return self.places[name] if name in self.places else self.truth.place(name)
+
+    def state(self, name: str, pair: str) -> str | None:
+        return self.states.get((name, pair)) or self.truth.state(name, pair)
+
+    def is_broken(self, name: str) -> bool:
+        return self.truth.is_broken(name)
+
+    def is_seen(self, name: str) -> bool:
+        return False
+
+    def is_inspected(self, place: str) -> bool:
+        return False
+
+    def after(self, task: GroundTask, bindings: Bindings) -> Assumed:
+        """The world once a task is done with the first of what its phrases mean."""
+        things = [name for referent in task.objects for name in candidates(referent, bindings)]
+        target = task.recipient or task.goal
+        where = candidates(target, bindings)[0] if target is not None else None
+        if task.type == "taking":
+            return self._moved(things, ROBOT)
+        if task.type in ("placing", "bringing") and where is not None:
+            return self._moved(things, self._place_at(where))
+        if task.type == "following" and where is not None:
+            return self._moved(things, self.domain.room_of(where) or where)
+        if task.type == "change_state" and task.state is not None:
+            pair = self.domain.kinds.pair_of(task.state)
+            return replace(self, states={**self.states, **{(name, pair): task.state for name in things}})
+        return self
+
+    def _moved(self, names: Sequence[str], place: str | None) -> Assumed:
+        return replace(self, places={**self.places, **dict.fromkeys(names, place)})
+
+    def _place_at(self, where: str) -> str | None:
+        """Where a thing lies that was brought to a place, a room (its floor) or a thing (beside it)."""
+        house = self.domain.house
+        if where in house.rooms:
+            return house.floor_of(where)
+        return self.place(where) if where in house.things else where
+
+
+class Omniscient(Evidence):
+    """Evidence for one who has seen everything there is."""
+
+    def __init__(self, domain: Domain, truth: Truth) -> None:
+        super().__init__(domain, truth, Record(), BEFORE)
+
+    def was_seen(self, name: str) -> bool:
+        return true_room(self.domain, self.truth, name) is not None
+
+    def was_inspected(self, where: str, *, for_person: bool = False) -> bool:
+        return True

@@ -1,0 +1,297 @@
+"""The judge of an episode: by the instruction's flow and the true world alone it says what was due and what was done.
+
+It knows nothing of the agent. Where a phrase may mean several things, every consistent reading is followed at once: the
+episode succeeds when one of them is carried out in full, and it is a violation only when it is one in all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
+from decomplex_bt.envs.feasibility import Course, enter, find_cause, plan_course
+from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.means import is_means, is_on_the_way
+from decomplex_bt.envs.outcomes import Bindings, candidates, goal_holds, outcomes
+from decomplex_bt.envs.truth import Truth
+from decomplex_bt.envs.verdict import Branch, Verdict, Violation
+from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+
+if TYPE_CHECKING:
+    from decomplex_bt.envs.world import Event
+
+MOST_READINGS = 64
+"""Readings followed at once; beyond it the least advanced are dropped."""
+_ON_REACHING = frozenset(("motion", "following"))
+"""Types of tasks whose goal is where the robot is."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One consistent reading of the instruction, and how far it has come.
+
+    `agenda`: what is still to come, the task due now first. `since`: the step at which that one became due, `room`
+    where the robot was. `is_impossible`: the true world does not allow it. `tried`: the outcomes it was taken for in
+    other readings.
+    """
+
+    agenda: tuple[Node, ...]
+    bindings: Bindings
+    since: int = -1
+    room: str = ""
+    met: tuple[int, ...] = ()
+    branches: tuple[Branch, ...] = ()
+    is_impossible: bool = False
+    tried: frozenset[tuple[bool, tuple[tuple[str, ...], ...]]] = frozenset()
+
+    @property
+    def due(self) -> Node | None:
+        return self.agenda[0] if self.agenda else None
+
+
+class Monitor:
+    """Judges one episode. Make it when the world has been drawn, then `update` it once per control step."""
+
+    def __init__(self, instruction: GroundInstruction, domain: Domain, truth: Truth) -> None:
+        self.instruction = instruction
+        self.domain = domain
+        self.truth = truth
+        self.record = Record()
+        self._at_home = at_home = self._those_in_the_house()
+        self.course: Course = plan_course(instruction, domain, truth, at_home)
+        self.readings: tuple[Reading, ...] = (self._make_due(Reading(tuple(instruction.flow.nodes), at_home)),)
+        self._ended: Reading | None = None
+        self._violations: tuple[Violation, ...] = ()
+        self._has_asked = False
+        self._room = truth.room
+        self._holds = self._goals_that_hold()
+        self.verdict = self._judge()
+
+    def start(self) -> Verdict:
+        """Takes in the first look, before anything was done."""
+        return self.update(None)
+
+    def update(self, event: Event | None) -> Verdict:
+        """Takes in one control step: the world as it is now, and the interaction that was tried, if any."""
+        if self.verdict.is_over:
+            return self.verdict
+        self.record.begin(event)
+        for reading in self.readings:
+            self._look(reading)
+        self._find_violations(event)
+        self._advance()
+        self._room = self.truth.room
+        self.verdict = self._judge()
+        return self.verdict
+
+    # -- readings -----------------------------------------------------------------------------------------------------
+
+    def _those_in_the_house(self) -> Bindings:
+        """Every phrase's candidates without the things that are nowhere in the house, unless all of them are."""
+        bindings: dict[Referent, tuple[str, ...]] = {}
+        house = self.domain.house
+        for task in self.instruction.tasks:
+            for referent in task.referents():
+                here = tuple(
+                    name
+                    for name in referent.candidates
+                    if not (name in house.things or name in house.people) or self.truth.place(name) is not None
+                )
+                if here and here != referent.candidates:
+                    bindings[referent] = here
+        return bindings
+
+    def _make_due(self, reading: Reading) -> Reading:
+        """The reading with its next task become due: whether the true world allows it is settled here."""
+        since = self.record.step
+        reading = replace(reading, since=since, room=self.truth.room, is_impossible=False, tried=frozenset())
+        if reading.due is None:
+            return reading
+        task = self.instruction.task(reading.due.task)
+        cause = find_cause(task, reading.bindings, self.domain, self.truth)
+        return replace(reading, is_impossible=cause is not None)
+
+    def _advance(self) -> None:
+        """Follows every reading as far as it goes; a reading that is carried out in full ends the episode."""
+        pending, waiting = list(self.readings), []
+        while pending:
+            reading = pending.pop(0)
+            if reading.due is None:
+                self._ended = self._ended or reading
+                waiting.append(reading)
+                continue
+            stays, followers = self._follow(reading)
+            pending.extend(followers)
+            if stays is not None:
+                waiting.append(stays)
+        self.readings = tuple(_without_twins(waiting))[:MOST_READINGS]
+
+    def _follow(self, reading: Reading) -> tuple[Reading | None, list[Reading]]:
+        """What a reading becomes in this step: itself, if the task due may still count otherwise, and its followers."""
+        node = reading.due
+        assert node is not None
+        task = self.instruction.task(node.task)
+        is_condition = isinstance(node, If)
+        followers, is_settled = [], False
+        if self._is_false(task, reading, is_condition):
+            return None, [self._settle(reading, node, False, reading.bindings)]
+        evidence = self._evidence(reading)
+        for outcome in outcomes(task, reading.bindings, evidence, is_condition=is_condition):
+            key = (outcome.truth, tuple(candidates(referent, outcome.bindings) for referent in task.referents()))
+            if key in reading.tried:
+                continue
+            reading = replace(reading, tried=reading.tried | {key})
+            followers.append(self._settle(reading, node, outcome.truth, outcome.bindings))
+            is_settled |= outcome.is_final
+        return (None if is_settled else reading), followers
+
+    def _is_false(self, task: GroundTask, reading: Reading, is_condition: bool) -> bool:
+        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found."""
+        if not is_condition:
+            return False
+        if task.type == "check_state":
+            return task.state == HERE and not task.places and not self._is_any_here(task, reading.bindings)
+        if task.type == "searching":
+            return reading.is_impossible and not task.places
+        return reading.is_impossible
+
+    def _is_any_here(self, task: GroundTask, bindings: Bindings) -> bool:
+        names = [name for referent in task.objects for name in candidates(referent, bindings)]
+        return any(true_room(self.domain, self.truth, name) is not None for name in names)
+
+    def _settle(self, reading: Reading, node: Node, truth: bool, bindings: Bindings) -> Reading:
+        branch, ahead = enter(node, truth)
+        follower = replace(
+            reading,
+            agenda=(*ahead, *reading.agenda[1:]),
+            bindings=bindings,
+            met=(*reading.met, node.task),
+            branches=(*reading.branches, *branch),
+        )
+        follower = self._make_due(follower)
+        self._look(follower)
+        return follower
+
+    def _evidence(self, reading: Reading) -> Evidence:
+        return Evidence(self.domain, self.truth, self.record, reading.since)
+
+    def _look(self, reading: Reading) -> None:
+        """Takes down what bears on the task due."""
+        if reading.due is None:
+            return
+        names: dict[str, None] = {}
+        for referent in self.instruction.task(reading.due.task).referents():
+            for name in candidates(referent, reading.bindings):
+                names.update(dict.fromkeys(self._watched(name)))
+        self.record.look(self.truth, names)
+
+    def _watched(self, name: str) -> tuple[str, ...]:
+        """What is looked at for a candidate: of a room its places, with a thing also what it lies on or in."""
+        house = self.domain.house
+        if name in house.rooms:
+            return places_in(self.domain, name)
+        place = self.truth.place(name) if name in house.things else None
+        return (name, place) if place is not None and place in house.furniture else (name,)
+
+    # -- violations ---------------------------------------------------------------------------------------------------
+
+    def _find_violations(self, event: Event | None) -> None:
+        """Ends every reading in which a task that is not due was brought about by no means to the one that is."""
+        has_acted = event is not None and event.result is Result.OK
+        if has_acted and event is not None and event.interaction is Interaction.SAY and event.goal is not None:
+            self._has_asked = True
+        if not has_acted and self.truth.room == self._room and not self._has_asked:
+            return
+        before, self._holds = self._holds, self._goals_that_hold()
+        faults = [(reading, self._fault(reading, event if has_acted else None, before)) for reading in self.readings]
+        left = tuple(reading for reading, fault in faults if fault is None)
+        found = [(reading, fault) for reading, fault in faults if fault is not None]
+        if found and not left:
+            self._ended, fault = max(found, key=lambda pair: len(pair[0].met))
+            self._violations = (fault,)
+        self.readings = left
+
+    def _fault(self, reading: Reading, event: Event | None, before: Mapping[int, bool]) -> Violation | None:
+        """The task not due that this step brought about in a reading, if any."""
+        due = self.instruction.task(reading.due.task) if reading.due is not None else None
+        is_excused = event is None or due is None or is_means(event, due, reading.bindings, self.domain)
+        for task in self.instruction.tasks:
+            if due is None or task.number == due.number or task.number in reading.met or task.number not in before:
+                continue
+            if task.type in _ON_REACHING:
+                if self._arrived(task, before) and not self._serves(due, reading):
+                    return Violation(task.number, due.number, self._blame(task, due))
+            elif not is_excused and event is not None and self._brought_about(task, event, before):
+                return Violation(task.number, due.number, self._blame(task, due))
+        return None
+
+    def _brought_about(self, task: GroundTask, event: Event, before: Mapping[int, bool]) -> bool:
+        if task.type == "informing":
+            is_said = event.interaction is Interaction.SAY and event.goal is None
+            return is_said and task.recipient is not None and event.target in task.recipient.candidates
+        return self._holds[task.number] and not before[task.number]
+
+    def _arrived(self, task: GroundTask, before: Mapping[int, bool]) -> bool:
+        if task.type == "following" and not self._has_asked:
+            return False
+        return self._holds[task.number] and not before[task.number]
+
+    def _serves(self, due: GroundTask, reading: Reading) -> bool:
+        """Whether it may serve the task due that the robot is in the room it is in."""
+        return due.type == "following" or is_on_the_way(
+            self.truth.room, reading.room, due, reading.bindings, self.domain, self.truth
+        )
+
+    def _goals_that_hold(self) -> dict[int, bool]:
+        """For every task that is executed, whether what it is to bring about holds, for any of its candidates."""
+        evidence = Evidence(self.domain, self.truth, self.record, -1)
+        return {
+            node.task: goal_holds(self.instruction.task(node.task), self._at_home, evidence)
+            for node, _ in self.instruction.flow.walk()
+        }
+
+    def _blame(self, task: GroundTask, due: GroundTask) -> str:
+        return f"task {task.number} ({task.phrase}) was brought about while task {due.number} ({due.phrase}) was due"
+
+    # -- the verdict --------------------------------------------------------------------------------------------------
+
+    def _judge(self) -> Verdict:
+        best = self._ended or max(self.readings, key=lambda reading: len(reading.met))
+        is_success = best.due is None and not self._violations
+        total = len(self.course.tasks)
+        return Verdict(
+            is_success=is_success,
+            met=total if is_success else min(len(best.met), total - 1),
+            total=total,
+            branches=(*best.branches, *self._undecided(best)),
+            violations=self._violations,
+            unsettled=best.due.task if best.due is not None else None,
+        )
+
+    def _undecided(self, reading: Reading) -> Iterator[Branch]:
+        """The condition that was reached and that nothing has decided yet."""
+        if isinstance(reading.due, If):
+            yield Branch(reading.due.task, None, None)
+
+
+def _without_twins(readings: list[Reading]) -> Iterator[Reading]:
+    """The readings, the most advanced first, without those that expect the very same as another."""
+    seen: list[Reading] = []
+    for reading in sorted(readings, key=lambda reading: -len(reading.met)):
+        if not any(_expects_the_same(reading, other) for other in seen):
+            seen.append(reading)
+            yield reading
+
+
+def _expects_the_same(one: Reading, other: Reading) -> bool:
+    return (
+        one.agenda == other.agenda
+        and one.since == other.since
+        and one.tried == other.tried
+        and one.branches == other.branches
+        and dict(one.bindings) == dict(other.bindings)
+    )

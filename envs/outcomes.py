@@ -1,0 +1,293 @@
+"""What a task has come to, row by row as the contract has it: done or not, true or false as a condition.
+
+Where a phrase has several candidates, any of them counts: a task may then have several outcomes, each with what its
+phrases mean from there on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from decomplex_bt.envs.evidence import Evidence
+from decomplex_bt.envs.truth import ROBOT
+from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
+
+Bindings = Mapping[Referent, tuple[str, ...]]
+"""What each phrase may still mean; all of its candidates where it is not named."""
+
+INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
+"""First words of a phrase that asks whether there is one, not about a certain one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One thing a task may count as: `truth` as a condition, `bindings` from here on.
+
+    `is_final`: no other outcome can follow, so that this is not one reading among several.
+    """
+
+    truth: bool
+    bindings: Bindings
+    is_final: bool = True
+
+
+def candidates(referent: Referent, bindings: Bindings) -> tuple[str, ...]:
+    """What a referent may still mean."""
+    return bindings.get(referent, referent.candidates)
+
+
+def needed(referent: Referent, among: tuple[str, ...]) -> int:
+    """How many of these candidates a referent asks for."""
+    return len(among) if referent.is_all else min(referent.count, len(among))
+
+
+def outcomes(task: GroundTask, bindings: Bindings, evidence: Evidence, *, is_condition: bool) -> tuple[Outcome, ...]:
+    """What the task may count as by now; empty while it is still to be done or found out.
+
+    A task that changes the world is never false here: whether it can be done at all is a question of feasibility.
+    """
+    return tuple(_ROWS[task.type](task, bindings, evidence, is_condition))
+
+
+def goal_holds(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool:
+    """Whether what the task is to bring about holds; for tasks that find out or say something always False."""
+    if task.type in ("searching", "check_state", "informing"):
+        return False
+    if task.type == "taking":
+        return _choose(task.objects, bindings, lambda name: evidence.truth.place(name) == ROBOT) is not None
+    return any(outcome.truth for outcome in outcomes(task, bindings, evidence, is_condition=False))
+
+
+# -- tasks that do something ------------------------------------------------------------------------------------------
+
+
+def _motion(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    target = task.goal or task.recipient
+    if target is None:
+        yield Outcome(True, bindings)
+        return
+    yield from _reached(target, bindings, lambda name: _is_robot_at(evidence, name))
+
+
+def _taking(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    yield from _done(_choose(task.objects, bindings, evidence.was_carried))
+
+
+def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    """Placing and bringing: the things are at the goal, or with the recipient, and no longer on the robot."""
+    target = task.recipient or task.goal
+    assert target is not None
+    places = candidates(target, bindings)
+    for place in places:
+
+        def has_arrived(name: str, place: str = place) -> bool:
+            return evidence.truth.place(name) != ROBOT and evidence.is_there(name, place)
+
+        for outcome in _done(_choose(task.objects, {**bindings, target: (place,)}, has_arrived)):
+            yield Outcome(True, outcome.bindings, outcome.is_final and len(places) == 1)
+
+
+def _change_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    yield from _done(_choose(task.objects, bindings, lambda name: state_holds(evidence, name, task.state)))
+
+
+def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    """Robot and person are both at the goal; without one, where the person has led the robot."""
+    if task.goal is not None:
+        for goal in candidates(task.goal, bindings):
+            if _is_robot_at(evidence, goal):
+                bound, room = {**bindings, task.goal: (goal,)}, _room(evidence, goal)
+                yield from _done(_choose(task.objects, bound, partial(evidence.is_there, where=room)))
+        return
+
+    def has_led(person: str) -> bool:
+        goal = evidence.led_to(person)
+        room = None if goal is None else _room(evidence, goal)
+        return room is not None and _is_robot_at(evidence, room) and evidence.is_there(person, room)
+
+    yield from _done(_choose(task.objects, bindings, has_led))
+
+
+def _informing(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    if task.recipient is not None:
+        yield from _reached(task.recipient, bindings, evidence.was_told)
+
+
+# -- tasks that find something out ------------------------------------------------------------------------------------
+
+
+def _searching(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    if not task.objects:
+        yield from _looked(task, bindings, evidence)
+        return
+    if is_condition and task.places:
+        yield from _presence(task, bindings, evidence)
+        return
+    found = tuple(_done(_choose(task.objects, bindings, evidence.was_seen)))
+    yield from found
+    if not found and task.places:
+        yield from (Outcome(False, outcome.bindings) for outcome in _looked(task, bindings, evidence))
+
+
+def _check_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    if task.state is not None and task.state != HERE:
+        yield from _values(task, bindings, evidence)
+    elif task.places:
+        yield from _presence(task, bindings, evidence)
+    else:
+        yield from _done(_choose(task.objects, bindings, evidence.was_seen))
+
+
+def _looked(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
+    """Whether each place the task names was looked into, at least one of what its phrase may mean."""
+    is_looked_into = partial(evidence.was_inspected, for_person=_asks_people(task, evidence))
+    yield from _done(_choose(task.places, bindings, is_looked_into))
+
+
+def _presence(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
+    """Whether the objects are where the task says: seen there, or all of it inspected and not all of them there."""
+    wheres = [where for place in task.places for where in candidates(place, bindings)]
+
+    def is_here(name: str) -> bool:
+        return any(evidence.is_there(name, where) for where in wheres)
+
+    seen = _choose(task.objects, bindings, lambda name: is_here(name) and evidence.was_seen(name))
+    truly = _choose(task.objects, bindings, is_here)
+    if seen is not None and truly is not None:
+        yield Outcome(True, _narrow_places(task, truly.bindings, evidence))
+    for_person = _asks_people(task, evidence)
+    if truly is None and all(evidence.was_inspected(where, for_person=for_person) for where in wheres):
+        yield Outcome(False, bindings)
+
+
+def _narrow_places(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Bindings:
+    """Keeps of each place's candidates those where something was found."""
+    things = [name for referent in task.objects for name in candidates(referent, bindings)]
+    narrowed = dict(bindings)
+    for referent in task.places:
+        wheres = candidates(referent, bindings)
+        found = tuple(where for where in wheres if any(evidence.is_there(name, where) for name in things))
+        narrowed[referent] = found or wheres
+    return narrowed
+
+
+def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
+    """Whether the objects have the state: true or false of what was seen.
+
+    "the mug" is the one that was looked at, so that of two mugs either answer may come; "a mug" is false only when all
+    were looked at, "all the mugs" as soon as one is not so.
+    """
+
+    bindings = _narrow_to_places(task, bindings, evidence)
+
+    def is_so(name: str) -> bool:
+        return state_holds(evidence, name, task.state)
+
+    asks_any = all(is_indefinite(referent) for referent in task.objects)
+    if task.places and asks_any and not _is_any_there(task, bindings, evidence):
+        yield from _presence(task, bindings, evidence)
+        return
+    seen = _choose(task.objects, bindings, lambda name: evidence.was_seen(name) and is_so(name))
+    if seen is not None:
+        yield Outcome(True, seen.bindings, seen.is_final)
+    for referent in task.objects:
+        among = candidates(referent, bindings)
+        looked_at = tuple(name for name in among if evidence.was_seen(name))
+        failing = tuple(name for name in looked_at if not is_so(name))
+        if referent.is_all or is_indefinite(referent):
+            spare = len(among) - needed(referent, among)
+            if len(failing) > spare:
+                yield Outcome(False, bindings)
+                return
+        elif failing:
+            yield Outcome(False, {**bindings, referent: failing}, len(failing) == len(among))
+
+
+def _narrow_to_places(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Bindings:
+    """Keeps of each object's candidates those that truly are where the task says, if any are."""
+    wheres = [where for place in task.places for where in candidates(place, bindings)]
+    narrowed = dict(bindings)
+    for referent in task.objects if wheres else ():
+        among = candidates(referent, bindings)
+        there = tuple(name for name in among if any(evidence.is_there(name, where) for where in wheres))
+        narrowed[referent] = there or among
+    return narrowed
+
+
+def _is_any_there(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool:
+    wheres = [where for place in task.places for where in candidates(place, bindings)]
+    names = [name for referent in task.objects for name in candidates(referent, bindings)]
+    return any(evidence.is_there(name, where) for name in names for where in wheres)
+
+
+# -- shared -----------------------------------------------------------------------------------------------------------
+
+
+def state_holds(evidence: Evidence, name: str, value: str | None) -> bool:
+    """Whether an entity truly has a state value."""
+    assert value is not None
+    try:
+        pair = evidence.domain.kinds.pair_of(value)
+    except KeyError:
+        return False
+    return evidence.truth.state(name, pair) == value
+
+
+def is_indefinite(referent: Referent) -> bool:
+    """Whether a phrase asks for any one, not for a certain one."""
+    return referent.phrase.lower().split(" ", 1)[0] in INDEFINITE
+
+
+def _done(outcome: Outcome | None) -> Iterator[Outcome]:
+    if outcome is not None:
+        yield outcome
+
+
+def _choose(referents: Iterable[Referent], bindings: Bindings, is_ok: Callable[[str], bool]) -> Outcome | None:
+    """The outcome that binds every referent to those of its candidates that are ok; None where they do not suffice."""
+    bound, is_final = dict(bindings), True
+    for referent in referents:
+        among = candidates(referent, bindings)
+        chosen = tuple(name for name in among if is_ok(name))
+        if len(chosen) < max(1, needed(referent, among)):
+            return None
+        bound[referent] = chosen
+        is_final &= len(chosen) == len(among)
+    return Outcome(True, bound, is_final)
+
+
+def _reached(target: Referent, bindings: Bindings, is_ok: Callable[[str], bool]) -> Iterator[Outcome]:
+    yield from _done(_choose((target,), bindings, is_ok))
+
+
+def _is_robot_at(evidence: Evidence, name: str) -> bool:
+    house = evidence.domain.house
+    room = name.removesuffix("_floor")
+    if room in house.rooms:
+        return evidence.truth.room == room
+    return evidence.truth.is_near(name)
+
+
+def _room(evidence: Evidence, goal: str) -> str:
+    """The room of a goal, where the goal is a place; people are led to rooms."""
+    return evidence.domain.room_of(goal) or goal
+
+
+def _asks_people(task: GroundTask, evidence: Evidence) -> bool:
+    people = evidence.domain.house.people
+    return bool(task.objects) and all(name in people for referent in task.objects for name in referent.candidates)
+
+
+_ROWS: Mapping[str, Callable[[GroundTask, Bindings, Evidence, bool], Iterator[Outcome]]] = {
+    "motion": _motion,
+    "searching": _searching,
+    "taking": _taking,
+    "placing": _putting,
+    "bringing": _putting,
+    "change_state": _change_state,
+    "check_state": _check_state,
+    "following": _following,
+    "informing": _informing,
+}

@@ -1,0 +1,478 @@
+"""The judge, held against contracts.md ("When a task is done", "The episode") in worlds made by hand."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.envs.doubles import Episode, HandWorld, referent, task
+from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.planning.ground_task import HERE
+
+
+def is_done(episode: Episode) -> bool:
+    return episode.verdict.is_success
+
+
+# -- when a task is done, row by row ----------------------------------------------------------------------------------
+
+
+def test_motion_is_done_in_the_room_or_near_the_place():
+    episode = Episode(HandWorld(), [1, 2], task(1, "motion", goal="kitchen"), task(2, "motion", goal="desk"))
+    assert episode.go("kitchen").met == 1
+    assert not is_done(episode)
+    assert episode.go("study", "desk").is_success
+
+
+def test_motion_to_a_person_is_done_beside_them():
+    episode = Episode(HandWorld(), [1], task(1, "motion", recipient="user"))
+    assert not episode.go("living_room").is_success
+    assert episode.go("living_room", "user").is_success
+
+
+def test_searching_without_a_place_is_done_only_when_seen():
+    episode = Episode(HandWorld({"keys": "desk"}), [1], task(1, "searching", "keys"))
+    assert not episode.inspect("desk").is_success
+    assert episode.see("keys").is_success
+
+
+def test_searching_places_is_done_when_all_were_inspected_or_the_thing_was_seen():
+    search = task(1, "searching", "keys", at=["desk", "bookshelf"])
+    episode = Episode(HandWorld({"keys": "couch"}), [1], search)
+    assert not episode.inspect("desk").is_success
+    assert episode.inspect("bookshelf").is_success
+    episode = Episode(HandWorld({"keys": "couch"}), [1], search)
+    assert episode.see("keys").is_success
+
+
+def test_a_place_named_by_several_words_is_looked_into_at_any():
+    table = referent("kitchen_table", "coffee_table", phrase="the table")
+    episode = Episode(HandWorld(), [1], task(1, "searching", at=[table]))
+    assert episode.inspect("coffee_table").is_success
+
+
+def test_what_was_seen_before_a_task_became_due_does_not_count():
+    world = HandWorld({"keys": "desk", "pen_1": "desk"})
+    episode = Episode(world, [1, 2], task(1, "motion", goal="kitchen"), task(2, "searching", "keys"))
+    episode.see("keys")
+    episode.see()
+    assert not episode.go("kitchen").is_success
+    assert episode.see("keys").is_success
+
+
+def test_taking_is_done_when_each_thing_was_held():
+    world = HandWorld({"cup_1": "counter", "plate_1": "counter"})
+    episode = Episode(world, [1], task(1, "taking", "cup_1", "plate_1"))
+    assert not episode.take("cup_1").is_success
+    world.places["cup_1"] = "sink"
+    assert episode.take("plate_1").is_success
+
+
+def test_placing_is_done_when_the_goal_holds_also_from_before():
+    assert is_done(Episode(HandWorld({"cup_1": "sink"}), [1], task(1, "placing", "cup_1", goal="sink")))
+    episode = Episode(HandWorld({"cup_1": "robot"}), [1], task(1, "placing", "cup_1", goal="sink"))
+    assert not is_done(episode)
+    assert episode.put("cup_1", "sink").is_success
+
+
+def test_a_thing_still_on_the_robot_is_not_in_the_room_it_goes_to():
+    episode = Episode(HandWorld({"cup_1": "robot"}), [1], task(1, "bringing", "cup_1", goal="kitchen"))
+    assert not episode.go("kitchen").is_success
+    assert episode.put("cup_1", "kitchen_table").is_success
+
+
+def test_bringing_is_done_when_the_recipient_has_it():
+    episode = Episode(HandWorld({"cup_1": "robot"}), [1], task(1, "bringing", "cup_1", recipient="user"))
+    assert not episode.go("living_room", "user").is_success
+    assert episode.give("cup_1", "user").is_success
+
+
+def test_change_of_state_is_done_when_the_state_holds():
+    assert is_done(Episode(HandWorld(states={("tv", "power"): "on"}), [1], task(1, "change_state", "tv", state="on")))
+    episode = Episode(HandWorld(), [1], task(1, "change_state", "tv", state="on"))
+    assert not episode.do(Interaction.SWITCH_ON, "tv", result=Result.BROKEN).is_success
+    assert episode.do(Interaction.SWITCH_ON, "tv").is_success
+
+
+def test_all_of_a_kind_need_all_that_are_in_the_house():
+    cups = referent("cup_1", "cup_2", phrase="the cups", is_all=True)
+    world = HandWorld({"cup_1": "counter", "cup_2": "desk"})
+    episode = Episode(world, [1], task(1, "taking", cups))
+    assert not episode.take("cup_1").is_success
+    assert episode.take("cup_2").is_success
+    assert Episode(HandWorld({"cup_1": "counter"}), [1], task(1, "taking", cups)).take("cup_1").is_success
+
+
+def test_two_of_a_kind_need_two_different_ones():
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "desk"}), [1], task(1, "taking", pens))
+    assert not episode.take("pen_1").is_success
+    assert episode.take("pen_2").is_success
+
+
+def test_a_check_is_done_when_the_fact_was_observed_whatever_it_is():
+    episode = Episode(HandWorld(), [1], task(1, "check_state", "front_door", state="open"))
+    assert not is_done(episode)
+    assert episode.see("front_door").is_success
+
+
+def test_following_is_done_when_both_are_at_the_goal():
+    episode = Episode(HandWorld({"anna": "study"}), [1], task(1, "following", "anna", goal="kitchen"))
+    episode.do(Interaction.SAY, "kitchen_floor", person="anna", goal="kitchen_floor")
+    assert not episode.go("kitchen").is_success
+    episode.world.places["anna"] = "kitchen"
+    assert episode.step().is_success
+
+
+def test_following_without_a_goal_is_done_where_the_person_leads():
+    episode = Episode(HandWorld({"anna": "study"}, room="study"), [1], task(1, "following", "anna"))
+    assert not is_done(episode)
+    episode.do(Interaction.SAY, "robot", person="anna", goal="bedroom_floor")
+    assert not episode.go("bedroom").is_success
+    episode.world.places["anna"] = "bedroom"
+    assert episode.step().is_success
+
+
+def test_informing_is_done_by_speaking_to_the_recipient():
+    episode = Episode(HandWorld({"anna": "study"}), [1], task(1, "informing", recipient="anna"))
+    assert not episode.do(Interaction.SAY, "anna", result=Result.OUT_OF_REACH).is_success
+    assert episode.say("anna").is_success
+
+
+def test_one_word_does_not_count_for_two_messages():
+    tell = task(1, "informing", recipient="user"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld(), [1, 2], *tell)
+    assert episode.say("user").met == 1
+    assert episode.say("user").is_success
+
+
+# -- conditions -------------------------------------------------------------------------------------------------------
+
+FIND_PEN = task(1, "searching", referent("pen_1", "pen_2", phrase="a pen"), at=["desk"])
+BRING_PEN = task(2, "bringing", referent("pen_1", "pen_2", phrase="a pen"), recipient="user")
+LOOK_IN_DRAWER = task(3, "searching", referent("pen_1", "pen_2", phrase="a pen"), at=["drawer"])
+PEN_FLOW = [{"if": 1, "then": [2], "else": [3]}]
+
+
+def test_a_search_holds_when_the_thing_is_seen_there():
+    episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "couch"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
+    episode.see("pen_2")
+    assert episode.truths == [(1, None, None)]
+    episode.see("pen_1")
+    assert episode.truths == [(1, True, "then")]
+    episode.take("pen_1")
+    assert episode.give("pen_1", "user").is_success
+
+
+def test_a_search_fails_when_the_place_was_inspected_and_stays_so():
+    world = HandWorld({"pen_1": "couch"})
+    episode = Episode(world, PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
+    episode.inspect("desk")
+    assert episode.truths == [(1, False, "else")]
+    world.places["pen_1"] = "desk"
+    episode.see("pen_1")
+    assert episode.truths == [(1, False, "else")]
+    assert episode.inspect("drawer").is_success
+
+
+def test_a_thing_a_look_has_missed_is_no_proof_of_absence():
+    episode = Episode(HandWorld({"pen_1": "desk"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
+    episode.inspect("desk")
+    assert episode.truths == [(1, None, None)]
+
+
+def test_the_phrase_is_narrowed_to_what_was_found():
+    episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "couch"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
+    episode.see("pen_1")
+    episode.take("pen_2")
+    assert not episode.give("pen_2", "user").is_success
+    episode.take("pen_1")
+    assert episode.give("pen_1", "user").is_success
+
+
+def test_a_check_is_true_or_false_as_the_world_was_when_it_was_observed():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "coffee", state="hot"),
+        task(2, "bringing", "coffee", recipient="user"),
+        task(3, "change_state", "coffee", state="hot"),
+    )
+    hot = Episode(HandWorld({"coffee": "desk"}, {("coffee", "temperature"): "hot"}), flow, *tasks)
+    hot.see("coffee")
+    cold = Episode(HandWorld({"coffee": "desk"}), flow, *tasks)
+    cold.see("coffee")
+    assert (hot.truths, cold.truths) == ([(1, True, "then")], [(1, False, "else")])
+
+
+def test_a_false_condition_without_else_is_success():
+    flow = [{"if": 1, "then": [2]}]
+    check, close = (
+        task(1, "check_state", "front_door", state="open"),
+        task(2, "change_state", "front_door", state="closed"),
+    )
+    episode = Episode(HandWorld(), flow, check, close)
+    assert episode.see("front_door").is_success
+    assert episode.truths == [(1, False, None)]
+
+
+def test_presence_is_checked_like_a_search():
+    flow = [{"if": 1, "then": [2]}]
+    check = task(1, "check_state", "milk", state=HERE, at=["fridge"])
+    episode = Episode(HandWorld({"milk": "counter"}), flow, check, task(2, "bringing", "milk", recipient="user"))
+    episode.see("milk")
+    assert episode.truths == [(1, None, None)]
+    episode.inspect("fridge")
+    assert episode.truths == [(1, False, None)]
+
+
+def test_a_person_who_is_out_is_not_here():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "anna", state=HERE),
+        task(2, "informing", recipient="anna"),
+        task(3, "informing", recipient="user"),
+    )
+    out = Episode(HandWorld(), flow, *tasks)
+    assert out.truths == [(1, False, "else")]
+    home = Episode(HandWorld({"anna": "study"}), flow, *tasks)
+    assert home.truths == [(1, None, None)]
+    home.see("anna")
+    assert home.truths == [(1, True, "then")]
+
+
+TV_FLOW = [{"if": 1, "else": [2]}]
+TV_TASKS = task(1, "change_state", "tv", state="on"), task(2, "bringing", "remote", recipient="user")
+
+
+def test_an_action_is_false_only_where_the_world_does_not_allow_it():
+    broken = Episode(HandWorld({"remote": "robot"}, broken={"tv"}), TV_FLOW, *TV_TASKS)
+    assert broken.truths == [(1, False, "else")]
+    assert broken.give("remote", "user").is_success
+    works = Episode(HandWorld({"remote": "couch"}), TV_FLOW, *TV_TASKS)
+    assert works.truths == [(1, None, None)]
+    assert works.do(Interaction.SWITCH_ON, "tv").is_success
+
+
+def test_giving_up_what_is_possible_is_a_wrong_branch():
+    episode = Episode(HandWorld({"remote": "robot"}), TV_FLOW, *TV_TASKS)
+    verdict = episode.give("remote", "user")
+    assert verdict.is_over
+    assert not verdict.is_success
+    assert [violation.task for violation in verdict.violations] == [2]
+
+
+def test_a_check_that_cannot_be_observed_is_neither_true_nor_false():
+    flow = [{"if": 1, "then": [2]}]
+    tasks = task(1, "check_state", "coffee", state="hot"), task(2, "bringing", "coffee", recipient="user")
+    episode = Episode(HandWorld(), flow, *tasks)
+    episode.inspect("counter", "desk", "kitchen_table")
+    assert episode.truths == [(1, None, None)]
+    assert not is_done(episode)
+
+
+@pytest.mark.parametrize("phrase", ["a mug", "any mug", "some mug"])
+def test_whether_a_thing_is_so_is_false_only_when_all_were_looked_at(phrase):
+    mug = referent("mug_1", "mug_2", phrase=phrase)
+    flow = [{"if": 1, "then": [2]}]
+    tasks = task(1, "check_state", mug, state="clean"), task(2, "bringing", mug, recipient="user")
+    world = HandWorld({"mug_1": "desk", "mug_2": "sink"}, {("mug_2", "cleanliness"): "clean"})
+    episode = Episode(world, flow, *tasks)
+    assert not episode.see("mug_1").is_success
+    episode.see("mug_2")
+    assert episode.truths == [(1, True, "then")]
+
+
+def test_of_two_mugs_the_one_that_was_looked_at_decides():
+    mug = referent("mug_1", "mug_2", phrase="the mug")
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", mug, state="clean"),
+        task(2, "placing", mug, goal="cupboard"),
+        task(3, "placing", mug, goal="dishwasher"),
+    )
+    places = {"mug_1": "desk", "mug_2": "sink"}
+    states = {("mug_2", "cleanliness"): "clean"}
+    for thing, goal in (("mug_2", "cupboard"), ("mug_1", "dishwasher")):
+        episode = Episode(HandWorld(dict(places), dict(states)), flow, *tasks)
+        episode.see("mug_1")
+        episode.see("mug_1", "mug_2")
+        episode.take(thing)
+        assert episode.put(thing, goal).is_success
+    wrong = Episode(HandWorld(dict(places), dict(states)), flow, *tasks)
+    wrong.see("mug_1", "mug_2")
+    wrong.take("mug_1")
+    assert not wrong.put("mug_1", "cupboard").is_success
+
+
+def test_all_are_so_only_when_each_was_looked_at():
+    lights = referent("kitchen_light", "bedroom_light", phrase="all the lights", is_all=True)
+    flow = [{"if": 1, "then": [2]}]
+    tasks = task(1, "check_state", lights, state="off"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld(), flow, *tasks)
+    episode.see("kitchen_light")
+    assert episode.truths == [(1, None, None)]
+    episode.see("bedroom_light")
+    assert episode.truths == [(1, True, "then")]
+    lit = Episode(HandWorld(states={("kitchen_light", "power"): "on"}), flow, *tasks)
+    assert lit.see("kitchen_light").is_success
+
+
+# -- flow -------------------------------------------------------------------------------------------------------------
+
+
+def test_of_merged_mentions_the_first_is_judged():
+    flow = [{"if": [1, 2], "then": [3]}]
+    tasks = (
+        task(1, "searching", "keys", at=["desk"]),
+        task(2, "check_state", "keys", state=HERE),
+        task(3, "taking", "keys"),
+    )
+    episode = Episode(HandWorld({"keys": "desk"}), flow, *tasks)
+    episode.see("keys")
+    assert episode.truths == [(1, True, "then")]
+    assert episode.take("keys").is_success
+
+
+def test_a_repeated_task_is_due_in_both_branches():
+    flow = [{"if": 1, "then": [{"if": 2, "then": [3], "else": [4]}], "else": [{"same": [4]}]}]
+    tasks = (
+        task(1, "check_state", "tv", state="on"),
+        task(2, "check_state", "radio", state="on"),
+        task(3, "informing", recipient="user"),
+        task(4, "change_state", "computer", state="on"),
+    )
+    off = Episode(HandWorld(), flow, *tasks)
+    off.see("tv")
+    assert off.do(Interaction.SWITCH_ON, "computer").is_success
+    on = Episode(HandWorld(states={("tv", "power"): "on"}), flow, *tasks)
+    on.see("tv")
+    on.see("radio")
+    assert on.do(Interaction.SWITCH_ON, "computer").is_success
+
+
+def test_chains_of_conditions_are_reported_in_the_order_they_were_reached():
+    flow = [{"if": 1, "else": [{"if": 2, "else": [3]}]}]
+    tasks = (
+        task(1, "searching", "keys", at=["coffee_table"]),
+        task(2, "searching", "keys", at=["wardrobe"]),
+        task(3, "informing", recipient="user"),
+    )
+    episode = Episode(HandWorld({"keys": "desk"}), flow, *tasks)
+    episode.inspect("coffee_table")
+    episode.inspect("wardrobe")
+    assert episode.say("user").is_success
+    assert episode.truths == [(1, False, "else"), (2, False, "else")]
+    assert (episode.verdict.met, episode.verdict.total) == (3, 3)
+
+
+def test_goals_met_count_towards_what_is_due_in_this_world():
+    episode = Episode(HandWorld({"remote": "couch"}, broken={"tv"}), TV_FLOW, *TV_TASKS)
+    assert (episode.verdict.met, episode.verdict.total) == (1, 2)
+
+
+# -- violations -------------------------------------------------------------------------------------------------------
+
+
+def test_a_later_step_brought_about_too_early_is_a_violation():
+    tasks = task(1, "change_state", "kitchen_window", state="closed"), task(2, "bringing", "cup_1", recipient="user")
+    world = HandWorld({"cup_1": "robot"}, {("kitchen_window", "aperture"): "open"})
+    verdict = Episode(world, [1, 2], *tasks).give("cup_1", "user")
+    assert verdict.is_over
+    assert not verdict.is_success
+    assert (verdict.violations[0].task, verdict.violations[0].due) == (2, 1)
+
+
+def test_what_held_before_is_no_violation():
+    tasks = task(1, "change_state", "tv", state="on"), task(2, "change_state", "radio", state="on")
+    episode = Episode(HandWorld(states={("radio", "power"): "on"}), [1, 2], *tasks)
+    assert not episode.do(Interaction.SWITCH_ON, "radio", result=Result.ALREADY).is_over
+    assert episode.do(Interaction.SWITCH_ON, "tv").is_success
+
+
+def test_means_to_the_task_due_are_no_violation():
+    tasks = task(1, "bringing", "milk", recipient="user"), task(2, "change_state", "fridge", state="open")
+    episode = Episode(HandWorld({"milk": "fridge"}), [1, 2], *tasks)
+    assert not episode.do(Interaction.OPEN, "fridge").is_over
+    assert not episode.take("milk").is_over
+    assert episode.give("milk", "user").is_success
+
+
+def test_opening_what_is_no_means_is_a_violation():
+    tasks = task(1, "change_state", "tv", state="on"), task(2, "change_state", "fridge", state="open")
+    assert Episode(HandWorld(), [1, 2], *tasks).do(Interaction.OPEN, "fridge").violations
+
+
+def test_taking_what_only_the_other_branch_takes_is_a_violation():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "tv", state="on"),
+        task(2, "taking", "remote"),
+        task(3, "change_state", "tv", state="on"),
+    )
+    episode = Episode(HandWorld({"remote": "couch"}), flow, *tasks)
+    assert episode.take("remote").violations
+    episode = Episode(HandWorld({"remote": "couch"}), flow, *tasks)
+    episode.see("tv")
+    assert episode.take("remote").violations
+
+
+def test_heating_needs_the_thing_in_hand_and_the_microwave_on():
+    tasks = (
+        task(1, "change_state", "soup", state="hot"),
+        task(2, "taking", "soup"),
+        task(3, "change_state", "microwave", state="on"),
+    )
+    episode = Episode(HandWorld({"soup": "counter"}), [1, 2, 3], *tasks)
+    episode.do(Interaction.OPEN, "microwave")
+    episode.take("soup")
+    episode.put("soup", "microwave")
+    episode.do(Interaction.CLOSE, "microwave")
+    episode.world.states[("soup", "temperature")] = "hot"
+    assert episode.do(Interaction.SWITCH_ON, "microwave").met == 1
+    assert episode.take("soup").is_success
+
+
+def test_speaking_to_somebody_before_it_is_due_is_a_violation():
+    tasks = task(1, "searching", "keys", at=["wardrobe"]), task(2, "informing", recipient="user")
+    assert Episode(HandWorld({"keys": "desk"}), [1, 2], *tasks).say("user").violations
+
+
+def test_going_to_the_room_of_the_other_branch_is_a_violation():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "tv", state="on"),
+        task(2, "motion", goal="kitchen"),
+        task(3, "motion", goal="bedroom"),
+    )
+    episode = Episode(HandWorld(room="living_room"), flow, *tasks)
+    episode.see("tv")
+    assert not episode.go("hallway").is_over
+    assert episode.go("kitchen").violations
+
+
+def test_rooms_on_the_way_or_searched_are_no_violation():
+    tasks = task(1, "bringing", "cup_1", recipient="user"), task(2, "motion", goal="kitchen")
+    episode = Episode(HandWorld({"cup_1": "kitchen_table"}), [1, 2], *tasks)
+    assert not episode.go("kitchen").is_over
+    tasks = task(1, "motion", goal="study"), task(2, "motion", goal="hallway")
+    episode = Episode(HandWorld(room="kitchen"), [1, 2], *tasks)
+    assert not episode.go("hallway").is_over
+    assert episode.go("study").met == 1
+
+
+def test_a_violation_must_be_one_in_every_reading():
+    mug = referent("mug_1", "mug_2", phrase="the mug")
+    tasks = (
+        task(1, "check_state", mug, state="clean"),
+        task(2, "placing", mug, goal="cupboard"),
+        task(3, "placing", mug, goal="dishwasher"),
+    )
+    world = HandWorld({"mug_1": "robot", "mug_2": "sink"}, {("mug_2", "cleanliness"): "clean"})
+    episode = Episode(world, [{"if": 1, "then": [2], "else": [3]}], *tasks)
+    episode.see("mug_1", "mug_2")
+    assert episode.put("mug_1", "dishwasher").is_success
+
+
+def test_after_the_verdict_nothing_changes_it():
+    episode = Episode(HandWorld(), [1], task(1, "change_state", "tv", state="on"))
+    verdict = episode.do(Interaction.SWITCH_ON, "tv")
+    assert episode.do(Interaction.SWITCH_OFF, "tv") == verdict
