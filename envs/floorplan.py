@@ -77,6 +77,9 @@ class Floorplan:
             name: _rect_distances(self.footprint(name), self.cell_x, self.cell_y) < self.inflation
             for name in self.house.doorways
         }
+        self._by_doorway = np.zeros_like(self.free)
+        for name in self.house.doorways:
+            self._by_doorway |= _rect_distances(self.footprint(name), self.cell_x, self.cell_y) < 0.4
 
     # -- where things are ---------------------------------------------------------------------------------------------
 
@@ -112,14 +115,14 @@ class Floorplan:
     def cells_at(self, place: str, *, room: str) -> Cells:
         """The cells of `room` from which a place is used: in front of its sides, as near as the robot can stand.
 
-        Empty where there is none. For a floor: all free cells of the room.
+        Empty where there is none. For a floor: the free cells of the room that are well inside it.
         """
         inside = self.free & self._in_room(room)
         if place in self.house.doorways:
             return self._doorway_cells(place, inside)
         rect = self.footprint(place)
         if place not in self.house.furniture:
-            return np.flatnonzero(inside).astype(np.int32)
+            return np.flatnonzero(inside & ~self._by_doorway).astype(np.int32)
         beside = np.zeros_like(inside)
         for side in self.house.furniture[place].sides:
             beside |= self._beside(rect, side)

@@ -31,6 +31,10 @@ CONFIDENT_REACH = 0.12
 """[m] The robot stops this much nearer than its reach."""
 FOLLOW_SECONDS = 120.0
 """[s] How long a person is followed at most."""
+FOLLOW_GAP = 0.9
+"""[m] How near the robot comes up behind a person it follows."""
+LOST_AFTER = 5
+"""[control steps] A person out of sight for so long has to be looked for."""
 SETTLED_SECONDS = 2.5
 """[s] A person who has stood still for so long has arrived where they wanted to go."""
 
@@ -236,16 +240,23 @@ def _nearest_point(body: HouseholdEmbodiment, target: str) -> tuple[float, float
 # -- doing something --------------------------------------------------------------------------------------------------
 
 
-def _do(body: HouseholdEmbodiment, interaction: Interaction, target: str, *, near: str | None = None) -> Script:
+def _do(
+    body: HouseholdEmbodiment,
+    interaction: Interaction,
+    target: str,
+    *,
+    near: str | None = None,
+    done: tuple[Result, ...] = (Result.OK, Result.ALREADY),
+) -> Script:
     """One interaction, with second tries where a second try makes sense.
 
-    `near`: what to come nearer to where `target` is out of reach. A result of ALREADY counts as done.
+    `near`: what to come nearer to where `target` is out of reach. `done`: the results that count as success.
     """
     slips = approaches = 0
     while True:
         yield body.interact(interaction, target)
         result = body.senses.result
-        if result in (Result.OK, Result.ALREADY):
+        if result in done:
             return
         if result is Result.SLIPPED and slips < MAX_SLIPS:
             slips += 1
@@ -316,6 +327,11 @@ def _at_place(interaction: Interaction, position: int) -> Callable[..., Script]:
         yield from _do(body, interaction, objects[position], near=objects[position])
 
     return script
+
+
+def _run(body: HouseholdEmbodiment, thing: str, place: str) -> Script:
+    """Switches a place on for the sake of a thing in it; one that is on already has done its work and does nothing."""
+    yield from _do(body, Interaction.SWITCH_ON, place, near=place, done=(Result.OK,))
 
 
 # -- finding out ------------------------------------------------------------------------------------------------------
@@ -453,7 +469,7 @@ def follow(body: HouseholdEmbodiment, person: str, start: str, goal: str) -> Scr
     def are_there() -> bool:
         return senses.room == goal and senses.room_of_person(person) == goal and senses.is_seen(person)
 
-    yield from _keep_behind(body, person, are_there)
+    yield from _keep_behind(body, person, are_there, goal=goal)
 
 
 def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
@@ -473,31 +489,73 @@ def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
     yield from _keep_behind(body, person, have_stayed)
 
 
-def _keep_behind(body: HouseholdEmbodiment, person: str, is_over: Callable[[], bool]) -> Script:
+def _keep_behind(
+    body: HouseholdEmbodiment, person: str, is_over: Callable[[], bool], *, goal: str | None = None
+) -> Script:
+    """Keeps behind a person who walks, to the room `goal` if they said so, until `is_over`."""
     senses = body.senses
     until = senses.seconds + FOLLOW_SECONDS
+    unseen = 0
     while not is_over():
         if senses.seconds > until:
             raise SkillError(f"{person} did not get there in time")
-        if senses.distance(person) <= 0.9 and senses.room == senses.room_of_person(person):
-            yield body.rest()
+        unseen = 0 if senses.is_seen(person) else unseen + 1
+        if unseen > LOST_AFTER:
+            yield from _look_for(body, person, goal)
+        elif senses.distance(person) > FOLLOW_GAP or senses.room != senses.room_of_person(person):
+            yield from _drive_briefly(body, _cells_behind(body, person), person)
         else:
-            yield from _behind(body, person)
+            yield _turn_to(body, person)
 
 
-def _behind(body: HouseholdEmbodiment, person: str) -> Script:
-    """Drives after a person for half a second."""
+def _cells_behind(body: HouseholdEmbodiment, person: str) -> Cells:
     position = body.senses.position(person)
     if position is None:
         raise SkillError(f"I have lost {person}")
-    cells = body.floorplan.cells_around(*position, nearest=0.5, farthest=0.85, room=None)
+    return body.floorplan.cells_around(*position, nearest=0.5, farthest=FOLLOW_GAP - 0.05, room=None)
+
+
+def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Script:
+    """Goes where a person who is out of sight must be: on towards their goal, else to where they were last and beyond."""
+    senses, plan = body.senses, body.floorplan
+    position = senses.position(person)
+    if goal is not None and senses.room != goal:
+        yield from _drive_briefly(body, plan.cells_at(body.house.floor_of(goal), room=goal), person)
+        return
+    spots = [] if position is None else [plan.cells_around(*position, nearest=0.0, farthest=0.4, room=None)]
+    if position is not None:
+        doorways = body.house.doorways
+        nearest = min(doorways, key=lambda name: (plan.distance_to(name, *position), name))
+        spots += [plan.cells_at(nearest, room=room) for room in doorways[nearest].rooms]
+    for spot in spots:
+        if spot.size:
+            yield from _drive(body, spot, lambda: senses.is_seen(person), towards=person, besides=person)
+        for action in _turn_round(body):
+            if senses.is_seen(person):
+                return
+            yield action
+    if not senses.is_seen(person):
+        raise SkillError(f"I have lost {person}")
+
+
+def _drive_briefly(body: HouseholdEmbodiment, cells: Cells, person: str) -> Script:
+    """Drives towards some cells for half a second."""
     driver, senses = body.driver(cells), body.senses
     for _ in range(5):
         course = driver.steer(senses.pose, obstacles=senses.obstacles(besides=person))
         if course.has_arrived or course.problem:
-            yield body.rest()
+            yield _turn_to(body, person)
             return
         yield body.drive(*course.drive)
+
+
+def _turn_to(body: HouseholdEmbodiment, person: str) -> Action:
+    """Stands and turns towards where a person was seen last."""
+    position, pose = body.senses.position(person), body.senses.pose
+    if position is None:
+        return body.rest()
+    error = wrap(math.atan2(position[1] - pose.y, position[0] - pose.x) - pose.heading)
+    return body.drive(0.0, steer_turn(error, body.config.limits)) if abs(error) > 0.2 else body.rest()
 
 
 def _expect(holds: bool, problem: str) -> None:
@@ -518,8 +576,8 @@ SKILLS: dict[str, Callable[..., Script]] = {
     "give": give,
     "switch-on": _at_place(Interaction.SWITCH_ON, 0),
     "switch-off": _at_place(Interaction.SWITCH_OFF, 0),
-    "heat": _at_place(Interaction.SWITCH_ON, 1),
-    "wash": _at_place(Interaction.SWITCH_ON, 1),
+    "heat": _run,
+    "wash": _run,
     "chill": _at_place(Interaction.CLOSE, 1),
     "rinse": _at_place(Interaction.CLEAN, 1),
     "fill": _at_place(Interaction.FILL, 1),

@@ -75,7 +75,7 @@ def plan(*steps):
     return PlanResult(PlanStatus.SOLVED, steps)
 
 
-@pytest.fixture()
+@pytest.fixture
 def make(monkeypatch):
     """Makes a leaf in a session; `decide(belief)` stands in for what the task needs next."""
 
