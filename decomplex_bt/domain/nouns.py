@@ -58,7 +58,7 @@ class Nouns:
         """The known words (only those naming one of `among`, if given) that look most like the phrase, best first."""
         allowed = frozenset(among)
         words = [word for word, entities in self.entities.items() if not allowed or allowed & set(entities)]
-        matches = process.extract(phrase, words, scorer=fuzz.ratio, score_cutoff=55, limit=limit)
+        matches = process.extract(phrase, words, scorer=fuzz.ratio, score_cutoff=62, limit=limit)
         return tuple(match[0] for match in matches)
 
 

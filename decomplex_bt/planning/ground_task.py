@@ -14,14 +14,17 @@ HERE = "here"
 class Referent:
     """What a phrase may mean, likeliest first: names of entities (for places also rooms).
 
-    `is_all`: all candidates are meant ("the lights", "all the cups"); otherwise `count` different ones of them. Equal
-    referents of one instruction are one and the same: who binds one binds all.
+    `is_all`: all candidates are meant ("the lights", "all the cups"), those that are in the house, and where the task
+    names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `where`:
+    state pairs and values by which one is told from another ("the clean mug"). Equal referents of one instruction are
+    one and the same: who binds one binds all.
     """
 
     phrase: str
     candidates: tuple[str, ...]
     is_all: bool = False
     count: int = 1
+    where: tuple[tuple[str, str], ...] = ()
 
     @property
     def needed(self) -> int:
@@ -30,7 +33,8 @@ class Referent:
 
     def __str__(self) -> str:
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
-        return f"{self.phrase!r}: {quantity}{' | '.join(self.candidates)}"
+        told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""
+        return f"{self.phrase!r}: {quantity}{' | '.join(self.candidates)}{told_by}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,14 +9,14 @@ from functools import cached_property
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.abilities import devices_for, wipers_of
 from decomplex_bt.planning.belief import ROBOT, Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.symbolic import SymbolicState
 
+TOOLED = ("hot", "cold", "clean", "full", "empty")
+"""Fluents that a thing comes by at a device or a place, a place by a rag."""
 _FACT_SEPARATOR = "__"
-_DEVICE_OF = {  # a goal's fluent: the abilities of kinds that bring it about
-    "hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",), "empty": ("drains",),
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -127,20 +127,15 @@ class _Scene:
         return None if place == ROBOT else place
 
     def _tools(self, atom: Atom) -> Iterator[str]:
-        """The devices, places and rags that can bring about a state."""
-        if len(atom.objects) != 1 or atom.predicate not in _DEVICE_OF:
+        """The devices and places, or the rag, that can bring about a state."""
+        if len(atom.objects) != 1 or atom.predicate not in TOOLED:
             return
         name = atom.objects[0]
-        tags = frozenset(self.domain.kind(name).tags)
-        if self.domain.has_type(name, "thing"):
-            for place in self.house.places():
-                kind = self.domain.kind(place)
-                if any(tags & set(getattr(kind, ability)) for ability in _DEVICE_OF[atom.predicate]):
-                    yield place
+        if name in self.house.things:
+            yield from devices_for(name, atom.predicate, self.domain)
         elif atom.predicate == "clean":
-            rags = [thing for thing in self.house.things if tags & set(self.domain.kind(thing).wipes)]
-            for rag in sorted(rags, key=lambda rag: self.state.place_of(rag) is None)[:1]:
-                yield rag
+            rags = wipers_of(name, self.domain)
+            yield from sorted(rags, key=lambda rag: self.state.place_of(rag) is None)[:1]
 
     def _position(self, named: Iterable[str], floor: str) -> str:
         """The position the robot is at: of those it is near, one that matters, else the floor it stands on."""

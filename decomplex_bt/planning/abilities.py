@@ -1,0 +1,50 @@
+"""What can be done in a house at all: which states can be brought about, and what holds things."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from decomplex_bt.domain.loader import Domain
+
+_BY = {  # abilities of kinds of places that bring about a value of a thing's state
+    "hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",), "empty": ("drains",),
+}  # fmt: skip
+
+
+@cache
+def bringable_values(name: str, pair: str, domain: Domain) -> frozenset[str]:
+    """The values of a state pair that the robot can bring about for an entity of the house."""
+    values = domain.kinds.state_pairs[pair].values
+    if pair in ("power", "aperture"):
+        return frozenset(values)
+    if name not in domain.house.things:
+        tags = frozenset(domain.kind(name).tags)
+        wiped = any(tags & set(domain.kind(thing).wipes) for thing in domain.house.things)
+        return frozenset(("empty",) if pair == "fill" else ("clean",) if wiped and pair == "cleanliness" else ())
+    return frozenset(value for value in values if devices_for(name, value, domain))
+
+
+@cache
+def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
+    """The places of the house that can bring a thing into a state, in the order of the house."""
+    tags = frozenset(domain.kind(thing).tags)
+    places = domain.house.places()
+    return tuple(
+        place for place in places if any(tags & set(getattr(domain.kind(place), by)) for by in _BY.get(value, ()))
+    )
+
+
+@cache
+def wipers_of(place: str, domain: Domain) -> tuple[str, ...]:
+    """The things that wipe a place clean."""
+    tags = frozenset(domain.kind(place).tags)
+    return tuple(thing for thing in domain.house.things if tags & set(domain.kind(thing).wipes))
+
+
+@cache
+def holds_things(name: str, domain: Domain) -> bool:
+    """Whether things lie on or in a place."""
+    if domain.room_of(name) is None or name in domain.house.rooms:
+        return False
+    kind = domain.kind(name)
+    return kind.surface or kind.inside

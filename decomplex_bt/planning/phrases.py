@@ -1,0 +1,333 @@
+"""Noun phrases: what an argument's words may name in the house, by nouns, adjectives, numbers and places inside them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cache
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.errors import UnknownWordError
+
+_CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
+_JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
+_CHOICE = re.compile(r"\s+or\s+")
+_DEFINITE = frozenset("the my our your his her its their these those".split())
+_POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
+_HEDGES = frozenset(("some", "any", "no", "more", "other", "another"))
+
+
+@dataclass(frozen=True, slots=True)
+class NounPhrase:
+    """What a phrase names.
+
+    `entities`: what its noun names as it stands, likeliest first; `plurals`: what its noun is a plural of. `is_all`,
+    `count`: of how many it speaks (`is_all`: "the plates", "all cups", of the plurals also without "all"). `wanted`: state
+    pairs and values that its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom").
+    """
+
+    text: str
+    preposition: str
+    entities: tuple[str, ...]
+    plurals: tuple[str, ...] = ()
+    is_all: bool = False
+    is_definite: bool = False
+    count: int = 1
+    wanted: tuple[tuple[str, str], ...] = ()
+    place: NounPhrase | None = None
+
+
+def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
+    """The noun phrases of an argument: one for each part of a coordination.
+
+    Raises `UnknownWordError`, naming the part and the nearest known words.
+    """
+    return _read_phrases(_normal(text), domain, text)
+
+
+def read_state(text: str, pairs: Iterable[str], domain: Domain) -> tuple[str, str] | None:
+    """State pair and value that words such as "still hot" name, of these pairs; None if they name none."""
+    words = _normal(text).split()
+    for start in range(len(words)):
+        for end in range(len(words), start, -1):
+            phrase = " ".join(words[start:end])
+            for pair in pairs:
+                for value, names in _state_words(domain)[pair].items():
+                    if phrase in names:
+                        return pair, value
+    return None
+
+
+def split_preposition(text: str, domain: Domain) -> tuple[str, str]:
+    """The preposition that leads a phrase ("" if none does) and the rest, in lower case."""
+    words = _normal(text)
+    found = ""
+    while (preposition := _leading(words, domain)) and words != preposition:
+        words = words[len(preposition) :].strip()
+        found = found or preposition
+        if preposition in domain.lexicon.beside:
+            found = preposition
+    return found, words
+
+
+@cache
+def _state_words(domain: Domain) -> dict[str, dict[str, frozenset[str]]]:
+    return {
+        name: {value: frozenset((value, *pair.words.get(value, ()))) for value in pair.values}
+        for name, pair in domain.kinds.state_pairs.items()
+    }
+
+
+@cache
+def _prepositions(domain: Domain) -> tuple[str, ...]:
+    return tuple(sorted(domain.lexicon.prepositions, key=lambda word: (-len(word.split()), word)))
+
+
+def _leading(words: str, domain: Domain) -> str:
+    return next((word for word in _prepositions(domain) if words == word or words.startswith(word + " ")), "")
+
+
+def _normal(text: str) -> str:
+    plain = text.lower().replace("\u2019", "'").replace("\u2018", "'")
+    plain = re.sub(r"[^\w\s',&-]", " ", plain)
+    return re.sub(r"\s+", " ", plain).strip(" ,'-")
+
+
+def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ...]:
+    preposition, rest = split_preposition(words, domain)
+    rest = _CLAUSE.sub("", rest)
+    parts = [part.strip() for part in _JOINT.split(rest) if part and part.strip()]
+    phrases: list[NounPhrase] = []
+    later: NounPhrase | None = None
+    for part in reversed(parts or [""]):
+        later = _read_choice(part, preposition, domain, later, text)
+        phrases.append(later)
+    return tuple(reversed(phrases))
+
+
+def _read_choice(part: str, preposition: str, domain: Domain, later: NounPhrase | None, text: str) -> NounPhrase:
+    """One part of a coordination; with "or" whatever any of its alternatives names."""
+    alternatives = [_read_part(choice, preposition, domain, later) for choice in _CHOICE.split(part.removeprefix("either "))]
+    if None in alternatives:
+        raise _unknown(part or text, domain)
+    first, *others = [phrase for phrase in alternatives if phrase is not None]
+    for other in others:
+        first = replace(
+            first,
+            text=part,
+            entities=_unique(first.entities + other.entities),
+            plurals=_unique(first.plurals + other.plurals),
+        )
+    return first
+
+
+def _read_part(words: str, preposition: str, domain: Domain, later: NounPhrase | None) -> NounPhrase | None:
+    """A noun phrase without coordination, with a place inside it; None if it names nothing."""
+    inner, words = split_preposition(words, domain)
+    preposition = inner or preposition
+    whole = _read_simple(words, preposition, domain, later)
+    if whole is not None:
+        return whole
+    tokens = words.split()
+    for i in range(1, len(tokens)):
+        rest = " ".join(tokens[i:])
+        if tokens[i] == "of":
+            found = _read_of(tokens[:i], " ".join(tokens[i + 1 :]), preposition, domain)
+            if found is not None:
+                return found
+        elif _leading(rest, domain):
+            head = _read_simple(" ".join(tokens[:i]), preposition, domain, later)
+            place = _read_part(rest, "", domain, None) if rest != _leading(rest, domain) else head
+            if head is not None and place is not None:
+                return head if place is head else replace(_inside(head, place, domain), text=words)
+    return None
+
+
+def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> NounPhrase | None:
+    """ "X of Y": a measure of Y, a part of Y, or the X that belongs to the place Y."""
+    whole = _read_part(rest, preposition, domain, None)
+    noun = head[-1]
+    measures = {**domain.lexicon.measures, **{word: 1 for word in domain.lexicon.all_words}}
+    measure = noun if noun in measures else next((word for word in (noun[:-1], noun[:-2]) if word in measures), None)
+    is_part = noun in domain.lexicon.parts and whole is not None and _opens(whole, domain)
+    if whole is not None and (measure is not None or is_part):
+        count = _number(head, domain) or (measures[measure] if measure else 1)
+        is_all = any(word in domain.lexicon.all_words or word == "both" for word in head)
+        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all)
+    own = _read_simple(" ".join(head), preposition, domain, None)
+    return _inside(own, whole, domain) if own is not None and whole is not None else own
+
+
+def _read_simple(words: str, preposition: str, domain: Domain, later: NounPhrase | None) -> NounPhrase | None:
+    """A noun with what stands before it; None if the noun, or a word before it, is not known."""
+    words = _strip_end(words, domain)
+    special = _special(words, preposition, domain)
+    if special is not None:
+        return special
+    tokens = words.split()
+    last_owner = max((i for i, token in enumerate(tokens[:-1]) if _POSSESSIVE.match(token)), default=-1)
+    tokens = ["the", *tokens[last_owner + 1 :]] if last_owner >= 0 else tokens
+    for i in range(len(tokens)):
+        entities, plurals = domain.nouns.lookup(" ".join(tokens[i:]))
+        if entities or plurals:
+            phrase = NounPhrase(words, preposition, entities, tuple(name for name in plurals if name not in entities))
+            found = _modified(phrase, tokens[:i], domain)
+            if found is not None:
+                return found
+    if len(tokens) > 1 and tokens[-1] in domain.lexicon.parts:
+        whole = _read_simple(" ".join(tokens[:-1]), preposition, domain, later)
+        return whole if whole is not None and _opens(whole, domain) else None
+    if tokens and later is not None and not later.place:
+        # "the red and the blue mug": the noun stands only once
+        return _modified(replace(later, text=words, wanted=()), tokens, domain)
+    return None
+
+
+def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhrase | None:
+    """The phrase with the words before its noun taken in; None if one of them is not known."""
+    lexicon, wanted, colours = domain.lexicon, list(phrase.wanted), set[str]()
+    is_all, count, rooms = False, _number(before, domain), set[str]()
+    i = 0
+    while i < len(before):
+        word = before[i]
+        room, length = _room_at(before, i, domain)
+        state = None if word in lexicon.prepositions else read_state(word, domain.kinds.state_pairs, domain)
+        if word in lexicon.all_words or word == "both":
+            is_all = True
+        elif word in lexicon.colours:
+            colours.add(word)
+        elif state is not None:
+            wanted.append(state)
+        elif room:
+            rooms.add(room)
+        elif word not in lexicon.determiners and word not in lexicon.measures and not word.isdigit():
+            return None
+        i += length
+    is_hedged = any(word in _HEDGES or word in ("a", "an") for word in before)
+    is_definite = any(word in _DEFINITE for word in before) or not is_hedged
+
+    def fits(entity: str) -> bool:
+        return _has_colour(entity, colours, domain) and (not rooms or domain.room_of(entity) in rooms)
+
+    phrase = replace(
+        phrase,
+        entities=tuple(filter(fits, phrase.entities)),
+        plurals=tuple(filter(fits, phrase.plurals)),
+        is_all=is_all,
+        is_definite=is_definite and count is None,
+        count=count or 1,
+        wanted=tuple(dict.fromkeys(wanted)),
+    )
+    return phrase if phrase.entities or phrase.plurals else None
+
+
+def _special(words: str, preposition: str, domain: Domain) -> NounPhrase | None:
+    """Phrases of words that are no nouns: me, here, everything, somebody."""
+    lexicon, house = domain.lexicon, domain.house
+    others = tuple(name for name in house.people if name != house.user)
+    if words in lexicon.user_words or words in lexicon.here_words:
+        return NounPhrase(words, preposition, (house.user,))
+    if words in lexicon.all_words:
+        return NounPhrase(words, preposition, (), tuple(house.things), is_all=True)
+    if words in lexicon.anybody_words:
+        return NounPhrase(words, preposition, others)
+    if words in lexicon.everybody_words:
+        return NounPhrase(words, preposition, (), others, is_all=True)
+    return None
+
+
+def _strip_end(words: str, domain: Domain) -> str:
+    """The words without trailing ones that name nothing ("the cup again", "the light here")."""
+    tokens = words.split()
+    while len(tokens) > 1 and tokens[-1] in domain.lexicon.determiners and not any(domain.nouns.lookup(tokens[-1])):
+        tokens.pop()
+    return " ".join(tokens)
+
+
+def _number(words: list[str], domain: Domain) -> int | None:
+    for word in words:
+        if word.isdigit():
+            return int(word)
+        if domain.lexicon.measures.get(word, 1) > 1:
+            return domain.lexicon.measures[word]
+    return None
+
+
+def _room_at(words: list[str], start: int, domain: Domain) -> tuple[str | None, int]:
+    """The room that one or two words name, and how many words that are."""
+    for length in (2, 1):
+        phrase = " ".join(words[start : start + length])
+        room = next((name for name in domain.nouns.lookup(phrase)[0] if name in domain.house.rooms), None)
+        if room is not None and start + length <= len(words):
+            return room, length
+    return None, 1
+
+
+def _has_colour(entity: str, colours: set[str], domain: Domain) -> bool:
+    """Whether an entity can be called by these colours: a thing whose colour is not given can by any."""
+    if not colours:
+        return True
+    item = domain.house.things.get(entity)
+    return item is not None and (item.colour is None or item.colour in colours)
+
+
+def _opens(phrase: NounPhrase, domain: Domain) -> bool:
+    """Whether what a phrase names has a door of its own."""
+    return any(name not in domain.house.rooms and domain.kind(name).has_door for name in phrase.entities)
+
+
+def _inside(head: NounPhrase, place: NounPhrase, domain: Domain) -> NounPhrase:
+    """A noun phrase at a place: what is fixed must be there, what can be carried is looked for there."""
+    named = frozenset((*place.entities, *place.plurals))
+    if head.entities and all(name in domain.house.rooms for name in head.entities) and not named <= set(domain.house.rooms):
+        # "in the bathroom on the shelf": the place says more than the room
+        return _inside(place, head, domain)
+    rooms = {room for name in named if (room := domain.room_of(name)) is not None}
+    names = (*head.entities, *head.plurals)
+    there = frozenset(name for name in names if _part_of(name, domain) in named or name in {_part_of(n, domain) for n in named})
+    if not there:
+        there = frozenset(name for name in names if not rooms or not _rooms(name, domain) or rooms & _rooms(name, domain))
+    if not there:
+        return head
+    return replace(
+        head,
+        entities=tuple(name for name in head.entities if name in there),
+        plurals=tuple(name for name in head.plurals if name in there),
+        place=place,
+    )
+
+
+def _rooms(name: str, domain: Domain) -> frozenset[str]:
+    """The rooms of something fixed (a door has two); empty for what can be anywhere."""
+    doorway = domain.house.doorways.get(name)
+    if doorway is not None:
+        return frozenset(doorway.rooms)
+    room = domain.room_of(name)
+    return frozenset() if room is None else frozenset((room,))
+
+
+def _part_of(name: str, domain: Domain) -> str | None:
+    piece = domain.house.furniture.get(name)
+    return piece.part_of if piece is not None else None
+
+
+def _unique(names: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(names))
+
+
+def _unknown(words: str, domain: Domain) -> UnknownWordError:
+    """The error for words that name nothing: the nearest are what the noun alone names, else words that look alike."""
+    tokens = [token for token in words.split() if token not in domain.lexicon.determiners]
+    known = next((found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None)
+    if known is not None:
+        return UnknownWordError(words, [_describe(name, domain) for name in (*known[0], *known[1])[:4]])
+    noun = " ".join(tokens) or words
+    return UnknownWordError(words, domain.nouns.nearest(noun) or domain.nouns.nearest(noun.split()[-1]))
+
+
+def _describe(name: str, domain: Domain) -> str:
+    """An entity as a person would say it, with its colour where it has one."""
+    item = domain.house.things.get(name)
+    noun = domain.kind(name).words[0] if item is not None else name.replace("_", " ")
+    return f"{item.colour} {noun}" if item is not None and item.colour else noun
