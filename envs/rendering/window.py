@@ -1,0 +1,34 @@
+"""A window on the screen for `human` rendering; with SDL_VIDEODRIVER=dummy it works without a screen."""
+
+from __future__ import annotations
+
+import pygame
+
+FRAMES_PER_SECOND = 30
+TITLE = "decomplex-bt"
+
+
+class Window:
+    """Shows pictures of one size (pixels), at most `FRAMES_PER_SECOND` a second; closing it hides it for good."""
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        pygame.display.init()
+        self._screen: pygame.Surface | None = pygame.display.set_mode(size)
+        pygame.display.set_caption(TITLE)
+        self._clock = pygame.time.Clock()
+
+    def show(self, picture: pygame.Surface) -> None:
+        """Puts a picture on the screen; does nothing after the user has closed the window."""
+        if self._screen is None:
+            return
+        if any(event.type == pygame.QUIT for event in pygame.event.get()):
+            self.close()
+            return
+        self._screen.blit(picture, (0, 0))
+        pygame.display.flip()
+        self._clock.tick(FRAMES_PER_SECOND)
+
+    def close(self) -> None:
+        if self._screen is not None:
+            pygame.display.quit()
+            self._screen = None

@@ -1,0 +1,140 @@
+"""Pictures: right size and kind, everything that can be in a house can be drawn, and a change of the world shows."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import time
+
+import numpy as np
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.geometry import Geometry
+from decomplex_bt.envs.rendering import Pose, Scene
+from decomplex_bt.envs.rendering.figures import ICONS
+from decomplex_bt.envs.rendering.lettering import printable, shorten, text_size, wrap
+from decomplex_bt.envs.rendering.renderer import Renderer
+from decomplex_bt.envs.rendering.sight import view_polygon
+from decomplex_bt.envs.rendering.text_map import text_map
+
+
+@pytest.fixture(scope="module")
+def geometry() -> Geometry:
+    domain = load_domain("household")
+    return Geometry(domain.house, domain.kinds)
+
+
+@pytest.fixture(scope="module")
+def scene(geometry: Geometry) -> Scene:
+    """Every thing on its own spot, every state at its first value, everybody at home."""
+    house, kinds = geometry.house, geometry.kinds
+    things = {name: Pose(0.5 + 0.18 * number, 4.6) for number, name in enumerate(house.things)}
+    states = {
+        (name, pair): kinds.state_pairs[pair].values[0]
+        for name in geometry.names[:-1]
+        for pair in house.kind(name, kinds).states
+    }
+    people = {name: Pose(5.0 + number, 6.5, 1.0) for number, name in enumerate(house.people)}
+    return Scene(
+        robot=Pose(2.0, 6.3, 0.5),
+        things=things,
+        people=people,
+        states=states,
+        sight=(5.0, math.radians(200)),
+        path=((1.0, 6.0), (2.0, 6.3)),
+        instruction="Bring me the café crème ☕ — please",
+        doing="look for the cup",
+    )
+
+
+@pytest.fixture(scope="module")
+def renderer(geometry: Geometry) -> Renderer:
+    return Renderer(geometry, 400, 360)
+
+
+@pytest.mark.parametrize(("width", "height"), [(64, 64), (97, 301), (512, 512)])
+def test_frame_has_the_size_asked_for(geometry: Geometry, scene: Scene, width: int, height: int) -> None:
+    frame = Renderer(geometry, width, height).frame(scene)
+    assert frame.shape == (height, width, 3)
+    assert frame.dtype == np.uint8
+    assert frame.flags.writeable
+    assert frame.std() > 10  # something is on it
+
+
+def test_same_scene_gives_the_same_picture(geometry: Geometry, renderer: Renderer, scene: Scene) -> None:
+    assert np.array_equal(renderer.frame(scene), Renderer(geometry, 400, 360).frame(scene))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"robot": Pose(2.0, 6.3, 3.0)},
+        {"held": "mug_1"},
+        {"tray": (None, "pen_1", None, None)},
+        {"sight": None},
+        {"path": ()},
+        {"people": {}},
+        {"things": {}},
+        {"doing": "something else"},
+        {"verdict": "failure"},
+        {"said": "Hello."},
+        {"pointed_out": ("cup_1",)},
+        {"with_person": {"pen_1": "anna"}},
+    ],
+    ids=lambda change: next(iter(change)),
+)
+def test_change_of_scene_shows(renderer: Renderer, scene: Scene, change: dict) -> None:
+    assert not np.array_equal(renderer.frame(scene), renderer.frame(dataclasses.replace(scene, **change)))
+
+
+def test_every_state_of_a_place_shows(renderer: Renderer, geometry: Geometry, scene: Scene) -> None:
+    bare = dataclasses.replace(scene, things={}, people={}, sight=None)
+    kinds = geometry.kinds
+    for name, pair in scene.states:
+        if name in geometry.house.things or pair == "cleanliness":
+            continue
+        other = {**scene.states, (name, pair): kinds.state_pairs[pair].values[1]}
+        changed = renderer.frame(dataclasses.replace(bare, states=other))
+        assert not np.array_equal(renderer.frame(bare), changed), f"{name} looks the same whatever its {pair}"
+
+
+def test_every_shape_in_the_kinds_file_is_drawn(geometry: Geometry) -> None:
+    assert {kind.shape for kind in geometry.kinds.kinds.values()} <= set(ICONS)
+
+
+def test_too_small_a_picture_is_refused(geometry: Geometry) -> None:
+    with pytest.raises(ValueError, match="64 x 64"):
+        Renderer(geometry, 800, 10)
+
+
+def test_view_stops_at_a_wall() -> None:
+    wall = np.array([[2.0, -1.0, 2.0, 1.0]])
+    outline = view_polygon(0.0, 0.0, 0.0, 5.0, math.pi, wall)
+    ahead = outline[np.abs(np.arctan2(outline[:, 1], outline[:, 0])) < 0.3][1:]
+    assert ahead[:, 0] == pytest.approx(2.0)
+    assert np.hypot(*outline.T).max() == pytest.approx(5.0)
+
+
+def test_text_map_shows_robot_people_and_caption(geometry: Geometry, scene: Scene) -> None:
+    drawn = text_map(geometry, scene)
+    assert "→" in drawn or "↗" in drawn
+    assert "@u" in drawn
+    assert drawn.endswith("0.0 s · look for the cup")
+
+
+def test_captions_survive_any_text() -> None:
+    assert printable("café ☕ “x”\n…") == 'cafe ? "x" ...'
+    assert text_size(shorten("x" * 500, 12, 100), 12)[0] <= 100
+    assert len(wrap("word " * 200, 12, 300, 2)) == 2
+    assert wrap("", 12, 300, 2) == []
+
+
+def test_frames_are_quick(geometry: Geometry, scene: Scene) -> None:
+    """Catches disasters only: a frame took 2 ms where 50 are allowed."""
+    renderer = Renderer(geometry, 512, 512)
+    renderer.frame(scene)
+    start = time.perf_counter()
+    for _ in range(10):
+        renderer.frame(scene)
+    assert (time.perf_counter() - start) / 10 < 0.05
