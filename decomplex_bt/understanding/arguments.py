@@ -192,12 +192,13 @@ def _gold(
     document: Document, instruction: Instruction, places: Mapping[int, int], suffix: Callable[[int, range], str]
 ) -> list[str]:
     labels = [OUTSIDE] * len(document)
+    carriers = set(places.values())
     for task in instruction.tasks:
         for argument in task.arguments:
             if argument.span is None:
                 continue
             tokens = document.indices(argument.span)
-            if not tokens or any(labels[i] != OUTSIDE for i in tokens):
+            if not tokens or any(labels[i] != OUTSIDE or i in carriers for i in tokens):
                 continue
             ending = argument.type + suffix(places[task.id], tokens)
             for i in tokens:

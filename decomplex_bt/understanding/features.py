@@ -66,6 +66,34 @@ class Observed:
         return tuple(result)
 
     @cached_property
+    def reported(self) -> tuple[str, ...]:
+        """For every token how it lies to the last verb of telling in its sentence: the word that opens what is told ("that",
+        "to", "if", ...), how many verbs came since, and whether a comma or "and" stands between; "none" where there is no such verb."""
+        result: list[str] = []
+        state, opening, verbs, broken = "none", "", 0, ""
+        for token in self.document.tokens:
+            if token.i and self.document.sentences[token.i] != self.document.sentences[token.i - 1]:
+                state = "none"
+            result.append("none" if state == "none" else f"{opening}.{min(2, verbs)}.{broken}")
+            is_verb = token.pos in ("VERB", "AUX")
+            if is_verb and self.senses[token.i][:1] == ("informing",):
+                state, opening, verbs, broken = "told", "", 0, ""
+            elif state != "none":
+                opening = opening or (token.lower if token.lower in _OPENING else "")
+                verbs += is_verb and token.dep not in ("aux", "auxpass")
+                broken = broken or ("," if token.text in (",", ":") else "and" if token.lower == "and" else "")
+        return tuple(result)
+
+    @cached_property
+    def first_words(self) -> tuple[str, ...]:
+        """For every token the first word of its sentence."""
+        result: list[str] = []
+        for token in self.document.tokens:
+            is_first = not token.i or self.document.sentences[token.i] != self.document.sentences[token.i - 1]
+            result.append(token.lower if is_first else result[-1])
+        return tuple(result)
+
+    @cached_property
     def question(self) -> tuple[bool, ...]:
         """For every token whether its sentence ends in a question mark."""
         asking = {
@@ -90,6 +118,7 @@ _MARKING = GOVERNING | {
     "while",
 }
 _CLAUSE_OPENING = GOVERNING | {"so", "else", "fail", "before", "after", "until", "even_if"}
+_OPENING = frozenset("that to if whether what where when how why who which about i he she they it we there".split())
 _COPULA = frozenset(("be", "'s", "is", "are", "'re", "was", "were", "s", "isnt", "arent"))
 
 
@@ -178,6 +207,10 @@ def clause_features(observed: Observed, i: int) -> Features:
     features["since.tag"] = f"{since}.{document.tokens[i].tag}"
     features["since.lemma"] = f"{since}.{document.tokens[i].lemma}"
     features["since.sense"] = f"{since}.{observed.senses[i][0] if observed.senses[i] else ''}"
+    features["since.subject"] = f"{since}.{features.get('subject', 'none')}.{document.tokens[i].tag}"
+    features["reported"] = observed.reported[i]
+    features["reported.tag"] = f"{observed.reported[i]}.{document.tokens[i].tag}"
+    features["first_word"] = observed.first_words[i]
     if i and document.sentences[i] == document.sentences[i - 1]:
         features["question"] = observed.question[i]
     else:

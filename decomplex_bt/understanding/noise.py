@@ -27,6 +27,11 @@ def without_punctuation(text: str, i: int) -> str:
     return without_case(text, i)
 
 
+def without_apostrophes(text: str, i: int) -> str:
+    """Lower case, contractions without their apostrophe ("dont", "its")."""
+    return "" if text[i] in "'’" else without_case(text, i)
+
+
 def edited(instruction: Instruction, edit: Edit) -> Instruction:
     """The instruction with every character edited and the spans moved along. Values that quote the text change with it."""
     parts = [edit(instruction.text, i) for i in range(len(instruction.text))]

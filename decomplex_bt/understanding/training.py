@@ -10,6 +10,7 @@ from pathlib import Path
 
 from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import train_arguments
 from decomplex_bt.understanding.coreference import train_references
 from decomplex_bt.understanding.dependencies import train_flow
@@ -17,9 +18,13 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import corpus_hash, write_manifest
+from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
+
+EDITS = (without_punctuation, without_apostrophes)
+"""The noised copies that tasks and arguments are trained on besides the text itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,16 +84,24 @@ def train_models(
     """Trains every model on these examples into `folder`; gives the number of flows that no labels can say."""
     gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
     progress("parsing")
-    documents = parser.parse_batch([example.instruction.text for example in examples])
-    data = [
-        (Observed(document, gazetteer), example.instruction)
-        for document, example in zip(documents, examples, strict=True)
-    ]
+    instructions = [example.instruction for example in examples]
+    data = observe(instructions, parser, gazetteer)
+    # tasks and arguments gain from noised copies; the flow lives on punctuation and does not
+    noised = [edited(instruction, edit) for edit in EDITS for instruction in instructions]
+    with_noise = [*data, *observe(noised, parser, gazetteer)]
     progress("tasks")
-    train_tasks(folder / "tasks.crf", data)
+    train_tasks(folder / "tasks.crf", with_noise)
     progress("arguments")
-    train_arguments(folder / "arguments.crf", data)
+    train_arguments(folder / "arguments.crf", with_noise)
     progress("references")
     train_references(folder / "references.crf", data, domain.ontology)
     progress("flow")
     return train_flow(folder, data)
+
+
+def observe(
+    instructions: Sequence[Instruction], parser: Parser, gazetteer: Gazetteer
+) -> list[tuple[Observed, Instruction]]:
+    """Every instruction with its parsed document."""
+    documents = parser.parse_batch([instruction.text for instruction in instructions])
+    return [(Observed(document, gazetteer), i) for document, i in zip(documents, instructions, strict=True)]
