@@ -1,7 +1,7 @@
 """The household robot that does what a complex sentence says.
 
 `TreeAgent` carries an instruction out in an environment; `Interpreter` understands a sentence. Both are imported when
-first asked for, so that `import decomplex_bt` stays light.
+first asked for, so that `import decomplex_bt` stays light; it registers the environments with Gymnasium.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from __future__ import annotations
 from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
+
+from decomplex_bt.envs.registration import register_envs
 
 if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
@@ -18,6 +20,9 @@ __all__ = ["Interpreter", "TreeAgent", "__version__"]
 __version__ = version("decomplex-bt")
 
 _HOMES = {"Interpreter": "decomplex_bt.understanding.interpreter", "TreeAgent": "decomplex_bt.behaviour.agent"}
+
+
+register_envs()
 
 
 def __getattr__(name: str) -> Any:

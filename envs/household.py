@@ -1,0 +1,470 @@
+"""The household environment: a robot that is told in one sentence what to do, behind the Gymnasium API."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import isfinite, pi
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+from zlib import crc32
+
+import gymnasium as gym
+import numpy as np
+from gymnasium import spaces
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.envs.balance import mix
+from decomplex_bt.envs.chance import Draw
+from decomplex_bt.envs.hands import interact
+from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
+from decomplex_bt.envs.judge import Judge
+from decomplex_bt.envs.options import MAX_CHARACTERS, Options, Request, apply_options, read_options, read_request
+from decomplex_bt.envs.sensing import Sensor, SensingConfig
+from decomplex_bt.envs.setting import draw_request, setting_of
+from decomplex_bt.envs.walking import advance
+from decomplex_bt.envs.world import World, WorldConfig
+from decomplex_bt.errors import InputError
+
+if TYPE_CHECKING:
+    from decomplex_bt.envs.embodiment import HouseholdEmbodiment
+    from decomplex_bt.envs.rendering.camera import Camera
+    from decomplex_bt.envs.verdict import Verdict
+
+CHARSET = "".join(chr(code) for code in (*range(32, 127), *range(160, 256)))
+"""What the observed instruction is made of: printable ASCII and Latin-1."""
+INSTRUCTION_TRIES = 200
+"""Corpus examples tried before none is found that can be asked for in this house."""
+CHECK_EVERY = 50
+"""Steps between two checksums of a recorded episode."""
+Action = Mapping[str, Any]
+Observation = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class HouseholdConfig:
+    """How an environment is set up. `max_seconds` of simulated time, `balance` in [0, 0.5], `reward` "success" or
+    "progress"; what the robot can do, and how it sees."""
+
+    max_seconds: float = 600.0
+    balance: float = 0.3
+    reward: str = "success"
+    world: WorldConfig = field(default_factory=WorldConfig)
+    sensing: SensingConfig = field(default_factory=SensingConfig)
+
+
+class HouseholdEnv(gym.Env[Observation, Action]):
+    """A mobile robot in a house of rooms, furniture, things and people, with one sentence that says what it is to do.
+
+    ## Description
+    A round robot (radius 0.22 m) with a differential drive, a gripper for one thing and a tray for four moves in a house
+    of about 12 x 9 m, seen from above. It sees what is in its range and line of sight, not what lies in a closed
+    container. Physics run at 100 Hz, an action lasts 0.1 s. SI units; origin bottom left, headings in radians,
+    counter-clockwise from +x. Where things lie, which state they are in, what is broken, who is at home: all of it is
+    drawn anew by every `reset` and mixed towards the instruction, so that each outcome of what it tests comes up.
+
+    ## Action space
+    `Dict`:
+
+    | key | space | meaning |
+    |---|---|---|
+    | `drive` | `Box(-1, 1, (2,))` | forward and turning speed, as shares of 1 m/s and 2.5 rad/s (positive: left) |
+    | `interact` | `Discrete(13)` | none, pick, place, open, close, switch on, switch off, fill, empty, clean, hand over, say, finish |
+    | `target` | `Discrete(rows)` | the row of the entity table the interaction is about (see `interface.OBSERVATION_KEYS`) |
+
+    An interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
+    next observation. The gripper reaches 0.8 m; speaking and handing over need 1.5 m.
+
+    To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there (a
+    room's floor stands for the room), with "robot" as target wherever they like. They wait while the robot is over 3 m
+    behind, and open the doors on their way.
+
+    ## Observation space
+    `Dict`:
+
+    | key | space | meaning |
+    |---|---|---|
+    | `instruction` | `Text(2000)` | the instruction in printable ASCII and Latin-1, other characters as "?" |
+    | `instruction_codes` | `Box(0, 255, (2000,), uint8)` | its code points, 0 after its end |
+    | `robot` | `Box((5,))` | x, y (m), heading (rad), forward speed (m/s), turn rate (rad/s) |
+    | `held` | `Box(-1, rows - 1, (5,), int16)` | rows of the things in the gripper and the tray's four slots, -1 where free |
+    | `entities` | `Box((rows, 11))` | the entity table, one row for each place, thing, person and the robot |
+    | `result` | `Discrete(12)` | what came of the last interaction (`interface.Result`) |
+    | `seconds` | `Box((1,))` | simulated time |
+
+    Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
+    temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs), place and
+    states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every third step, and in any step in which
+    something was changed; between looks the table stays. A floor counts as inspected when each part of it was in view
+    within the last 15 s, and the things seen on it in that time are then reported with where they were seen.
+
+    ## Rewards
+    1.0 with success, else 0. `reward="progress"`: the change in the share of goal conditions met.
+
+    ## Termination and truncation
+    `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
+    `finish`. `truncated`: the time limit, 600 s of simulated time by default.
+
+    ## Reset options
+    `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
+    the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `chance`,
+    `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused. Without an instruction each reset draws
+    one from the corpus. A text without a gold reading is understood by the interpreter, which is loaded then.
+
+    ## Info keys
+    `instruction` (the exact text), `seconds`, `result` (name), `success`, `judged_by` ("gold" or "interpreted"),
+    `goal_conditions_met`, `goal_conditions_total`, `branches` (truth and side taken of each condition reached),
+    `violations`, `unsettled` (the task due now), `feasible`, `infeasible_cause`; after reset also `exempt` (what the
+    balance could not mix). They are for people and judges; an agent may use `instruction` alone.
+
+    ## Version history
+    v0: first version.
+    """
+
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
+
+    def __init__(
+        self,
+        instruction: Any = None,
+        *,
+        gold: Any = None,
+        domain: str | Path | Domain = "household",
+        config: HouseholdConfig | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        if render_mode is not None and render_mode not in self.metadata["render_modes"]:
+            raise InputError(f"render_mode is {render_mode!r}; expected one of {', '.join(self.metadata['render_modes'])}")
+        self._arguments = {"domain": domain, "config": config, "render_mode": render_mode}
+        self.domain = domain if isinstance(domain, Domain) else load_domain(domain)
+        self.config = config or HouseholdConfig()
+        self.render_mode = render_mode
+        self.setting = setting_of(self.domain)
+        self.entities = self.setting.geometry.names
+        self._request = read_request(instruction, gold)
+        self._judge: Judge | None = None
+        self._camera: Camera | None = None
+        self._world: World | None = None
+        self.observation_space = self._make_observation_space()
+        self.action_space = self._make_action_space()
+
+    # -- the Gymnasium API --------------------------------------------------------------------------------------------
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode. Raises `InputError` for options or an instruction that cannot be used."""
+        super().reset(seed=seed)
+        return self._begin(read_options(options, self.setting.geometry))
+
+    def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
+        """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
+        forward, turn, interaction, target = self._read_action(action)
+        world = self.world
+        self._recording.append((forward, turn, int(interaction), target))
+        self._result = interact(world, interaction, target)
+        if world.walks:
+            advance(world)
+        world.drive(forward, turn)
+        self._sensor.look()
+        before = self._verdict
+        if self._judging is not None:
+            self._verdict = self._judging.update(world.event)
+        self._note_checksum()
+        terminated = interaction is Interaction.FINISH or (self._verdict is not None and self._verdict.is_over)
+        truncated = not terminated and world.seconds >= self._max_seconds - 1e-9
+        if self._camera is not None or self.render_mode is not None:
+            self._film()
+        return self._observe(), self._reward(before, terminated), terminated, truncated, self._inform()
+
+    def render(self) -> Any:
+        """A picture `(height, width, 3)`, a text map, or None after showing it on the screen, by the render mode."""
+        if self.render_mode is None:
+            gym.logger.warn("render() does nothing without a render mode; give gym.make one, e.g. render_mode='rgb_array'")
+            return None
+        verdict = "success" if self._verdict is not None and self._verdict.is_success else ""
+        scene = self.camera.scene(self.world, instruction=self._text, verdict=verdict)
+        return self.camera.show(scene, self.render_mode)  # type: ignore[arg-type]
+
+    def close(self) -> None:
+        if self._camera is not None:
+            self._camera.close()
+
+    # -- for agents, judges, pictures ---------------------------------------------------------------------------------
+
+    def embodiment(self) -> HouseholdEmbodiment:
+        """A fresh body that knows the house map and nothing of the episode."""
+        from decomplex_bt.envs.embodiment import BodyConfig, HouseholdEmbodiment
+        from decomplex_bt.envs.navigation import Limits
+
+        world = self.config.world
+        limits = Limits(
+            speed=world.max_speed,
+            turn_rate=world.max_turn_rate,
+            acceleration=world.max_acceleration,
+            turn_acceleration=world.max_turn_acceleration,
+            step=world.step_seconds,
+        )
+        return HouseholdEmbodiment(
+            self.domain, BodyConfig(limits=limits, reach=world.reach, reach_person=world.speak_reach)
+        )
+
+    @property
+    def world(self) -> World:
+        """The truth of the running episode, for judges and pictures; reading it is cheating for an agent."""
+        if self._world is None:
+            raise gym.error.ResetNeeded("there is no episode yet; call reset() first")
+        return self._world
+
+    @property
+    def camera(self) -> Camera:
+        """What pictures are taken with; its captions may be set."""
+        if self._camera is None:
+            from decomplex_bt.envs.rendering.camera import Camera
+
+            sensing = self.config.sensing
+            self._camera = Camera(self.setting.geometry, sight=(sensing.range, np.deg2rad(sensing.field_of_view)))
+        return self._camera
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """The judge's verdict so far."""
+        return self._verdict
+
+    @property
+    def instruction(self) -> str | None:
+        """The instruction of the next bare reset; None: one is drawn. Settable with whatever the option takes."""
+        return None if self._request is None else self._request.text
+
+    @instruction.setter
+    def instruction(self, value: Any) -> None:
+        self._request, self._judge = read_request(value), None
+
+    # -- recording and replay -----------------------------------------------------------------------------------------
+
+    def state_dict(self) -> dict[str, Any]:
+        """The running episode as plain values: how it began and every action since."""
+        _ = self.world
+        return {
+            "format": 1,
+            "generator": self._generator_state,
+            "request": self._episode_request,
+            "options": self._options,
+            "actions": tuple(self._recording),
+            "checksums": tuple(self._checksums),
+        }
+
+    def load_state_dict(self, state: Mapping[str, Any]) -> None:
+        """Brings the environment to a recorded moment by doing all of it again, exactly.
+
+        Raises `InputError` naming the step at which the replay departs from the recording.
+        """
+        self.np_random.bit_generator.state = state["generator"]
+        self._judge = None
+        self._begin(state["options"], replayed=state["request"])
+        for forward, turn, interaction, target in state["actions"]:
+            self.step({"drive": np.array((forward, turn)), "interact": interaction, "target": target})
+        for index, (mine, recorded) in enumerate(zip(self._checksums, state["checksums"], strict=True)):
+            if mine != recorded:
+                raise InputError(
+                    f"the replay departs from the recording by step {index * CHECK_EVERY}; it was recorded with another "
+                    "version, domain or configuration"
+                )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {
+            "arguments": {**self._arguments, "domain": self.domain.folder},
+            "request": self._request,
+            "episode": None if self._world is None else self.state_dict(),
+            "generator": None if self._np_random is None else self.np_random.bit_generator.state,
+            "seed": self._np_random_seed,
+            "spec": self.spec,
+        }
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        self.__init__(**state["arguments"])  # type: ignore[misc]
+        if state["episode"] is not None:
+            self.load_state_dict(state["episode"])
+        self._request, self.spec = state["request"], state["spec"]
+        if state["generator"] is not None:
+            self.np_random.bit_generator.state = state["generator"]
+            self._np_random_seed = state["seed"]
+
+    def _note_checksum(self) -> None:
+        if len(self._recording) % CHECK_EVERY == 0:
+            world = self.world
+            self._checksums.append(crc32(world.states.tobytes(), crc32(np.nan_to_num(world.position).tobytes())))
+
+    # -- beginning ----------------------------------------------------------------------------------------------------
+
+    def _begin(self, options: Options, replayed: Request | None = None) -> tuple[Observation, dict[str, Any]]:
+        self._generator_state = self.np_random.bit_generator.state
+        base, mixing, asking, noise = (np.random.default_rng(seed) for seed in self.np_random.integers(2**63, size=4))
+        if options.request is not None:
+            self._request, self._judge = options.request, None
+        self._options = options
+        request, judge = self._ask(replayed or self._request, asking)
+        self._episode_request, self._text, self._judging = request, request.text, judge
+        self._codes = encode(self._text)
+        self._shown_text = shown(self._text)
+        self._max_seconds = self.config.max_seconds if options.max_seconds is None else options.max_seconds
+        self._reward_kind = options.reward or self.config.reward
+        self._recording: list[tuple[float, float, int, int]] = []
+        self._checksums: list[int] = []
+        self._result = Result.NONE
+        self._world = self._draw_world(options, base, mixing, noise)
+        self._sensor = Sensor(self._world, self.config.sensing, noise)
+        if not options.noise or not options.chance:
+            self._world.grasp_slip = self._sensor.missed_detection = 0.0
+        self._sensor.look()
+        self._verdict = None if judge is None else judge.begin(self._world, self._sensor)
+        self._feasibility = {"feasible": None, "infeasible_cause": None} if judge is None else judge.feasibility()
+        self._note_checksum()
+        if self._camera is not None:
+            self._camera.reset()
+        if self.render_mode is not None:
+            self._film()
+        return self._observe(), {**self._inform(), "exempt": self._world.exempt}
+
+    def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
+        """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
+        if request is not None:
+            if self._judge is None:
+                self._judge = self._judge_for(request)
+            return request, self._judge
+        for _ in range(INSTRUCTION_TRIES):
+            drawn = draw_request(self.domain, rng)
+            try:
+                return drawn, self._judge_for(drawn)
+            except InputError:
+                continue  # most corpora ask for more than one house has
+        raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples can be asked for in this house; give an instruction")
+
+    def _judge_for(self, request: Request) -> Judge:
+        if request.gold is not None:
+            return Judge(request.gold, self.domain, judged_by="gold")
+        from decomplex_bt.understanding.interpreter import Interpreter
+
+        reading = Interpreter.load(self.domain).interpret(request.text)
+        return Judge(reading, self.domain, judged_by="interpreted")
+
+    def _draw_world(self, options: Options, base: Generator, mixing: Generator, noise: Generator) -> World:
+        setting = self.setting
+        draw = Draw(setting.prior, setting.spots)
+        if options.chance:
+            draw.everything(base)
+        else:
+            draw.likeliest(base)
+        if options.chance and self._judging is not None:
+            balance = self.config.balance if options.balance is None else options.balance
+            mix(draw, self._judging.tests, balance, mixing)
+        apply_options(options, draw, mixing)
+        draw.robot(base, has_chance=options.chance)
+        return World(setting.geometry, setting.prior, setting.spots, draw.start, noise, self.config.world)
+
+    # -- a step's parts -----------------------------------------------------------------------------------------------
+
+    def _read_action(self, action: Action) -> tuple[float, float, Interaction, int]:
+        try:
+            forward, turn = (float(value) for value in action["drive"])
+            interaction, target = Interaction(int(action["interact"])), int(action["target"])
+        except (KeyError, TypeError, ValueError) as error:
+            raise InputError(f"no action: {error}; expected a sample of {self.action_space}") from None
+        if not (isfinite(forward) and isfinite(turn) and 0 <= target < len(self.entities)):
+            raise InputError(f"no action: drive ({forward}, {turn}), target {target}; expected a sample of {self.action_space}")
+        return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), interaction, target
+
+    def _observe(self) -> Observation:
+        world = self.world
+        x, y = world.robot
+        speed, turn_rate = min(max(world.speed, -2.0), 2.0), min(max(world.turn_rate, -10.0), 10.0)
+        heading = float(world.heading[-1])
+        return {
+            "instruction": self._shown_text,
+            "instruction_codes": self._codes.copy(),
+            "robot": np.array((x, y, heading, speed, turn_rate), dtype=np.float32),
+            "held": np.array((world.held, *world.tray), dtype=np.int16),
+            "entities": self._sensor.table.copy(),
+            "result": int(self._result),
+            "seconds": np.array((world.seconds,), dtype=np.float32),
+        }
+
+    def _inform(self) -> dict[str, Any]:
+        info = {
+            "instruction": self._text,
+            "seconds": self.world.seconds,
+            "result": self._result.name.lower().replace("_", " "),
+            **self._feasibility,
+        }
+        verdict = self._verdict
+        if verdict is None or self._judging is None:
+            return {**info, "success": False}
+        info["judged_by"] = self._judging.judged_by
+        info["success"] = verdict.is_success
+        info["goal_conditions_met"] = verdict.met
+        info["goal_conditions_total"] = verdict.total
+        info["branches"] = [branch.to_json() for branch in verdict.branches]
+        info["violations"] = [str(violation) for violation in verdict.violations]
+        info["unsettled"] = verdict.unsettled
+        return info
+
+    def _reward(self, before: Verdict | None, terminated: bool) -> float:
+        now = self._verdict
+        if now is None:
+            return 0.0
+        if self._reward_kind == "progress":
+            met = before.met if before is not None else 0
+            return (now.met - met) / now.total if now.total else float(now.is_success and terminated)
+        return float(now.is_success and terminated)
+
+    def _film(self) -> None:
+        self.camera.note(self.world)
+        if self.render_mode == "human":
+            self.render()
+
+    # -- spaces -------------------------------------------------------------------------------------------------------
+
+    def _make_action_space(self) -> spaces.Space[Any]:
+        return spaces.Dict(
+            {
+                "drive": spaces.Box(-1.0, 1.0, (2,), np.float32),
+                "interact": spaces.Discrete(len(Interaction)),
+                "target": spaces.Discrete(len(self.entities)),
+            }
+        )
+
+    def _make_observation_space(self) -> spaces.Space[Any]:
+        rows = len(self.entities)
+        x0, y0, x1, y1 = self.setting.geometry.bounds
+        low, high = np.array((x0, y0, -pi, -2.0, -10.0)), np.array((x1, y1, pi, 2.0, 10.0))
+        first, last = np.array((0, min(x0, 0), min(y0, 0), -pi, -1, 0)), np.array((1, x1, y1, pi, rows - 1, 1))
+        least = np.tile(np.append(first, [-1] * len(STATE_PAIRS)), (rows, 1))
+        most = np.tile(np.append(last, [1] * len(STATE_PAIRS)), (rows, 1))
+        assert least.shape == (rows, len(COLUMNS))
+        return spaces.Dict(
+            {
+                "instruction": spaces.Text(MAX_CHARACTERS, min_length=0, charset=CHARSET),
+                "instruction_codes": spaces.Box(0, 255, (MAX_CHARACTERS,), np.uint8),
+                "robot": spaces.Box(low.astype(np.float32), high.astype(np.float32)),
+                "held": spaces.Box(-1, rows - 1, (1 + self.config.world.tray_slots,), np.int16),
+                "entities": spaces.Box(least.astype(np.float32), most.astype(np.float32)),
+                "result": spaces.Discrete(len(Result)),
+                "seconds": spaces.Box(0.0, 1e6, (1,), np.float32),
+            }
+        )
+
+
+def shown(text: str) -> str:
+    """The text as it is observed: what is neither printable ASCII nor Latin-1 as "?"."""
+    return "".join(character if character in _CHARACTERS else "?" for character in text)
+
+
+def encode(text: str) -> NDArray[np.uint8]:
+    """The observed text's code points, `(2000,)`, 0 after its end."""
+    codes = np.zeros(MAX_CHARACTERS, dtype=np.uint8)
+    codes[: len(text)] = [ord(character) for character in shown(text)]
+    return codes
+
+
+_CHARACTERS = frozenset(CHARSET)

@@ -1,0 +1,52 @@
+"""The judge's place in an environment: from an instruction to a monitor of one episode, and to what its flow tests."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from decomplex_bt.envs.balance import Test
+from decomplex_bt.instruction import Instruction
+
+if TYPE_CHECKING:
+    from decomplex_bt.domain.loader import Domain
+    from decomplex_bt.envs.monitor import Monitor
+    from decomplex_bt.envs.sensing import Sensor
+    from decomplex_bt.envs.verdict import Verdict
+    from decomplex_bt.envs.world import Event, World
+
+
+class Judge:
+    """Judges the episodes of one instruction, by one reading of it: the gold one or, where there is none, ours.
+
+    Raises `InputError` (a `ValueError`) for a reading that holds no task or does not ground in the house.
+    """
+
+    def __init__(self, reading: Instruction, domain: Domain, *, judged_by: str) -> None:
+        from decomplex_bt.envs.tested import tests_of
+        from decomplex_bt.planning.grounding import ground
+
+        self.reading = reading
+        self.domain = domain
+        self.judged_by = judged_by
+        self.grounded = ground(reading, domain)
+        self.tests: tuple[Test, ...] = tests_of(self.grounded, domain)
+        self._monitor: Monitor | None = None
+
+    def begin(self, world: World, sensor: Sensor) -> Verdict:
+        """Takes in the start of an episode, the first look included."""
+        from decomplex_bt.envs.monitor import Monitor
+        from decomplex_bt.envs.world_truth import WorldTruth
+
+        self._monitor = Monitor(self.grounded, self.domain, WorldTruth(world, sensor))
+        return self._monitor.start()
+
+    def update(self, event: Event | None) -> Verdict:
+        """Takes in one control step; call it after the look that belongs to it."""
+        assert self._monitor is not None
+        return self._monitor.update(event)
+
+    def feasibility(self) -> dict[str, Any]:
+        """Whether the instruction can be carried out in this world by one who knows everything, and if not, why."""
+        assert self._monitor is not None
+        cause = self._monitor.course.cause
+        return {"feasible": cause is None, "infeasible_cause": None if cause is None else str(cause)}

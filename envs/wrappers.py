@@ -1,0 +1,27 @@
+"""Wrappers around the environments."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium as gym
+from gymnasium.utils import RecordConstructorArgs
+
+
+class InstructionReset(gym.Wrapper, RecordConstructorArgs):
+    """Lets `reset` take the instruction itself: `env.reset(seed=7, instruction="Bring me a pen.")`.
+
+    It is the outermost wrapper of the registered environments, for the standard ones refuse an unknown keyword.
+    """
+
+    def __init__(self, env: gym.Env[Any, Any]) -> None:
+        RecordConstructorArgs.__init__(self)
+        gym.Wrapper.__init__(self, env)
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None, instruction: Any = None
+    ) -> tuple[Any, dict[str, Any]]:
+        """As the environment's, with `instruction` as the option of that name (see `HouseholdEnv`)."""
+        if instruction is not None:
+            options = {**(options or {}), "instruction": instruction}
+        return self.env.reset(seed=seed, options=options)
