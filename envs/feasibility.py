@@ -13,7 +13,7 @@ from itertools import islice, product
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, true_room
-from decomplex_bt.envs.outcomes import Bindings, candidates, needed, outcomes, state_holds
+from decomplex_bt.envs.outcomes import Bindings, candidates, name_candidates, needed, outcomes, state_holds
 from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
@@ -50,12 +50,9 @@ class Course:
         return self.cause is None
 
 
-def plan_course(
-    instruction: GroundInstruction, domain: Domain, truth: Truth, bindings: Bindings | None = None
-) -> Course:
+def plan_course(instruction: GroundInstruction, domain: Domain, truth: Truth) -> Course:
     """The course of an instruction from this moment of the true world; the first feasible reading of its phrases."""
-    start = Assumed(domain, truth)
-    return _course(instruction, tuple(instruction.flow.nodes), bindings or {}, start)
+    return _course(instruction, tuple(instruction.flow.nodes), {}, Assumed(domain, truth))
 
 
 def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Cause | None:
@@ -75,6 +72,9 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
     narrowed = dict(bindings)
     for role, referent in _roles(task):
         among = candidates(referent, bindings)
+        if not among:
+            name = referent.candidates[0]
+            return Cause("person out" if name in domain.house.people else "thing nowhere", name, task.number)
         why = {name: _obstacle(domain, truth, task, role, name) for name in among}
         able = tuple(name for name in among if why[name] is None)
         if len(able) < max(1, needed(referent, among)):
@@ -182,6 +182,7 @@ def _course(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bi
     node, rest = agenda[0], tuple(agenda[1:])
     task = instruction.task(node.task)
     failed: Course | None = None
+    bindings = name_candidates(task, bindings, world.domain, world)
     for truth, bound, after in _readings(task, bindings, world, is_condition=isinstance(node, If)):
         if isinstance(truth, Cause):
             undecided = (Branch(task.number, None, None),) if isinstance(node, If) else ()

@@ -15,11 +15,11 @@ from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import Course, enter, find_cause, plan_course
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
-from decomplex_bt.envs.outcomes import Bindings, candidates, goal_holds, outcomes
+from decomplex_bt.envs.outcomes import Bindings, candidates, goal_holds, name_candidates, outcomes
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
@@ -61,9 +61,8 @@ class Monitor:
         self.domain = domain
         self.truth = truth
         self.record = Record()
-        self._at_home = at_home = self._those_in_the_house()
-        self.course: Course = plan_course(instruction, domain, truth, at_home)
-        self.readings: tuple[Reading, ...] = (self._make_due(Reading(tuple(instruction.flow.nodes), at_home)),)
+        self.course: Course = plan_course(instruction, domain, truth)
+        self.readings: tuple[Reading, ...] = (self._make_due(Reading(tuple(instruction.flow.nodes), {})),)
         self._ended: Reading | None = None
         self._violations: tuple[Violation, ...] = ()
         self._has_asked = False
@@ -90,21 +89,6 @@ class Monitor:
 
     # -- readings -----------------------------------------------------------------------------------------------------
 
-    def _those_in_the_house(self) -> Bindings:
-        """Every phrase's candidates without the things that are nowhere in the house, unless all of them are."""
-        bindings: dict[Referent, tuple[str, ...]] = {}
-        house = self.domain.house
-        for task in self.instruction.tasks:
-            for referent in task.referents():
-                here = tuple(
-                    name
-                    for name in referent.candidates
-                    if not (name in house.things or name in house.people) or self.truth.place(name) is not None
-                )
-                if here and here != referent.candidates:
-                    bindings[referent] = here
-        return bindings
-
     def _make_due(self, reading: Reading) -> Reading:
         """The reading with its next task become due: whether the true world allows it is settled here."""
         since = self.record.step
@@ -112,8 +96,9 @@ class Monitor:
         if reading.due is None:
             return reading
         task = self.instruction.task(reading.due.task)
-        cause = find_cause(task, reading.bindings, self.domain, self.truth)
-        return replace(reading, is_impossible=cause is not None)
+        bindings = name_candidates(task, reading.bindings, self.domain, self.truth)
+        cause = find_cause(task, bindings, self.domain, self.truth)
+        return replace(reading, bindings=bindings, is_impossible=cause is not None)
 
     def _advance(self) -> None:
         """Follows every reading as far as it goes; a reading that is carried out in full ends the episode."""
@@ -250,7 +235,7 @@ class Monitor:
         """For every task that is executed, whether what it is to bring about holds, for any of its candidates."""
         evidence = Evidence(self.domain, self.truth, self.record, -1)
         return {
-            node.task: goal_holds(self.instruction.task(node.task), self._at_home, evidence)
+            node.task: goal_holds(self.instruction.task(node.task), {}, evidence)
             for node, _ in self.instruction.flow.walk()
         }
 

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.envs.doubles import Episode, HandWorld, referent, task
 from decomplex_bt.envs.interface import Interaction, Result
-from decomplex_bt.planning.ground_task import HERE
+from decomplex_bt.planning.ground_task import HERE, Referent
 
 
 def is_done(episode: Episode) -> bool:
@@ -143,6 +143,20 @@ def test_one_word_does_not_count_for_two_messages():
     episode = Episode(HandWorld(), [1, 2], *tell)
     assert episode.say("user").met == 1
     assert episode.say("user").is_success
+
+
+def test_a_thing_told_by_its_state_is_the_one_that_was_in_it():
+    clean = Referent("the clean mug", ("mug_1", "mug_2"), where=(("cleanliness", "clean"),))
+    world = HandWorld({"mug_1": "desk", "mug_2": "desk"}, {("mug_2", "cleanliness"): "clean"})
+    episode = Episode(world, [1], task(1, "taking", clean))
+    assert not episode.take("mug_1").is_success
+    assert episode.take("mug_2").is_success
+
+
+def test_everything_at_a_place_is_what_was_there_when_it_became_due():
+    cups = referent("cup_1", "cup_2", phrase="the cups", is_all=True)
+    world = HandWorld({"cup_1": "desk", "cup_2": "sink"})
+    assert Episode(world, [1], task(1, "taking", cups, at=["desk"])).take("cup_1").is_success
 
 
 # -- conditions -------------------------------------------------------------------------------------------------------

@@ -1,0 +1,141 @@
+"""What an instruction's flow tests: the questions whose answers decide its branches, for the balance of the draw."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
+from decomplex_bt.envs.evidence import holds_things, places_in
+from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+
+_DEVICES = {"hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",)}
+
+
+def tests_of(instruction: GroundInstruction, domain: Domain) -> tuple[Test, ...]:
+    """The tests of all conditions in the order of the flow, each once.
+
+    A chain of searches for one thing ("look on the table; if it is not there, in the drawer; ...") is one test with a
+    stage for each. Of merged mentions the first is tested, since it is the one that is carried out.
+    """
+    return tuple(dict.fromkeys(_of_sequence(instruction.flow.nodes, instruction, domain)))
+
+
+def _of_sequence(nodes: Sequence[Node], instruction: GroundInstruction, domain: Domain) -> Iterator[Test]:
+    for node in nodes:
+        if isinstance(node, If):
+            yield from _of_condition(node, instruction, domain)
+
+
+def _of_condition(node: If, instruction: GroundInstruction, domain: Domain) -> Iterator[Test]:
+    chain = _chain(node, instruction)
+    task = instruction.task(node.task)
+    if _is_search(task):
+        for referent in task.objects:
+            yield from _presence(referent, [instruction.task(link.task) for link in chain], domain)
+        if _tests_value(task):
+            yield from _states(task, domain)
+    elif task.type == "check_state":
+        yield from _states(task, domain)
+    else:
+        yield from _possibility(task, domain)
+    for link in chain:
+        yield from _of_sequence(link.then, instruction, domain)
+        rest = [other for other in link.orelse if not (len(chain) > 1 and other in chain)]
+        yield from _of_sequence(rest, instruction, domain)
+
+
+def _chain(node: If, instruction: GroundInstruction) -> list[If]:
+    """The searches for one and the same that follow each other where each fails, beginning with this condition."""
+    chain = [node]
+    task = instruction.task(node.task)
+    if not (_is_search(task) and task.places and task.objects):
+        return chain
+    for other in chain[-1].orelse:
+        if isinstance(other, If):
+            following = instruction.task(other.task)
+            if _is_search(following) and following.places and following.objects == task.objects:
+                return [*chain, *_chain(other, instruction)]
+    return chain
+
+
+def _is_search(task: GroundTask) -> bool:
+    """Whether a condition asks for where something is."""
+    if task.type == "searching":
+        return True
+    return task.type == "check_state" and (task.state == HERE or task.state is None or bool(task.places))
+
+
+def _tests_value(task: GroundTask) -> bool:
+    return task.type == "check_state" and task.state not in (None, HERE)
+
+
+def _presence(referent: Referent, searches: Sequence[GroundTask], domain: Domain) -> Iterator[Test]:
+    """Where the things or people of a phrase turn up along a chain of searches."""
+    house = domain.house
+    things = tuple(name for name in referent.candidates if name in house.things)
+    people = tuple(name for name in referent.candidates if name in house.people)
+    stages = tuple(_stage(task, domain) for task in searches)
+    if any(task.places and not stage for task, stage in zip(searches, stages, strict=True)):
+        return
+    if things:
+        yield PlaceTest(things, stages)
+    if people:
+        rooms = [room for stage in stages for place in stage if (room := domain.room_of(place)) is not None]
+        yield PersonTest(people, tuple(dict.fromkeys(rooms)))
+
+
+def _stage(task: GroundTask, domain: Domain) -> tuple[str, ...]:
+    """The places that a search looks at; empty for anywhere, and where they depend on where something else is."""
+    places: dict[str, None] = {}
+    for referent in task.places:
+        for name in referent.candidates:
+            if name in domain.house.rooms:
+                places.update(dict.fromkeys(places_in(domain, name)))
+            elif holds_things(domain, name):
+                places[name] = None
+    return tuple(places)
+
+
+def _states(task: GroundTask, domain: Domain) -> Iterator[Test]:
+    """The state that is checked; all that a phrase may mean agree in it, so that whichever is looked at decides."""
+    assert task.state is not None
+    try:
+        pair = domain.kinds.pair_of(task.state)
+    except KeyError:
+        return
+    for referent in task.objects:
+        yield StateTest(referent.candidates, pair, task.state)
+
+
+def _possibility(task: GroundTask, domain: Domain) -> Iterator[Test]:
+    """What an action as a condition hangs on: things that are there, people at home, devices that work."""
+    house = domain.house
+    for referent in task.objects:
+        things = tuple(name for name in referent.candidates if name in house.things)
+        people = tuple(name for name in referent.candidates if name in house.people)
+        if things:
+            yield PlaceTest(things, ((),))
+        if people:
+            yield PersonTest(people)
+    for target in (task.recipient, task.goal):
+        if target is not None and (people := tuple(name for name in target.candidates if name in house.people)):
+            yield PersonTest(people)
+    if task.type == "change_state":
+        yield from (WorksTest(devices) for referent in task.objects if (devices := _devices(referent, task, domain)))
+
+
+def _devices(referent: Referent, task: GroundTask, domain: Domain) -> tuple[str, ...]:
+    """The devices that must work for a change of state: the things themselves, or what heats, washes or fills them."""
+    fixed = tuple(name for name in referent.candidates if name not in domain.house.things)
+    if fixed:
+        return fixed
+    tags = {tag for name in referent.candidates for tag in domain.kind(name).tags}
+    abilities = _DEVICES.get(task.state or "", ())
+    able = [
+        place
+        for place in domain.house.places()
+        if any(tags & set(getattr(domain.kind(place), ability)) for ability in abilities)
+    ]
+    return tuple(able) if all(domain.kind(place).is_device for place in able) else ()

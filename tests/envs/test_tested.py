@@ -1,0 +1,65 @@
+from __future__ import annotations
+
+from decomplex_bt.envs import tested
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest
+from decomplex_bt.envs.doubles import DOMAIN, instruction, referent, task
+from decomplex_bt.planning.ground_task import HERE
+
+
+def derive(flow, *tasks):
+    return tested.tests_of(instruction(flow, *tasks), DOMAIN)
+
+
+def test_a_chain_of_searches_is_one_test_with_a_stage_for_each():
+    flow = [{"if": [1, 2], "else": [{"if": 3, "else": [4]}]}]
+    tasks = (
+        task(1, "searching", "keys", at=["coffee_table"]),
+        task(2, "check_state", "keys", state=HERE),
+        task(3, "searching", "keys", at=["wardrobe"]),
+        task(4, "informing", recipient="user"),
+    )
+    assert derive(flow, *tasks) == (PlaceTest(("keys",), (("coffee_table",), ("wardrobe",))),)
+
+
+def test_a_search_in_a_room_is_a_test_of_all_its_places():
+    flow = [{"if": 1, "then": [2]}]
+    tasks = task(1, "searching", "keys", at=["bathroom"]), task(2, "taking", "keys")
+    (test,) = derive(flow, *tasks)
+    assert test.stages == (
+        ("bathroom_shelf", "washing_machine", "medicine_cabinet", "laundry_basket", "bathroom_floor"),
+    )
+
+
+def test_candidates_of_a_checked_phrase_agree():
+    mug = referent("mug_1", "mug_2", phrase="the mug")
+    tasks = task(1, "check_state", mug, state="dirty"), task(2, "change_state", mug, state="clean")
+    assert derive([{"if": 1, "then": [2]}], *tasks) == (StateTest(("mug_1", "mug_2"), "cleanliness", "dirty"),)
+
+
+def test_an_action_as_condition_hangs_on_what_it_needs():
+    tasks = (
+        task(1, "change_state", "tv", state="on"),
+        task(2, "bringing", "milk", recipient="anna"),
+        task(3, "change_state", "soup", state="hot"),
+        task(4, "check_state", "anna", state=HERE),
+        task(5, "taking", "cup_1"),
+    )
+    flow = [{"if": 1, "else": [{"if": 2, "else": [{"if": 3, "else": [{"if": 4, "then": [5]}]}]}]}]
+    assert derive(flow, *tasks) == (
+        WorksTest(("tv",)),
+        PlaceTest(("milk",), ((),)),
+        PersonTest(("anna",)),
+        PlaceTest(("soup",), ((),)),
+        WorksTest(("microwave", "oven")),
+    )
+
+
+def test_conditions_in_both_branches_and_after_them_are_tested():
+    names = "tv", "radio", "fan", "heater"
+    checks = [task(number, "check_state", name, state="on") for number, name in enumerate(names, start=1)]
+    others = [task(number, "informing", recipient="user") for number in (5, 6, 7)]
+    flow = [
+        {"if": 1, "then": [{"if": 2, "then": [5]}], "else": [{"if": 3, "then": [6]}]},
+        {"if": 4, "then": [7]},
+    ]
+    assert [test.entities for test in derive(flow, *checks, *others)] == [("tv",), ("radio",), ("fan",), ("heater",)]
