@@ -18,18 +18,11 @@ from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
 from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.abilities import devices_for, wipers_of
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 MOST_READINGS = 32
 """Ways to take a task's phrases that are tried at most; two candidates for each of five phrases."""
-_DEVICES = {
-    "hot": ("heats",),
-    "cold": ("cools",),
-    "clean": ("washes", "rinses"),
-    "full": ("fills",),
-    "empty": ("drains",),
-}
-_NEEDS_POWER = frozenset(("heats", "washes", "fills"))
 FINDING_OUT = frozenset(("searching", "check_state"))
 
 
@@ -147,29 +140,21 @@ def _place_state_obstacle(domain: Domain, truth: Truth, name: str, value: str) -
     """A place is emptied by hand, and wiped with a thing that wipes it."""
     if value == "empty":
         return None
-    tags = set(domain.kind(name).tags)
-    tools = [thing for thing in domain.house.things if tags & set(domain.kind(thing).wipes)]
-    if value != "clean" or not tools:
+    tools = wipers_of(name, domain) if value == "clean" else ()
+    if not tools:
         return "goal not possible", name
     return None if any(truth.place(tool) is not None for tool in tools) else ("thing nowhere", tools[0])
 
 
 def _device_obstacle(domain: Domain, truth: Truth, thing: str, value: str) -> tuple[CauseKind, str] | None:
     """A thing needs a place that heats, cools, cleans, fills or empties it, in reach and in order."""
-    tags = set(domain.kind(thing).tags)
-    useful = [
-        (place, ability)
-        for ability in _DEVICES.get(value, ())
-        for place in domain.house.places()
-        if tags & set(getattr(domain.kind(place), ability))
-    ]
+    useful = devices_for(thing, value, domain)
     if not useful:
         return "goal not possible", thing
-    reachable = [(place, ability) for place, ability in useful if is_reachable(domain, place)]
+    reachable = [place for place in useful if is_reachable(domain, place)]
     if not reachable:
-        return "place not reachable", useful[0][0]
-    works = any(ability not in _NEEDS_POWER or not truth.is_broken(place) for place, ability in reachable)
-    return None if works else ("device broken", reachable[0][0])
+        return "place not reachable", useful[0]
+    return None if any(not truth.is_broken(place) for place in reachable) else ("device broken", reachable[0])
 
 
 # -- the whole course -------------------------------------------------------------------------------------------------

@@ -8,9 +8,8 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
 from decomplex_bt.envs.evidence import holds_things, places_in
 from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.abilities import devices_for
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-
-_DEVICES = {"hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",)}
 
 
 def tests_of(instruction: GroundInstruction, domain: Domain) -> tuple[Test, ...]:
@@ -131,11 +130,6 @@ def _devices(referent: Referent, task: GroundTask, domain: Domain) -> tuple[str,
     fixed = tuple(name for name in referent.candidates if name not in domain.house.things)
     if fixed:
         return fixed
-    tags = {tag for name in referent.candidates for tag in domain.kind(name).tags}
-    abilities = _DEVICES.get(task.state or "", ())
-    able = [
-        place
-        for place in domain.house.places()
-        if any(tags & set(getattr(domain.kind(place), ability)) for ability in abilities)
-    ]
-    return tuple(able) if all(domain.kind(place).is_device for place in able) else ()
+    able = {name: devices_for(name, task.state or "", domain) for name in referent.candidates}
+    shared = tuple(dict.fromkeys(place for places in able.values() for place in places))
+    return shared if all(domain.kind(place).is_device for place in shared) else ()
