@@ -107,7 +107,12 @@ class Draw:
             return
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
         spots = self.spots.standing(room, taken)
-        start.position[person] = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+        company = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
+        for _ in range(TRIES):
+            spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+            if not company or self.spots.leaves_way(room, [*company, (float(spot[0]), float(spot[1]))]):
+                break
+        start.position[person] = spot
         start.home[person] = True
 
     def _things(self, rng: Generator) -> None:

@@ -19,8 +19,10 @@ PROGRESS = 0.06
 """[m] Less than this is no progress."""
 BACK_OFF = 0.6
 """[s] How long it backs off."""
-MAX_RESCUES = 4
+MAX_RESCUES = 3
 """How often it backs off before it gives up."""
+DITHERING = 6.0
+"""[s] Moving about for so long without coming nearer to the goal counts as stuck as well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,8 @@ class Driver:
         self._anchor: Point | None = None
         self._anchor_heading = 0.0
         self._idle = 0.0
+        self._nearest = math.inf
+        self._dithered = 0.0
         self._backing = 0.0
         self._rescues = 0
 
@@ -93,6 +97,7 @@ class Driver:
             if self._rescues > MAX_RESCUES:
                 return Course(problem="stuck: no progress on the way there")
             self._way, self._backing = None, BACK_OFF
+            self._nearest, self._dithered = math.inf, 0.0
             return self._back_off()
         if self._way is None or self._is_obstructed(pose, obstacles):
             problem = self._plan(pose, closed, obstacles)
@@ -149,6 +154,18 @@ class Driver:
         return speed / limits.speed, turn
 
     def _is_stuck(self, pose: Pose) -> bool:
+        return self._has_dithered(pose) or self._has_stopped(pose)
+
+    def _has_dithered(self, pose: Pose) -> bool:
+        """Whether the rest of the way has not become shorter for long."""
+        points = [pose.point, *self._rest]
+        left = sum(math.dist(start, end) for start, end in pairwise(points)) if self._rest else math.inf
+        if left < self._nearest - PROGRESS:
+            self._nearest, self._dithered = left, 0.0
+        self._dithered += self.limits.step
+        return self._dithered > DITHERING
+
+    def _has_stopped(self, pose: Pose) -> bool:
         moved = self._anchor is None or math.hypot(pose.x - self._anchor[0], pose.y - self._anchor[1]) > PROGRESS
         if moved or abs(wrap(pose.heading - self._anchor_heading)) > 0.3:
             self._anchor, self._anchor_heading, self._idle = pose.point, pose.heading, 0.0

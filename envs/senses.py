@@ -19,6 +19,8 @@ from decomplex_bt.envs.navigation import Pose
 STEADY = 3
 """Looks in a row that make a sighting sure: a place counts as inspected when it was so in the last three, and a thing
 missed by one look counts as seen while one of the last three had it."""
+REMEMBERED = 100
+"""Looks for which a person out of view is still reckoned with as an obstacle where they were."""
 NEAR_PLACE = 1.0
 """[m] Within this distance of its footprint, and in its room, the robot is at a place."""
 NEAR_PERSON = 1.5
@@ -71,7 +73,7 @@ class Senses:
         self.near: frozenset[str] = frozenset()
         self._table = np.zeros((count, len(COLUMNS)))
         self._position = np.full((count, 2), np.nan)
-        self._age = np.full(count, STEADY)
+        self._age = np.full(count, REMEMBERED)
         self._inspected_for = np.zeros(count, int)
         self._signature: tuple[bytes, bytes] | None = None
         self._near_signature: bytes | None = None
@@ -121,10 +123,10 @@ class Senses:
         return frozenset(name for name, value in self._door_states.items() if value == "closed")
 
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
-        """The people and the things on floors that are seen now, except for `besides`."""
+        """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
         discs = []
         for name in self.people:
-            if name != besides and self.is_seen(name):
+            if name != besides and self._age[self.row[name]] < REMEMBERED:
                 x, y = self._position[self.row[name]]
                 discs.append(Disc(float(x), float(y), _PERSON_RADIUS))
         for name in self._on_floors:

@@ -10,6 +10,8 @@ import math
 from collections.abc import Callable, Generator, Iterator
 from typing import Any
 
+import numpy as np
+
 from decomplex_bt.behaviour.embodiment import Skill, SkillStatus, SkillTick
 from decomplex_bt.envs.embodiment import Action, HouseholdEmbodiment
 from decomplex_bt.envs.floorplan import Cells
@@ -464,6 +466,7 @@ def _stand_briefly(body: HouseholdEmbodiment) -> Iterator[Action]:
 def follow(body: HouseholdEmbodiment, person: str, start: str, goal: str) -> Script:
     """Asks a person to lead the way to the room `goal` and keeps behind them until both are there."""
     senses = body.senses
+    yield from _step_up_to(body, person)
     yield from _do(body, Interaction.SAY, body.house.floor_of(goal), near=person)
 
     def are_there() -> bool:
@@ -475,6 +478,7 @@ def follow(body: HouseholdEmbodiment, person: str, start: str, goal: str) -> Scr
 def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
     """Asks a person to lead the way wherever they like and keeps behind them until they stay where they are."""
     senses = body.senses
+    yield from _step_up_to(body, person)
     yield from _do(body, Interaction.SAY, "robot", near=person)
     stood_at, since = senses.position(person), senses.seconds
 
@@ -487,6 +491,26 @@ def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
         return is_with and senses.is_seen(person) and senses.seconds - since > SETTLED_SECONDS
 
     yield from _keep_behind(body, person, have_stayed)
+
+
+def _step_up_to(body: HouseholdEmbodiment, person: str) -> Script:
+    """Drives to where nobody else is as near as this person: who is asked to lead the way is the nearest."""
+    senses, plan = body.senses, body.floorplan
+    others = [at for name in body.house.people if name != person and (at := senses.position(name)) is not None]
+
+    def is_nearest() -> bool:
+        gaps = [math.dist(at, senses.pose.point) for at in others]
+        return senses.distance(person) <= min([1.3, *(gap - 0.1 for gap in gaps)])
+
+    position = senses.position(person)
+    if position is None:
+        raise SkillError(f"I do not know where {person} is")
+    cells = plan.cells_around(*position, nearest=0.5, farthest=1.2, room=senses.room_of_person(person))
+    x, y = plan.cell_x[cells], plan.cell_y[cells]
+    nearest = np.ones(cells.size, dtype=bool)
+    for at in others:
+        nearest &= np.hypot(x - position[0], y - position[1]) < np.hypot(x - at[0], y - at[1]) - 0.2
+    yield from _drive(body, cells[nearest] if nearest.any() else cells, is_nearest, towards=person, besides=person)
 
 
 def _keep_behind(
@@ -516,7 +540,7 @@ def _cells_behind(body: HouseholdEmbodiment, person: str) -> Cells:
 
 
 def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Script:
-    """Goes where a person who is out of sight must be: on towards their goal, else to where they were last and beyond."""
+    """Goes where a person out of sight must be: on towards their goal, else to where they were last and beyond."""
     senses, plan = body.senses, body.floorplan
     position = senses.position(person)
     if goal is not None and senses.room != goal:

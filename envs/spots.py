@@ -17,6 +17,7 @@ DOORWAY_GAP = 0.7  # [m] nothing lies or stands so near to the middle of a doorw
 PERSON_RADIUS = 0.25  # [m]
 ROBOT_RADIUS = 0.22  # [m]
 PASSAGE = ROBOT_RADIUS + 0.06  # [m] clearance of the robot's centre from what it passes
+WAYS_KEPT = 4096  # answers of `leaves_way` that are remembered
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
 Disc = tuple[float, float, float]
@@ -30,6 +31,7 @@ class Spots:
         self.geometry = geometry
         self._floors = frozenset(int(row) for row in geometry.floor_row)
         self._of_place: dict[int, Floats] = {}
+        self._ways: dict[tuple[int, tuple[tuple[float, float], ...]], bool] = {}
         self._lying: dict[tuple[int, float], Floats] = {}
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
@@ -48,6 +50,15 @@ class Spots:
     def standing(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where a person can stand in a room so that the robot still gets everywhere in it."""
         return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, taken)
+
+    def leaves_way(self, room: int, people: Iterable[tuple[float, float]]) -> bool:
+        """Whether the robot still gets everywhere in a room with all these people standing in it."""
+        key = room, tuple(people)
+        if key not in self._ways:
+            if len(self._ways) >= WAYS_KEPT:
+                self._ways.clear()
+            self._ways[key] = self._check_way(*key)
+        return self._ways[key]
 
     def robot(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where the robot can stand in a room."""
@@ -132,6 +143,17 @@ class Spots:
         reached = _flood(free.reshape(shape), seeds.reshape(shape)).reshape(free.shape)
         touched = np.bitwise_and.reduce([np.bitwise_or.reduce(reached[mark], axis=0) for mark in marks])
         return points[np.unpackbits(touched, count=len(points)).astype(bool)]
+
+    def _check_way(self, room: int, people: tuple[tuple[float, float], ...]) -> bool:
+        cells = _grid((*self.geometry.room_rects[room].tolist(),), 0.1)
+        shape = (len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0])))
+        free = self._passable(cells, room)
+        for x, y in people:
+            free &= np.hypot(cells[:, 0] - x, cells[:, 1] - y) >= PERSON_RADIUS + PASSAGE
+        marks = self._approaches(cells, room)
+        packed = free.astype(np.uint8)
+        reached = _flood(packed.reshape(*shape, 1), (packed * marks[0]).reshape(*shape, 1)).ravel().astype(bool)
+        return all((reached & mark).any() for mark in marks)
 
     def _passable(self, cells: Floats, room: int) -> NDArray[np.bool_]:
         """Which cells of a room the robot's centre can be at; those in its doorways can."""

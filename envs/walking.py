@@ -25,6 +25,7 @@ ARRIVED = 0.12  # [m]
 DOOR_REACH = 0.7  # [m] from where a walker opens a closed door ahead
 COURTESY = 0.25  # [m] gap to the robot ahead at which a walker stops
 PATIENCE = 1.5  # [s] a walker waits for the robot to clear the way before they look for a way around it
+MAX_SPOTS = 12  # spots near the goal tried for one that leaves the robot a way past everybody
 NEAR_GOAL = 1.2  # [m] a walker who goes to a place stops so near to it
 
 Point = tuple[float, float]
@@ -153,9 +154,14 @@ def _destination(world: World, person: int, goal: int) -> Point | None:
         return None
     x0, y0, x1, y1 = geometry.footprints[goal]
     centre = ((x0 + x1) / 2, (y0 + y1) / 2)
+    room = int(geometry.place_room[goal])
+    company = [
+        _point(world, row) for row in np.flatnonzero(world.home).tolist() if row != person and world.room[row] == room
+    ]
     gaps = np.hypot(spots[:, 0] - centre[0], spots[:, 1] - centre[1])
-    best = spots[int(gaps.argmin())]
-    return float(best[0]), float(best[1])
+    nearest = [(float(x), float(y)) for x, y in spots[gaps.argsort(kind="stable")[:MAX_SPOTS]].tolist()]
+    ends = (spot for spot in nearest if not company or world.spots.leaves_way(room, [*company, spot]))
+    return next(ends, nearest[0])
 
 
 def _way(world: World, start: Point, end: Point, *, avoids_robot: bool = False) -> list[Point] | None:
