@@ -151,13 +151,16 @@ class _Builder:
         return _side(self.flips[token] != self.arcs[i].attachment.endswith("-"))
 
     def _repeat_of(self, i: int) -> int | None:
-        """The earlier plain task that task `i` mentions again."""
-        for j in range(i - 1, -1, -1):
-            if self.arcs[j].role == "task":
-                if i not in self.again.setdefault(j, []):
-                    self.again[j].append(i)
-                return j
-        return None
+        """The earlier plain task that task `i` mentions again: as many plain tasks back as the attachment's rank says."""
+        earlier = [j for j in range(i - 1, -1, -1) if self.arcs[j].role == "task"]
+        attachment = self.arcs[i].attachment
+        rank = int(attachment[1]) if attachment != TOP else 1
+        if not earlier:
+            return None
+        j = earlier[min(rank, len(earlier)) - 1]
+        if i not in self.again.setdefault(j, []):
+            self.again[j].append(i)
+        return j
 
     def _find(self, i: int, attachment: str, *, before_only: bool = False) -> int | None:
         """The condition token that an attachment of task `i` points at, or None."""
@@ -290,13 +293,13 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
     count = len(polarities)
     arcs = [Arc() for _ in range(count)]
     group_of: dict[int, int] = {}
+    again: list[tuple[int, int]] = []
     for node, _ in flow.walk():
         if isinstance(node, If):
             for number in node.tasks:
                 group_of[number - 1] = node.task - 1
         elif not node.is_repeat:
-            for number in node.tasks[1:]:
-                arcs[number - 1] = Arc("again")
+            again += [(number - 1, node.task - 1) for number in node.tasks[1:]]
     joins = dict(_joins(flow, polarities))
     # "if A or B, X": in the tree X is a child of A, in the text it follows B
     alternatives = {
@@ -326,6 +329,9 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
         if pointer is None:
             return None
         targets[i] = (pointer, _pointed_at(i, group, pointer, group_of, count), side)
+    for i, first in again:
+        rank = sum(arcs[j].role == "task" and j not in dict(again) for j in range(first, i))
+        arcs[i] = Arc("again", f"<{min(9, rank)}")
     flips = _flips_of(targets, group_of, polarities)
     for i, (pointer, token, side) in targets.items():
         arcs[i] = replace(arcs[i], attachment=pointer + ("-" if _side(flips[token]) != side else "+"))

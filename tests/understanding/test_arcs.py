@@ -1,0 +1,91 @@
+"""Arcs say every control flow of the guideline, and any arcs give a valid flow."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from decomplex_bt.corpus import read_corpus
+from decomplex_bt.flow import Flow
+from decomplex_bt.understanding.arcs import ORDERS, Arc, Polarity, arcs_of, flow_of
+
+PLAIN = Polarity()
+NEGATED = Polarity(is_negated=True)
+
+FLOWS = {
+    "sequence": [1, 2, 3],
+    "reversed": [2, 1],
+    "three reversed": [3, 2, 1],
+    "else": [{"if": 1, "else": [2]}],
+    "condition last": [{"if": 2, "then": [1]}, 3],
+    "mentions": [{"if": [2, 3], "then": [1], "else": [4]}],
+    "nested in else": [{"if": [1, 2], "else": [{"if": [3, 4], "else": [5]}]}],
+    "nested in then": [{"if": 1, "then": [2, {"if": 3, "then": [4]}], "else": [5]}],
+    "and": [{"if": 1, "then": [{"if": 2, "then": [3], "else": [4]}], "else": [{"same": [4]}]}],
+    "or": [{"if": 1, "then": [3], "else": [{"if": 2, "then": [{"same": [3]}]}]}],
+    "two conditions": [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}, 5],
+    "one task twice": [{"same": [1, 3]}, 2],
+}
+
+
+# joint conditions, each stated with a negation ("if it is neither hot nor full")
+NEGATED_FLOWS = {name: value for name, value in FLOWS.items() if name not in ("and", "or")} | {
+    "neither": [{"if": 1, "else": [{"if": 2, "then": [4], "else": [3]}], "then": [{"same": [4]}]}],
+}
+
+
+@pytest.mark.parametrize(
+    ("value", "polarity"),
+    [
+        *(pytest.param(value, PLAIN, id=f"{name}, plain") for name, value in FLOWS.items()),
+        *(pytest.param(value, NEGATED, id=f"{name}, negated") for name, value in NEGATED_FLOWS.items()),
+    ],
+)
+def test_arcs_say_the_flow(value, polarity):
+    flow = Flow.from_json(value)
+    polarities = [polarity] * len(flow.numbers())
+    arcs = arcs_of(flow, polarities)
+    assert arcs is not None
+    assert flow_of(arcs, polarities) == flow
+
+
+def test_as_stated_is_the_plain_case_for_a_negated_condition():
+    """ "If it is not hot, heat it": the dependent follows the clause as it is stated, so its label is a plus."""
+    arcs = arcs_of(Flow.from_json([{"if": 1, "else": [2]}]), [NEGATED, PLAIN])
+    assert arcs is not None
+    assert arcs[1].attachment == "<1+"
+
+
+def test_a_condition_stated_again_means_the_other_side():
+    """ "If it is dry, fold it. If it is damp, hang it up": no list of opposites is needed."""
+    arcs = [Arc("condition"), Arc("task", "<1+"), Arc("mention", "<1"), Arc("task", "<1+")]
+    assert flow_of(arcs, [PLAIN] * 4).to_json() == [{"if": [1, 3], "then": [2], "else": [4]}]
+
+
+def test_an_antonym_means_the_other_side():
+    on, off = Polarity(state="on", opposite="off"), Polarity(state="off", opposite="on")
+    arcs = [Arc("condition"), Arc("mention", "<1"), Arc("task", "<1+")]
+    assert flow_of(arcs, [on, off, PLAIN]).to_json() == [{"if": [1, 2], "else": [3]}]
+
+
+def test_the_corpus_can_be_said(ontology, household_folder):
+    examples = read_corpus(household_folder / "corpus", ontology)
+    unsayable = [e.id for e in examples if arcs_of(e.instruction.flow, [PLAIN] * len(e.instruction.tasks)) is None]
+    assert len(unsayable) <= len(examples) * 0.01
+
+
+_ROLES = ("task", "condition", "mention", "and", "or", "again")
+_ATTACHMENTS = ("top", "<1+", "<1-", "<2+", ">1+", ">1-", ">2-", "<1")
+_ARCS = st.lists(
+    st.tuples(
+        st.builds(Arc, st.sampled_from(_ROLES), st.sampled_from(_ATTACHMENTS), st.sampled_from(ORDERS)),
+        st.sampled_from((PLAIN, NEGATED)),
+    ),
+    max_size=8,
+)
+
+
+@settings(max_examples=400, deadline=None)
+@given(_ARCS)
+def test_any_arcs_give_a_valid_flow_with_every_task_once(labelled):
+    flow = flow_of([arc for arc, _ in labelled], [polarity for _, polarity in labelled])
+    assert Flow.from_json(flow.to_json(), task_count=len(labelled)) == flow

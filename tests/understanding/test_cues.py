@@ -1,0 +1,32 @@
+"""Cues are found by phrase, the longest first, and told apart by what stands around them."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from documents import document
+
+from decomplex_bt.understanding.cues import find_cues
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("if it is hot", ["if"]),
+        ("see if it is hot", ["whether"]),
+        ("let me know if it is hot", ["whether"]),
+        ("only if it is hot", ["only_if"]),
+        ("if not , tell me", ["else"]),
+        ("if you ca n't , tell me", ["fail"]),
+        ("if you ca n't find it", ["if", "not"]),
+        ("no luck ? tell me", ["fail"]),
+        ("either way close it", ["either_way"]),
+        ("before that close it", ["before_that"]),
+        ("before the window", ["before"]),
+    ],
+)
+def test_a_phrase_is_its_class(text, expected):
+    found = [cue.name for cue in find_cues(document(*text.split()))]
+    assert [name for name in found if name not in ("can", "and")] == expected

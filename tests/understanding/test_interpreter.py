@@ -1,0 +1,113 @@
+"""The trained interpreter, end to end: valid whatever the text, the same everywhere, and honest about bad input."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import DataFileError, InputError
+from decomplex_bt.flow import Flow
+from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter
+
+PEN = "Bring me a pen if you can find one on the desk, otherwise look in the drawer."
+
+
+@pytest.fixture(scope="module")
+def interpreter():
+    return Interpreter.load("household")
+
+
+def assert_valid(instruction, ontology):
+    assert Flow.from_json(instruction.flow.to_json(), task_count=len(instruction.tasks)) == instruction.flow
+    starts = [task.span.start for task in instruction.tasks]
+    assert starts == sorted(set(starts))
+    assert [task.id for task in instruction.tasks] == list(range(1, len(starts) + 1))
+    for task in instruction.tasks:
+        assert task.type in ontology.task_types
+        assert 0 <= task.confidence <= 1
+        for argument in task.arguments:
+            assert argument.type in ontology.argument_types
+            assert argument.value.strip()
+            assert 0 <= argument.confidence <= 1 + 1e-9
+            assert argument.span is None or argument.span.of(instruction.text).strip()
+
+
+def test_a_sentence_becomes_tasks_arguments_and_flow(interpreter):
+    instruction = interpreter.interpret(PEN)
+    assert [(t.span.of(PEN), t.type) for t in instruction.tasks] == [
+        ("Bring", "bringing"),
+        ("find", "searching"),
+        ("look", "searching"),
+    ]
+    assert instruction.flow.to_json() == [{"if": 2, "then": [1], "else": [3]}]
+    assert instruction.task(2).value("object") == "a pen"
+    assert instruction.task(3).value("object") == "a pen"
+    assert instruction.task(3).value("location") == "in the drawer"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["?!", "🤖🤖", "Ferme la fenêtre, s'il te plaît", "if", "if if if unless otherwise", "x" * MAX_CHARACTERS, "a\u0301 \u202e]([1:x",
+     "Bring me\na cup\n\nand\tgo", "((((((", "bring bring bring it it", " leading and trailing "],
+)  # fmt: skip
+def test_any_text_gives_a_valid_instruction(interpreter, ontology, text):
+    instruction = interpreter.interpret(text)
+    assert instruction.text == text
+    assert_valid(instruction, ontology)
+    json.dumps(instruction.to_json())
+
+
+def test_text_without_a_task_has_a_warning(interpreter):
+    instruction = interpreter.interpret("The weather is lovely today.")
+    assert instruction.tasks == ()
+    assert instruction.to_json()["flow"] == []
+    assert instruction.warnings
+
+
+@pytest.mark.parametrize("text", ["", "  \n", "a" * (MAX_CHARACTERS + 1), "half \ud83d"])
+def test_unusable_text_is_bad_input(interpreter, text):
+    with pytest.raises(InputError):
+        interpreter.interpret(text)
+
+
+def test_a_batch_gives_what_one_by_one_gives(interpreter):
+    texts = [PEN, "Close the window.", "If the oven is on, turn it off and tell Anna."]
+    assert list(interpreter.interpret_batch(texts)) == [interpreter.interpret(text) for text in texts]
+
+
+def test_a_missing_argument_asks_its_question(interpreter):
+    missing = interpreter.interpret("Put the cup.").missing
+    assert [(m.task, m.argument, m.question) for m in missing] == [(1, "goal", "Where should I put it?")]
+
+
+def test_the_same_text_is_understood_alike_under_any_hash_seed():
+    program = (
+        "import json; from decomplex_bt.understanding.interpreter import Interpreter;"
+        f"print(json.dumps(Interpreter.load('household').interpret({PEN!r}).to_json()))"
+    )
+    outputs = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(outputs) == 1
+
+
+def test_damaged_models_are_refused_by_name(tmp_path):
+    domain = load_domain("household")
+    shutil.copytree(domain.folder / "models", tmp_path / "models")
+    with (tmp_path / "models" / "tasks.crf").open("ab") as file:
+        file.write(b"x")
+    with pytest.raises(DataFileError, match=r"tasks\.crf: the model is not the one in the manifest"):
+        Interpreter.load(domain, models=tmp_path / "models")
+    with pytest.raises(DataFileError, match="decomplex-bt train"):
+        Interpreter.load(domain, models=tmp_path)

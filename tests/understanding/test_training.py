@@ -1,0 +1,50 @@
+"""Training is reproducible, leaves the test voices alone and writes all or nothing."""
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import DataFileError
+from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.manifest import read_manifest
+from decomplex_bt.understanding.training import train
+
+
+@pytest.fixture
+def small_corpus(tmp_path, household_folder):
+    folder = tmp_path / "corpus"
+    folder.mkdir()
+    examples = (household_folder / "corpus" / "walt.yaml").read_text(encoding="utf-8").split("\n- id: ")
+    (folder / "learn.yaml").write_text("\n- id: ".join(examples[:25]) + "\n", encoding="utf-8")
+    (folder / "keep.yaml").write_text("this is no corpus", encoding="utf-8")
+    (folder / "voices.yaml").write_text(
+        "voices:\n  learn: {description: a, split: train}\n  keep: {description: b, split: test}\n", encoding="utf-8"
+    )
+    return folder
+
+
+def test_the_same_corpus_gives_the_same_bytes_and_never_reads_test_voices(small_corpus, tmp_path):
+    for name in ("first", "second"):
+        train(small_corpus, tmp_path / name)
+    files = sorted(file.name for file in (tmp_path / "first").iterdir())
+    assert files == sorted(file.name for file in (tmp_path / "second").iterdir())
+    for file in files:
+        assert (tmp_path / "first" / file).read_bytes() == (tmp_path / "second" / file).read_bytes(), file
+    manifest = read_manifest(tmp_path / "first")
+    assert manifest.voices == ("learn",)
+    assert manifest.examples == 25
+    assert Interpreter.load("household", models=tmp_path / "first").interpret("Close the door.").text
+
+
+def test_nothing_is_written_where_the_corpus_is_broken(small_corpus, tmp_path):
+    (small_corpus / "learn.yaml").write_text("- id: a\n  text: '[go](1:fly)'\n  flow: [1]\n", encoding="utf-8")
+    with pytest.raises(DataFileError, match="unknown label"):
+        train(small_corpus, tmp_path / "models")
+    assert not (tmp_path / "models").exists()
+
+
+def test_the_shipped_models_are_small_and_know_what_they_were_made_from():
+    folder = load_domain("household").folder
+    manifest = read_manifest(folder / "models")
+    assert sum(file.stat().st_size for file in (folder / "models").iterdir()) < 5_000_000
+    assert manifest.domain == "household"
+    assert set(manifest.libraries) >= {"spacy", "python-crfsuite"}
