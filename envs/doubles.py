@@ -33,6 +33,9 @@ class HandWorld:
     def __post_init__(self) -> None:
         self.places.setdefault("user", "living_room")
 
+    def view(self) -> object:
+        return self.room, frozenset(self.seen), frozenset(self.inspected)
+
     def is_near(self, name: str) -> bool:
         return name in self.near
 

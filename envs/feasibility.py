@@ -242,6 +242,9 @@ class Assumed:
     def room(self) -> str:
         return self.truth.room
 
+    def view(self) -> None:
+        return None
+
     def is_near(self, name: str) -> bool:
         return False
 

@@ -6,7 +6,7 @@ episode succeeds when one of them is carried out in full, and it is a violation 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -66,6 +66,8 @@ class Monitor:
         self._ended: Reading | None = None
         self._violations: tuple[Violation, ...] = ()
         self._has_asked = False
+        self._view: Hashable = None
+        self._minds_position = True
         self._room = truth.room
         self._holds = self._goals_that_hold()
         self.verdict = self._judge()
@@ -79,6 +81,8 @@ class Monitor:
         if self.verdict.is_over:
             return self.verdict
         self.record.begin(event)
+        if event is None and self._is_still():
+            return self.verdict
         for reading in self.readings:
             self._look(reading)
         self._find_violations(event)
@@ -86,6 +90,11 @@ class Monitor:
         self._room = self.truth.room
         self.verdict = self._judge()
         return self.verdict
+
+    def _is_still(self) -> bool:
+        """Whether nothing has come into view that the judge could go by, since it last looked closely."""
+        before, self._view = self._view, self.truth.view()
+        return self._view == before and not self._has_asked and not self._minds_position
 
     # -- readings -----------------------------------------------------------------------------------------------------
 
@@ -114,6 +123,11 @@ class Monitor:
             if stays is not None:
                 waiting.append(stays)
         self.readings = tuple(_without_twins(waiting))[:MOST_READINGS]
+        self._minds_position = any(
+            self.instruction.task(reading.due.task).type in _ON_REACHING
+            for reading in self.readings
+            if reading.due is not None
+        )
 
     def _follow(self, reading: Reading) -> tuple[Reading | None, list[Reading]]:
         """What a reading becomes in this step: itself, if the task due may still count otherwise, and its followers."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from typing import Protocol
 
 ROBOT = "robot"
@@ -14,6 +15,9 @@ class Truth(Protocol):
     @property
     def room(self) -> str:
         """The room the robot is in."""
+
+    def view(self) -> Hashable:
+        """A value that changes when anything comes into view or goes out of it, or the robot enters another room."""
 
     def is_near(self, name: str) -> bool:
         """Whether the robot is at a place or doorway (within 1 m) or with a person (within 1.5 m), in the same room."""

@@ -29,6 +29,9 @@ class WorldTruth:
     def room(self) -> str:
         return self.geometry.rooms[self.geometry.room_at(*self.world.robot)]
 
+    def view(self) -> tuple[str, bytes, bytes]:
+        return self.room, self.sensor.visible.tobytes(), self.sensor.inspected.tobytes()
+
     def is_near(self, name: str) -> bool:
         geometry, world = self.geometry, self.world
         x, y = world.robot
