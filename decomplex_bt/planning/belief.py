@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.effects import values_after
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.percept import Percept
 from decomplex_bt.planning.prior import Prior
@@ -39,12 +40,14 @@ class Belief:
         self._misses: Counter[str] = Counter()
         self._state: dict[tuple[str, str], str] = {}
         self._state_seen: dict[tuple[str, str], int] = {}
+        self._state_changed: dict[tuple[str, str], int] = {}
+        self._visited: dict[str, int] = {}
         self._looks: Counter[str] = Counter()
         self._inspected: dict[str, int] = {}
         self._noted: dict[Atom, int] = {}
         self._attempts: Counter[GroundAction] = Counter()
         self._blocked: dict[GroundAction, str] = {}
-        self._given_up: dict[tuple[Atom, ...], str] = {}
+        self._given_up: dict[tuple[Atom, ...], tuple[int, str]] = {}
 
     # -- what comes in ---------------------------------------------------------------------------------------------------
 
@@ -52,6 +55,8 @@ class Belief:
         """Takes in one look at the world."""
         self.tick += 1
         last, self.percept = self.percept, percept
+        for name in (percept.room, *percept.near):
+            self._visited[name] = self.tick
         changed = (
             self._see_things(percept)
             | self._see_states(percept.states)
@@ -75,10 +80,13 @@ class Belief:
         }.get(step.name, list)()
         for atom in noted:
             self._noted[atom] = self.tick
-        if step.name == "place" and self._place.get(step.objects[0]) in (None, ROBOT):
+        if step.name in ("place", "give") and self._place.get(step.objects[0]) in (None, ROBOT):
             self._place[step.objects[0]] = step.objects[1]
-        if step.name == "give" and self._place.get(step.objects[0]) in (None, ROBOT):
-            self._place[step.objects[0]] = step.objects[1]
+        for key, value in values_after(step.name, step.objects).items():
+            # What has been heated or washed lies behind a closed door: nobody sees it get hot or clean.
+            if self._state.get(key) != value:
+                self._state[key] = value
+                self._state_changed[key] = self.tick
         self.revision += 1
 
     def failed(self, step: GroundAction, reason: str) -> None:
@@ -90,7 +98,7 @@ class Belief:
 
     def give_up(self, goal_atoms: Iterable[Atom], reason: str) -> None:
         """Notes that no plan brings this about any more."""
-        self._given_up[tuple(goal_atoms)] = reason
+        self._given_up[tuple(goal_atoms)] = (self.tick, reason)
         self.revision += 1
 
     # -- what is believed --------------------------------------------------------------------------------------------------
@@ -144,6 +152,14 @@ class Belief:
         """The tick at which a state was last seen, `NEVER` if it was not."""
         return self._state_seen.get((name, pair), NEVER)
 
+    def state_changed(self, name: str, pair: str) -> int:
+        """The tick at which a state was first seen to be another than before, `NEVER` if it never was."""
+        return self._state_changed.get((name, pair), NEVER)
+
+    def visited(self, name: str) -> int:
+        """The tick at which the robot was last in a room or at a position, `NEVER` if it was not."""
+        return self._visited.get(name, NEVER)
+
     def inspected(self, place: str) -> int:
         """The tick at which the whole contents of a place were last in view, `NEVER` if they were not."""
         return self._inspected.get(place, NEVER)
@@ -169,9 +185,16 @@ class Belief:
         """Steps that are not tried again, with the reason."""
         return self._blocked
 
-    def given_up(self, goal_atoms: Iterable[Atom]) -> str | None:
-        """Why there is no plan for this goal any more; None if it was not given up."""
-        return self._given_up.get(tuple(goal_atoms))
+    def given_up(self, goal_atoms: Iterable[Atom], *, since: int) -> str | None:
+        """Why no plan was found for this goal at or after a tick; None if it was not given up then."""
+        tick, reason = self._given_up.get(tuple(goal_atoms), (NEVER, ""))
+        return reason if tick >= max(since, 0) else None
+
+    def last_reason(self, names: Iterable[str]) -> str | None:
+        """What went wrong last for good with a step about one of these; None if nothing did."""
+        wanted = frozenset(names)
+        found = [f"{step}: {reason}" for step, reason in self._blocked.items() if wanted & set(step.objects)]
+        return found[-1] if found else None
 
     def __str__(self) -> str:
         rows = [f"robot in {self.room}, holding {self.held or 'nothing'}, tray {[t for t in self.tray if t]}"]
@@ -209,7 +232,10 @@ class Belief:
         changed = False
         tick, known, seen = self.tick, self._state, self._state_seen
         for key, value in states.items():
-            changed |= known.get(key) != value or seen.get(key, NEVER) != tick - 1
+            before = known.get(key)
+            changed |= before != value or seen.get(key, NEVER) != tick - 1
+            if before is not None and before != value:
+                self._state_changed[key] = tick
             known[key] = value
             seen[key] = tick
         return changed

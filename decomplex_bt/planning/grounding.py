@@ -54,6 +54,7 @@ class _Grounder:
         self.house = domain.house
         self.rooms: tuple[str, ...] = ()
         """The rooms in question: of the place named last, where its words leave no doubt."""
+        self.mentioned: dict[tuple[tuple[str, ...], tuple[tuple[str, str], ...]], Referent] = {}
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
@@ -350,7 +351,17 @@ class _Grounder:
         if is_place or all(self._is_fixed(name) for name in names):
             self._remember(names)
         text = split_preposition(phrase.text, self.domain)[1]
-        return Referent(text, names, is_all and len(names) > 1, phrase.count, phrase.wanted)
+        referent = Referent(text, names, is_all and len(names) > 1, phrase.count, phrase.wanted)
+        return self._same(referent) if phrase.is_definite else self._first(referent)
+
+    def _first(self, referent: Referent) -> Referent:
+        self.mentioned.setdefault(_key(referent), referent)
+        return referent
+
+    def _same(self, referent: Referent) -> Referent:
+        """The referent that a definite phrase takes up again ("a pen ... the pen"), or itself."""
+        first = self.mentioned.setdefault(_key(referent), referent)
+        return first if first.is_all == referent.is_all else referent
 
     def _in_context(self, names: tuple[str, ...], rooms: frozenset[str], is_all: bool) -> tuple[str, ...]:
         """Of fixed candidates those in the rooms that are said, else those in the room in question, if there are any."""
@@ -401,3 +412,7 @@ class _Grounder:
 
     def _is_fixed(self, name: str) -> bool:
         return not self._is_thing(name) and not self._is_person(name)
+
+
+def _key(referent: Referent) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...]]:
+    return referent.candidates, referent.where

@@ -65,7 +65,7 @@ def make_problem(state: SymbolicState, goal: Iterable[Atom], *, forbidden: Colle
     goal = tuple(sorted(set(goal)))
     scene = _Scene(state, goal)
     names = {name for name, _ in scene.objects}
-    relevant = sorted(step for step in forbidden if names.issuperset(step.objects))
+    relevant = sorted({step for step in forbidden if names.issuperset(step.objects)} | set(scene.misplacements()))
     return Problem(state.belief.domain.domain_pddl, scene.objects, tuple(sorted(set(scene.atoms()))), goal, tuple(relevant))
 
 
@@ -113,6 +113,19 @@ class _Scene:
             yield Atom("hand-free")
         for fact in self.facts:
             yield Atom("about", (fact, fact_of(fact)[1]))
+
+    def misplacements(self) -> Iterator[GroundAction]:
+        """Steps that would get rid of a thing the goal does not name: it is stowed, or put down where it can stay."""
+        named = {name for atom in self.goal for name in atom.objects}
+        has_slot = None in self.state.tray
+        for thing in self.things:
+            if thing in named or thing in {fact_of(fact)[1] for fact in self.facts}:
+                continue
+            for position in self.positions:
+                if position in self.house.people:
+                    yield GroundAction("give", (thing, position))
+                elif position not in self.house.doorways and (has_slot or "fill" in self.domain.kind(position).states):
+                    yield GroundAction("place", (thing, position))
 
     # -- what belongs to it ----------------------------------------------------------------------------------------------
 

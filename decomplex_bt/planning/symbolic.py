@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from decomplex_bt.planning.belief import ROBOT, Belief
+from decomplex_bt.planning.effects import values_after
 from decomplex_bt.planning.pddl import GroundAction
 
 
@@ -82,29 +83,8 @@ class SymbolicState:
             return replace(self, held=None).assume(places={objects[0]: objects[1]})
         if name in ("stow", "unstow"):
             return self._move_to_tray(objects[0], int(objects[1].rpartition("_")[2]) - 1, name == "stow")
-        return self.assume(values=_values_after(name, objects))
+        return self.assume(values=values_after(name, objects))
 
     def _move_to_tray(self, thing: str, slot: int, is_stowed: bool) -> SymbolicState:
         tray = tuple((thing if is_stowed else None) if i == slot else t for i, t in enumerate(self.tray))
         return replace(self, held=None if is_stowed else thing, tray=tray)
-
-
-_EFFECTS: dict[str, tuple[tuple[int, str, str], ...]] = {
-    # action: (index of the object, state pair, value)
-    "open-up": ((0, "aperture", "open"),),
-    "close-up": ((0, "aperture", "closed"),),
-    "switch-on": ((0, "power", "on"),),
-    "switch-off": ((0, "power", "off"),),
-    "heat": ((0, "temperature", "hot"), (1, "power", "on")),
-    "wash": ((0, "cleanliness", "clean"), (1, "power", "on")),
-    "chill": ((0, "temperature", "cold"), (1, "aperture", "closed")),
-    "rinse": ((0, "cleanliness", "clean"),),
-    "fill": ((0, "fill", "full"),),
-    "drain": ((0, "fill", "empty"),),
-    "drain-place": ((0, "fill", "empty"),),
-    "wipe": ((0, "cleanliness", "clean"),),
-}
-
-
-def _values_after(name: str, objects: tuple[str, ...]) -> dict[tuple[str, str], str]:
-    return {(objects[index], pair): value for index, pair, value in _EFFECTS.get(name, ())}

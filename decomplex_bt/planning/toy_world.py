@@ -1,0 +1,130 @@
+"""A symbolic toy world: carries out plan steps at once and gives percepts, to try out planning without a simulator."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.abilities import holds_things
+from decomplex_bt.planning.belief import ROBOT, Belief
+from decomplex_bt.planning.ground_task import GroundTask
+from decomplex_bt.planning.pddl import GroundAction
+from decomplex_bt.planning.percept import Percept
+from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.prior import Prior
+from decomplex_bt.planning.problem import belief_problem
+from decomplex_bt.planning.pursuit import Bindings, Pursuit, PursuitStatus, pursue
+from decomplex_bt.planning.effects import values_after
+
+MAX_PLANS = 200
+
+
+@dataclass
+class ToyWorld:
+    """The true world. `places`: thing to place, person to room; who is missing is nowhere in the house.
+
+    `values`: (entity, state pair) to value; what is not given is as it usually is. `broken` devices do not switch on.
+    The robot sees what is in its room, but for the insides of closed containers.
+    """
+
+    domain: Domain
+    room: str
+    places: dict[str, str]
+    values: dict[tuple[str, str], str] = field(default_factory=dict)
+    broken: frozenset[str] = frozenset()
+    at: str = ""
+    held: str | None = None
+    tray: list[str | None] = field(default_factory=lambda: [None] * 4)
+    steps: list[GroundAction] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.values = {**Prior.of(self.domain).values, **self.values}
+        self.at = self.at or self.domain.house.floor_of(self.room)
+
+    def percept(self) -> Percept:
+        """What the robot sees now."""
+        house = self.domain.house
+        seen = {name: place for name, place in self.places.items() if self._is_seen(place)}
+        seen[house.user] = self.places[house.user]
+        visible = [*seen, *(place for place in house.places() if self._room(place) == self.room)]
+        doors = [name for name in house.doorways if self.room in house.doorways[name].rooms]
+        states = {key: value for key, value in self.values.items() if key[0] in visible or key[0] in doors}
+        inspected = frozenset(
+            place for place in (self.at, house.floor_of(self.room)) if holds_things(place, self.domain) and self._is_open(place)
+        )
+        return Percept(
+            self.room, self.held, tuple(self.tray), seen, states, inspected, frozenset((self.at,)), seconds=float(len(self.steps))
+        )
+
+    def apply(self, step: GroundAction) -> str:
+        """Carries a step out; "ok", or why it did nothing."""
+        reason = self._problem(step)
+        if reason != "ok":
+            return reason
+        self.steps.append(step)
+        name, objects = step.name, step.objects
+        if name == "move":
+            self.at = objects[1]
+        elif name == "pass":
+            self.room = objects[2]
+        elif name == "follow":
+            self.room = self.places[objects[0]] = objects[2]
+            self.at = objects[0]
+        elif name in ("pick", "receive"):
+            self.held, self.places[objects[0]] = objects[0], ROBOT
+        elif name in ("place", "give"):
+            self.held, self.places[objects[0]] = None, objects[1]
+        elif name in ("stow", "unstow"):
+            slot = int(objects[1].rpartition("_")[2]) - 1
+            self.tray[slot], self.held = (objects[0], None) if name == "stow" else (None, objects[0])
+        self.values |= values_after(name, objects)
+        return "ok"
+
+    def run(self, task: GroundTask, belief: Belief, planner: Planner, bindings: Bindings) -> Pursuit:
+        """Pursues a task to its end as a leaf of a tree would, one step at a time."""
+        for _ in range(2):
+            belief.update(self.percept())
+        since = belief.tick
+        for _ in range(MAX_PLANS):
+            pursuit = pursue(task, belief, bindings, since=since)
+            bindings = pursuit.bindings
+            if pursuit.status is not PursuitStatus.ONGOING:
+                return pursuit
+            result = planner.solve(belief_problem(belief, pursuit.goal_atoms))
+            if not result.is_solved or not result.steps:
+                belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
+                continue
+            for step in result.steps:
+                outcome = self.apply(step)
+                for _ in range(2):
+                    belief.update(self.percept())
+                if outcome != "ok":
+                    belief.failed(step, outcome)
+                    break
+                belief.succeeded(step)
+                if pursue(task, belief, bindings, since=since).goal_atoms != pursuit.goal_atoms:
+                    break
+        raise AssertionError(f"no end in sight after {MAX_PLANS} plans: {pursuit}")
+
+    def _problem(self, step: GroundAction) -> str:
+        name, objects = step.name, step.objects
+        if name in ("switch-on", "heat", "wash") and objects[-1] in self.broken:
+            return "broken"
+        if name in ("pick", "place") and not self._is_open(objects[1]):
+            return "closed"
+        if name == "pick" and self.places.get(objects[0]) != objects[1]:
+            return "not there"
+        if name == "pass" and not self._is_open(objects[0]):
+            return "closed"
+        return "ok"
+
+    def _is_open(self, place: str) -> bool:
+        return self.values.get((place, "aperture"), "open") == "open"
+
+    def _is_seen(self, place: str) -> bool:
+        return place == ROBOT or (self._room(place) == self.room and (place in self.places or self._is_open(place)))
+
+    def _room(self, place: str) -> str | None:
+        house: Mapping[str, object] = self.domain.house.people
+        return self.places.get(place) if place in house else self.domain.room_of(place)
