@@ -135,9 +135,8 @@ class Geometry:
                 index = self.room_index[here]
                 x0, y0, x1, y1 = self._rects[index]
                 side = (bx - ax) * ((y0 + y1) / 2 - ay) - (by - ay) * ((x0 + x1) / 2 - ax)
-                # from a viewer on the left of the line a -> b, its end b lies on the viewer's right
+                # to a viewer on the left of the line a -> b its start lies on the right
                 right, left = ((ax, ay), (bx, by)) if side > 0 else ((bx, by), (ax, ay))
-                right, left = left, right
                 leaf = name if name in self.leaves else None
                 of_room[index].append(Portal(index, self.room_index[there], right, left, leaf))
         return tuple(tuple(portals) for portals in of_room)

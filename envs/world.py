@@ -224,7 +224,7 @@ class World:
         self.space = pymunk.Space()
         self.space.sleep_time_threshold = 0.4
         self.space.idle_speed_threshold = 0.02
-        self.space.iterations = 10
+        self.space.collision_slop = 0.002  # [m]; the default suits pixels
         static = self.space.static_body
         shapes: list[pymunk.Shape] = [
             _shaped(pymunk.Segment(static, (ax, ay), (bx, by), WALL_RADIUS), Collision.WALL)
