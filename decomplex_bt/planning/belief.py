@@ -49,6 +49,13 @@ class Belief:
         self._blocked: dict[GroundAction, str] = {}
         self._given_up: dict[tuple[Atom, ...], tuple[int, str]] = {}
 
+    def copy(self) -> Belief:
+        """A belief that goes its own way from here."""
+        other = Belief(self.domain, prior=self.prior)
+        for name, value in vars(self).items():
+            setattr(other, name, value.copy() if isinstance(value, dict) else value)
+        return other
+
     # -- what comes in ---------------------------------------------------------------------------------------------------
 
     def update(self, percept: Percept) -> None:

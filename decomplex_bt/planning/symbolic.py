@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from decomplex_bt.planning.belief import ROBOT, Belief
-from decomplex_bt.planning.effects import values_after
-from decomplex_bt.planning.pddl import GroundAction
 
 
 @dataclass(frozen=True)
 class SymbolicState:
-    """A belief, and what is assumed over it: post-conditions of earlier steps, outcomes of conditions.
+    """A belief, and what is assumed over it.
 
     `places` and `values` override the belief's; a place of None means nowhere. `at`: the position the robot is at, of
     those in the belief's `near` when None. Where neither says anything, a thing lies at its likeliest place.
@@ -62,29 +60,3 @@ class SymbolicState:
     def value(self, name: str, pair: str) -> str | None:
         """The value of a state pair as assumed or seen; None where it is not known."""
         return self.values.get((name, pair)) or self.belief.state(name, pair)
-
-    def assume(self, *, places: Mapping[str, str | None] | None = None,
-               values: Mapping[tuple[str, str], str] | None = None) -> SymbolicState:  # fmt: skip
-        """This state with more assumed."""
-        return replace(self, places={**self.places, **(places or {})}, values={**self.values, **(values or {})})
-
-    def after(self, step: GroundAction) -> SymbolicState:
-        """The state after a step, by the effects that later steps can depend on (post-conditions, DeComplex III-E)."""
-        name, objects = step.name, step.objects
-        if name == "move":
-            return replace(self, at=objects[1])
-        if name == "pass":
-            return replace(self, room=objects[2])
-        if name == "follow":
-            return replace(self, room=objects[2], at=objects[0]).assume(places={objects[0]: objects[2]})
-        if name in ("pick", "receive"):
-            return replace(self, held=objects[0]).assume(places={objects[0]: ROBOT})
-        if name in ("place", "give"):
-            return replace(self, held=None).assume(places={objects[0]: objects[1]})
-        if name in ("stow", "unstow"):
-            return self._move_to_tray(objects[0], int(objects[1].rpartition("_")[2]) - 1, name == "stow")
-        return self.assume(values=values_after(name, objects))
-
-    def _move_to_tray(self, thing: str, slot: int, is_stowed: bool) -> SymbolicState:
-        tray = tuple((thing if is_stowed else None) if i == slot else t for i, t in enumerate(self.tray))
-        return replace(self, held=None if is_stowed else thing, tray=tray)

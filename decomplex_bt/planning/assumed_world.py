@@ -1,13 +1,13 @@
-"""A symbolic toy world: carries out plan steps at once and gives percepts, to try out planning without a simulator."""
+"""A symbolic world as it is assumed to be: steps are carried out at once, and it gives percepts. No simulator needed."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.abilities import holds_things
-from decomplex_bt.planning.belief import ROBOT, Belief
+from decomplex_bt.planning.belief import LOOKS, ROBOT, Belief
 from decomplex_bt.planning.ground_task import GroundTask
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
@@ -17,12 +17,14 @@ from decomplex_bt.planning.problem import belief_problem
 from decomplex_bt.planning.pursuit import Bindings, Pursuit, PursuitStatus, pursue
 from decomplex_bt.planning.effects import values_after
 
-MAX_PLANS = 200
+MAX_PLANS = 300
+"""Plans for one task after which something is wrong with the planner or the domain."""
+_LOOKING = ("inspect", "sense", "sense-place", "sense-held", "sense-given")
 
 
 @dataclass
-class ToyWorld:
-    """The true world. `places`: thing to place, person to room; who is missing is nowhere in the house.
+class AssumedWorld:
+    """The world as it is assumed. `places`: thing to place, person to room; who is missing is nowhere in the house.
 
     `values`: (entity, state pair) to value; what is not given is as it usually is. `broken` devices do not switch on.
     The robot sees what is in its room, but for the insides of closed containers.
@@ -37,6 +39,21 @@ class ToyWorld:
     held: str | None = None
     tray: list[str | None] = field(default_factory=lambda: [None] * 4)
     steps: list[GroundAction] = field(default_factory=list)
+
+    @classmethod
+    def likely(cls, domain: Domain) -> AssumedWorld:
+        """The world as it is most often: things at their likeliest places, everybody who tends to be at home there."""
+        house, prior = domain.house, Prior.of(domain)
+        places = {name: prior.places[name][0][0] for name in house.things if prior.places[name]}
+        for name, person in house.people.items():
+            if name == house.user or person.home >= 0.5:
+                places[name] = max(person.rooms, key=lambda room: person.rooms[room])
+        room = max(house.robot_start, key=lambda room: house.robot_start[room])
+        return cls(domain, room, places)
+
+    def copy(self) -> AssumedWorld:
+        """A world that goes its own way from here."""
+        return replace(self, places=dict(self.places), values=dict(self.values), tray=list(self.tray), steps=list(self.steps))
 
     def __post_init__(self) -> None:
         self.values = {**Prior.of(self.domain).values, **self.values}
@@ -83,7 +100,7 @@ class ToyWorld:
 
     def run(self, task: GroundTask, belief: Belief, planner: Planner, bindings: Bindings) -> Pursuit:
         """Pursues a task to its end as a leaf of a tree would, one step at a time."""
-        for _ in range(2):
+        for _ in range(LOOKS):
             belief.update(self.percept())
         since = belief.tick
         for _ in range(MAX_PLANS):
@@ -95,17 +112,24 @@ class ToyWorld:
             if not result.is_solved or not result.steps:
                 belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
                 continue
-            for step in result.steps:
-                outcome = self.apply(step)
-                for _ in range(2):
-                    belief.update(self.percept())
-                if outcome != "ok":
-                    belief.failed(step, outcome)
-                    break
-                belief.succeeded(step)
-                if pursue(task, belief, bindings, since=since).goal_atoms != pursuit.goal_atoms:
-                    break
+            self._carry_out(result.steps, task, belief, bindings, since, pursuit)
         raise AssertionError(f"no end in sight after {MAX_PLANS} plans: {pursuit}")
+
+    def _carry_out(
+        self, steps: tuple[GroundAction, ...], task: GroundTask, belief: Belief, bindings: Bindings, since: int, pursuit: Pursuit
+    ) -> None:
+        """Carries a plan out until it fails or another goal is due; a look that is next in the plan is still taken."""
+        for step, following in zip(steps, (*steps[1:], None), strict=True):
+            outcome = self.apply(step)
+            for _ in range(LOOKS):
+                belief.update(self.percept())
+            if outcome != "ok":
+                belief.failed(step, outcome)
+                return
+            belief.succeeded(step)
+            is_look = following is not None and following.name in _LOOKING
+            if not is_look and pursue(task, belief, bindings, since=since).goal_atoms != pursuit.goal_atoms:
+                return
 
     def _problem(self, step: GroundAction) -> str:
         name, objects = step.name, step.objects

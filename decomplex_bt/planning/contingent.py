@@ -1,0 +1,195 @@
+"""The conditional plan: a plan for every task of a flow, from the state assumed on its branch (DeComplex, section III-E).
+
+Every task is pursued as it will be at run time, but in a world that is as it is assumed to be: things lie at their
+likeliest places, a condition holds in its `then` branch and does not in its `else` branch, and what earlier tasks have
+brought about stays so. Unlike in the paper, where a plan leads straight to a task's goal, the looking around that a
+task takes is part of its plan. Tasks behind a condition are planned from the end of its `then` branch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from decomplex_bt.flow import If, Node
+from decomplex_bt.planning.assumed_world import AssumedWorld
+from decomplex_bt.planning.belief import Belief
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.pddl import GroundAction
+from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.pursuit import Bindings, PursuitStatus
+from decomplex_bt.planning.whereabouts import places_of
+
+
+@dataclass(frozen=True, slots=True)
+class TaskPlan:
+    """The plan of one task. `reason` says why it fails where it is assumed to, "" where it is done."""
+
+    task: int
+    type: str
+    phrase: str
+    steps: tuple[GroundAction, ...]
+    reason: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        value: dict[str, Any] = {"task": self.task, "type": self.type, "phrase": self.phrase}
+        value["steps"] = [str(step) for step in self.steps]
+        return {**value, "reason": self.reason} if self.reason else value
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """A condition: its plan where it holds and where it does not, and what follows then."""
+
+    holds: TaskPlan
+    fails: TaskPlan
+    then: tuple[PlanNode, ...] = ()
+    orelse: tuple[PlanNode, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "if": self.holds.to_json(),
+            "then": [node.to_json() for node in self.then],
+            "if_not": self.fails.to_json(),
+            "else": [node.to_json() for node in self.orelse],
+        }
+
+
+PlanNode = TaskPlan | Choice
+
+
+@dataclass(frozen=True, slots=True)
+class ConditionalPlan:
+    """The plans of all tasks of an instruction, in the shape of its flow."""
+
+    text: str
+    nodes: tuple[PlanNode, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        return {"text": self.text, "plan": [node.to_json() for node in self.nodes]}
+
+    def __str__(self) -> str:
+        return "\n".join(_lines(self.nodes, ""))
+
+
+def plan_conditionally(
+    instruction: GroundInstruction, planner: Planner, *, world: AssumedWorld, belief: Belief | None = None
+) -> ConditionalPlan:
+    """The conditional plan of an instruction in an assumed world; `belief` (default: nothing was seen yet) is not changed."""
+    belief = belief.copy() if belief is not None else Belief(world.domain)
+    start = _Branch(instruction, planner, world.copy(), belief, {})
+    return ConditionalPlan(instruction.text, start.plan(instruction.flow.nodes))
+
+
+@dataclass
+class _Branch:
+    """How things stand on one branch while it is being planned."""
+
+    instruction: GroundInstruction
+    planner: Planner
+    world: AssumedWorld
+    belief: Belief
+    bindings: Bindings
+
+    def plan(self, nodes: Sequence[Node]) -> tuple[PlanNode, ...]:
+        return tuple(self._plan(node) for node in nodes)
+
+    def _plan(self, node: Node) -> PlanNode:
+        task = self.instruction.task(node.task)
+        if not isinstance(node, If):
+            return self._pursue(task)
+        other = self._fork()
+        _assume(self.world, self.belief, task, holds=True)
+        _assume(other.world, other.belief, task, holds=False)
+        holds, fails = self._pursue(task), other._pursue(task)
+        return Choice(holds, fails, self.plan(node.then), other.plan(node.orelse))
+
+    def _fork(self) -> _Branch:
+        return _Branch(self.instruction, self.planner, self.world.copy(), self.belief.copy(), self.bindings)
+
+    def _pursue(self, task: GroundTask) -> TaskPlan:
+        before = len(self.world.steps)
+        pursuit = self.world.run(task, self.belief, self.planner, self.bindings)
+        self.bindings = pursuit.bindings
+        has_held = pursuit.status is PursuitStatus.DONE and pursuit.truth is not False
+        steps = tuple(self.world.steps[before:])
+        return TaskPlan(task.number, task.type, task.phrase, steps, "" if has_held else pursuit.reason)
+
+
+# -- what a branch assumes -------------------------------------------------------------------------------------------------
+
+
+def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: bool) -> None:
+    """Makes a condition true or false in an assumed world, as far as that is possible."""
+    if task.type == "searching" or task.state == HERE:
+        for referent in task.objects:
+            _assume_presence(world, belief, task, referent, holds)
+    elif task.type == "check_state":
+        pair = world.domain.kinds.pair_of(task.state or "")
+        value = task.state if holds else world.domain.kinds.opposite(task.state or "")
+        for name in (name for referent in task.objects for name in referent.candidates):
+            world.values[(name, pair)] = value or ""
+    elif not holds:
+        _assume_impossible(world, task)
+
+
+def _assume_presence(world: AssumedWorld, belief: Belief, task: GroundTask, referent: Referent, holds: bool) -> None:
+    house = world.domain.house
+    is_person = referent.candidates[0] in house.people
+    wheres = [place for place_of in task.places for place in places_of(place_of, belief, for_people=is_person)]
+    if holds:
+        name = referent.candidates[0]
+        likely = [place for place, _ in belief.likely_places(name)]
+        place = next((place for place in likely if place in wheres or not wheres), wheres[0] if wheres else None)
+        if name not in world.places or (wheres and not any(_is_in(world, n, wheres) for n in referent.candidates)):
+            world.places[name] = (world.domain.room_of(place or "") if is_person else place) or world.room
+        return
+    for name in referent.candidates:
+        if name in world.places and name != house.user and (not wheres or _is_in(world, name, wheres)):
+            elsewhere = [place for place, _ in belief.prior.places.get(name, ()) if place not in wheres]
+            if wheres and elsewhere:
+                world.places[name] = (world.domain.room_of(elsewhere[0]) if is_person else elsewhere[0]) or world.room
+            else:
+                del world.places[name]
+
+
+def _is_in(world: AssumedWorld, name: str, wheres: Sequence[str]) -> bool:
+    """Whether a thing lies at one of these places, or a person is in the room of one."""
+    place = world.places.get(name)
+    return place in wheres or (name in world.domain.house.people and place in map(world.domain.room_of, wheres))
+
+
+def _assume_impossible(world: AssumedWorld, task: GroundTask) -> None:
+    """Makes an action fail: its things are gone, its people out, its devices broken."""
+    names = [name for referent in task.referents() for name in referent.candidates]
+    for name in names:
+        if name in world.places and name != world.domain.house.user:
+            del world.places[name]
+    world.broken = world.broken | {name for name in names if name not in world.places}
+
+
+# -- in words ---------------------------------------------------------------------------------------------------------------
+
+
+def _lines(nodes: Sequence[PlanNode], pad: str) -> Iterator[str]:
+    for node in nodes:
+        if isinstance(node, TaskPlan):
+            yield from _task_lines(node, pad, "")
+            continue
+        yield from _task_lines(node.holds, pad, "if ")
+        if node.then:
+            yield f"{pad}then"
+            yield from _lines(node.then, pad + "  ")
+        if node.fails.steps != node.holds.steps:
+            yield from _task_lines(node.fails, pad, "if not ")
+        if node.orelse:
+            yield f"{pad}else"
+            yield from _lines(node.orelse, pad + "  ")
+
+
+def _task_lines(plan: TaskPlan, pad: str, word: str) -> Iterator[str]:
+    note = f"   ; {plan.reason}" if plan.reason else ""
+    yield f"{pad}{word}[{plan.task}] {plan.phrase} ({plan.type}){note}"
+    yield from (f"{pad}  {step}" for step in plan.steps)
+
