@@ -16,6 +16,7 @@ from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.sentences import say_task
 from decomplex_bt.behaviour.session import Session
+from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction, Missing
 from decomplex_bt.planning.belief import Belief
@@ -68,7 +69,7 @@ class TreeAgent:
         self.grounded: GroundInstruction = ground(self.instruction, self._domain, ask=self._ask)
         self._body.reset(observation)
         self._session = Session(self._body, Belief(self._domain), self._planner)
-        self.compiled = self._compile()
+        self.compiled = compile_instruction(self.instruction, self.grounded, self._domain)
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)
         self.done = False
@@ -129,23 +130,25 @@ class TreeAgent:
         # Only here is language needed; a gold flow runs without it.
         from decomplex_bt.understanding.interpreter import Interpreter
 
-        return Interpreter.load(self._domain.name).interpret(text)
+        return Interpreter.load(self._domain).interpret(text)
 
-    def _compile(self) -> CompiledTree:
-        tasks = {task.number: task for task in self.grounded.tasks}
-        prepositions = self._domain.lexicon.prepositions
-        names = {
-            task.id: say_task(
-                task, self._domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions
-            )
-            for task in self.instruction.tasks
-        }
-        return compile_flow(
-            self.grounded.flow,
-            names,
-            lambda name, number, is_condition: PlannedTask(name, tasks[number], is_condition=is_condition),
-            title=self.instruction.text,
+
+def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:
+    """The tree of a grounded instruction, its nodes named by sentences; it is set up with a session before it ticks."""
+    tasks = {task.number: task for task in grounded.tasks}
+    prepositions = domain.lexicon.prepositions
+    names = {
+        task.id: say_task(
+            task, domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions
         )
+        for task in instruction.tasks
+    }
+    return compile_flow(
+        grounded.flow,
+        names,
+        lambda name, number, is_condition: PlannedTask(name, tasks[number], is_condition=is_condition),
+        title=instruction.text,
+    )
 
 
 def _spoken_state(state: str | None) -> str | None:
