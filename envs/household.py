@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import isfinite, pi
+from math import hypot, isfinite, pi
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 from zlib import crc32
@@ -22,13 +22,15 @@ from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
 from decomplex_bt.envs.judge import Judge
 from decomplex_bt.envs.options import MAX_CHARACTERS, Options, Request, apply_options, read_options, read_request
-from decomplex_bt.envs.sensing import Sensor, SensingConfig
+from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import draw_request, setting_of
 from decomplex_bt.envs.walking import advance
 from decomplex_bt.envs.world import World, WorldConfig
+from decomplex_bt.envs.world_truth import WorldTruth
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
+    from decomplex_bt.envs.baselines import Policy
     from decomplex_bt.envs.embodiment import HouseholdEmbodiment
     from decomplex_bt.envs.rendering.camera import Camera
     from decomplex_bt.envs.verdict import Verdict
@@ -114,7 +116,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     one from the corpus. A text without a gold reading is understood by the interpreter, which is loaded then.
 
     ## Info keys
-    `instruction` (the exact text), `seconds`, `result` (name), `success`, `judged_by` ("gold" or "interpreted"),
+    `instruction` (the exact text), `seconds`, `path_length` (m driven), `result` (name), `events` (what was tried
+    in this step, in words), `is_success`, `judged_by` ("gold" or "interpreted"),
     `goal_conditions_met`, `goal_conditions_total`, `branches` (truth and side taken of each condition reached),
     `violations`, `unsettled` (the task due now), `feasible`, `infeasible_cause`; after reset also `exempt` (what the
     balance could not mix). They are for people and judges; an agent may use `instruction` alone.
@@ -152,9 +155,14 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     # -- the Gymnasium API --------------------------------------------------------------------------------------------
 
     def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None, instruction: Any = None
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode. Raises `InputError` for options or an instruction that cannot be used."""
+        """Begins an episode; `instruction` is the option of that name.
+
+        Raises `InputError` for options or an instruction that cannot be used.
+        """
+        if instruction is not None:
+            options = {**(options or {}), "instruction": instruction}
         super().reset(seed=seed)
         return self._begin(read_options(options, self.setting.geometry))
 
@@ -166,7 +174,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._result = interact(world, interaction, target)
         if world.walks:
             advance(world)
+        x, y = world.robot
         world.drive(forward, turn)
+        self._path_length += hypot(world.robot[0] - x, world.robot[1] - y)
         self._sensor.look()
         before = self._verdict
         if self._judging is not None:
@@ -209,6 +219,16 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return HouseholdEmbodiment(
             self.domain, BodyConfig(limits=limits, reach=world.reach, reach_person=world.speak_reach)
         )
+
+    def truth(self) -> WorldTruth:
+        """The running episode's world as the judge reads it; for judges and the oracle, cheating for an agent."""
+        return WorldTruth(self.world, self._sensor)
+
+    def policy(self, name: str, **arguments: Any) -> Policy:
+        """A registered policy for this environment: "tree", "oracle", "random" or "idle" (`baselines.make_policy`)."""
+        from decomplex_bt.envs.baselines import make_policy
+
+        return make_policy(name, self, **arguments)
 
     @property
     def world(self) -> World:
@@ -313,6 +333,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._recording: list[tuple[float, float, int, int]] = []
         self._checksums: list[int] = []
         self._result = Result.NONE
+        self._path_length = 0.0
         self._world = self._draw_world(options, base, mixing, noise)
         self._sensor = Sensor(self._world, self.config.sensing, noise)
         if not options.noise or not options.chance:
@@ -394,14 +415,16 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         info = {
             "instruction": self._text,
             "seconds": self.world.seconds,
+            "path_length": self._path_length,
+            "events": [] if self.world.event is None else [str(self.world.event)],
             "result": self._result.name.lower().replace("_", " "),
             **self._feasibility,
         }
         verdict = self._verdict
         if verdict is None or self._judging is None:
-            return {**info, "success": False}
+            return {**info, "is_success": False}
         info["judged_by"] = self._judging.judged_by
-        info["success"] = verdict.is_success
+        info["is_success"] = verdict.is_success
         info["goal_conditions_met"] = verdict.met
         info["goal_conditions_total"] = verdict.total
         info["branches"] = [branch.to_json() for branch in verdict.branches]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from decomplex_bt.envs.balance import Test
+from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction
 
 if TYPE_CHECKING:
@@ -28,6 +29,8 @@ class Judge:
         self.reading = reading
         self.domain = domain
         self.judged_by = judged_by
+        if not reading.tasks:
+            raise InputError(f"{reading.text!r} asks for nothing that a robot of this household can do")
         self.grounded = ground(reading, domain)
         self.tests: tuple[Test, ...] = tests_of(self.grounded, domain)
         self._monitor: Monitor | None = None

@@ -18,7 +18,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
-from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Floats, Geometry
+from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
@@ -90,6 +90,11 @@ class Event:
     thing: str | None = None
     person: str | None = None
     goal: str | None = None
+
+    def __str__(self) -> str:
+        target = self.target if self.goal is None else f"lead to {self.goal}"
+        thing = f" with {self.thing}" if self.thing not in (None, self.target) else ""
+        return f"{_say(self.interaction)} {target}{thing}: {_say(self.result)}"
 
 
 class World:
@@ -381,6 +386,10 @@ class World:
 
     def _carried_rows(self) -> NDArray[np.int64]:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])
+
+
+def _say(member: Interaction | Result) -> str:
+    return member.name.lower().replace("_", " ")
 
 
 def _shaped(shape: pymunk.Shape, category: Collision) -> pymunk.Shape:

@@ -1,0 +1,205 @@
+"""Policies to compare with, all behind one interface: the tree agent, an oracle that knows the world, random, idle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from decomplex_bt.envs.interface import Interaction
+from decomplex_bt.envs.truth import Truth
+from decomplex_bt.errors import InputError
+from decomplex_bt.planning.pddl import GroundAction
+from decomplex_bt.planning.percept import Percept
+
+if TYPE_CHECKING:
+    from decomplex_bt.behaviour.agent import TreeAgent
+    from decomplex_bt.behaviour.failure import Failure
+    from decomplex_bt.domain.loader import Domain
+    from decomplex_bt.envs.household import HouseholdEnv
+    from decomplex_bt.instruction import Instruction
+    from decomplex_bt.planning.planner import Planner
+
+_LOOKS = 3
+"""Looks at the truth that a belief takes in before it believes that what is not there is not there."""
+
+
+class Policy(Protocol):
+    """What acts in an environment: `reset` once per episode, then an action for each observation.
+
+    `failures`: why tasks failed, in order, where the policy knows of tasks. `plans`, `replans`: counts of the episode.
+    """
+
+    done: bool
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        """Begins an episode. Raises `InputError` for an instruction that the policy can do nothing with."""
+
+    def act(self, observation: Any) -> Any:
+        """The action for this observation."""
+
+    @property
+    def failures(self) -> tuple[Failure, ...]: ...
+
+    @property
+    def plans(self) -> int: ...
+
+    @property
+    def replans(self) -> int: ...
+
+
+def make_policy(
+    name: str,
+    env: HouseholdEnv,
+    *,
+    reading: Instruction | None = None,
+    planner: Planner | None = None,
+    seed: int = 0,
+) -> Policy:
+    """The policy of this name for an environment. Raises `InputError` for an unknown name.
+
+    `reading`: how the instruction is to be understood (a gold one, or one that was understood beforehand); None: the
+    policy understands the text itself. `planner`: shared by the episodes, for its cache. `seed`: of a random policy.
+    """
+    if name not in POLICIES:
+        raise InputError(f"there is no agent {name!r}; known: {', '.join(POLICIES)}")
+    return POLICIES[name](env, reading, planner, seed)
+
+
+class TreePolicy:
+    """The tree agent: it goes by its observations and the house map alone."""
+
+    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+        from decomplex_bt.behaviour.agent import TreeAgent
+
+        self.agent: TreeAgent = TreeAgent(_Body(env), flow=reading, planner=planner)
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        self.agent.reset(observation, {"instruction": info["instruction"]})
+
+    def act(self, observation: Any) -> Any:
+        return self.agent.act(observation)
+
+    @property
+    def done(self) -> bool:
+        return self.agent.done
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        return self.agent.failures
+
+    @property
+    def plans(self) -> int:
+        return self.agent.session.plans
+
+    @property
+    def replans(self) -> int:
+        return self.agent.session.replans
+
+
+class OraclePolicy(TreePolicy):
+    """The tree agent with the whole truth of the start in its belief: what one would reach who need not search."""
+
+    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+        super().__init__(env, reading, planner, seed)
+        self._env = env
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        super().reset(observation, info)
+        truth = self._env.truth()
+        belief = self.agent.session.belief
+        percept = perceive_all(self._env.domain, truth)
+        for _ in range(_LOOKS):
+            belief.update(percept)
+        for step in _refused(self._env.domain, truth):
+            belief.failed(step, "broken")
+
+
+class RandomPolicy:
+    """Drives and handles things at random; it never gives up."""
+
+    plans = replans = 0
+    failures: tuple[Failure, ...] = ()
+
+    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+        self._rows = len(env.entities)
+        self._seed = seed
+        self.done = False
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        self._rng = np.random.default_rng(self._seed)
+
+    def act(self, observation: Any) -> Any:
+        rng = self._rng
+        return {
+            "drive": rng.uniform(-1.0, 1.0, 2).astype(np.float32),
+            "interact": int(rng.integers(Interaction.FINISH)),
+            "target": int(rng.integers(self._rows)),
+        }
+
+
+class IdlePolicy:
+    """Does nothing and says so: what it reaches, nobody had to do."""
+
+    plans = replans = 0
+    failures: tuple[Failure, ...] = ()
+
+    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+        self.done = False
+
+    def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
+        self.done = False
+
+    def act(self, observation: Any) -> Any:
+        self.done = True
+        return {"drive": np.zeros(2, dtype=np.float32), "interact": int(Interaction.FINISH), "target": 0}
+
+
+POLICIES: dict[str, Callable[[HouseholdEnv, Instruction | None, Planner | None, int], Policy]] = {
+    "tree": TreePolicy,
+    "oracle": OraclePolicy,
+    "random": RandomPolicy,
+    "idle": IdlePolicy,
+}
+
+
+def perceive_all(domain: Domain, truth: Truth) -> Percept:
+    """What one would perceive who sees the whole house at once, into every container."""
+    house = domain.house
+    movable = (*house.things, *house.people)
+    fixed = house.places()
+    here = [name for name in movable if truth.place(name) is not None]
+    states = {
+        (name, pair): value
+        for name in (*fixed, *(name for name in house.things if name in here))
+        for pair in domain.kind(name).states
+        if (value := truth.state(name, pair)) is not None
+    }
+    holding = frozenset(name for name in fixed if domain.kind(name).surface or domain.kind(name).inside)
+    places = {name: place for name in here if (place := truth.place(name)) is not None}
+    return Percept(room=truth.room, places=places, states=states, inspected=holding)
+
+
+def _refused(domain: Domain, truth: Truth) -> list[GroundAction]:
+    """The steps that broken devices refuse."""
+    broken = [name for name in domain.house.places() if truth.is_broken(name)]
+    refused = [GroundAction("switch-on", (device,)) for device in broken]
+    for device in broken:
+        kind = domain.kind(device)
+        for step, tags in (("heat", kind.heats), ("wash", kind.washes), ("fill", kind.fills)):
+            things = [thing for thing in domain.house.things if set(tags) & set(domain.kind(thing).tags)]
+            refused += [GroundAction(step, (thing, device)) for thing in things]
+    return refused
+
+
+class _Body:
+    """All of an environment that the tree agent gets: what makes it a body."""
+
+    def __init__(self, env: HouseholdEnv) -> None:
+        self._embodiment = env.embodiment
+
+    def get_wrapper_attr(self, name: str) -> Any:
+        if name != "embodiment":
+            raise AttributeError(name)
+        return self._embodiment

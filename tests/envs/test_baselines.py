@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import gymnasium as gym
+import pytest
+
+import decomplex_bt  # noqa: F401 - registers the environments
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import InputError
+
+DOMAIN = load_domain("household")
+KEYS = read_markup(
+    "If you [find](1:searching) [my keys](1:object) [on the desk](1:location), "
+    "[bring](2:bringing) [them](2:object=my keys).",
+    DOMAIN.ontology,
+    flow=[{"if": 1, "then": [2]}],
+)
+START = {"placement": {"keys": "desk"}, "people": {"user": "study"}, "noise": False, "balance": 0.0}
+
+
+@pytest.fixture(scope="module")
+def env():
+    return gym.make("decomplex_bt/Household-v0")
+
+
+def run(env, name, *, seed=0, max_seconds=60.0, **options):
+    observation, info = env.reset(
+        seed=seed, options={"instruction": KEYS, "max_seconds": max_seconds, **START, **options}
+    )
+    policy = env.unwrapped.policy(name, reading=KEYS, seed=seed)
+    policy.reset(observation, info)
+    actions = []
+    while True:
+        action = policy.act(observation)
+        actions.append((tuple(action["drive"].tolist()), action["interact"], action["target"]))
+        observation, _, terminated, truncated, info = env.step(action)
+        if terminated or truncated:
+            return info, actions, policy
+
+
+@pytest.mark.parametrize("name", ["tree", "oracle"])
+def test_those_who_go_by_the_instruction_succeed(env, name):
+    info, _, policy = run(env, name)
+    assert info["is_success"], [str(failure) for failure in policy.failures]
+    assert policy.plans >= 1
+    assert info["path_length"] > 1.0
+
+
+def test_the_oracle_knows_what_is_nowhere_without_looking(env):
+    pen = read_markup(
+        "[Find](1:searching) [a pencil](1:object), or else [tell](2:informing) [me](2:recipient).",
+        DOMAIN.ontology,
+        flow=[{"if": 1, "else": [2]}],
+    )
+    lengths = {}
+    for name in ("tree", "oracle"):
+        options = {"instruction": pen, "placement": {"pencil": None}, "people": {"user": "study"}, "balance": 0.0}
+        observation, info = env.reset(seed=3, options=options)
+        policy = env.unwrapped.policy(name, reading=pen)
+        policy.reset(observation, info)
+        terminated = truncated = False
+        while not (terminated or truncated):
+            observation, _, terminated, truncated, info = env.step(policy.act(observation))
+        assert info["is_success"], (name, info, policy.failures)
+        lengths[name] = info["path_length"]
+    assert lengths["oracle"] < lengths["tree"]
+
+
+def test_idle_gives_up_at_once(env):
+    info, actions, _ = run(env, "idle")
+    assert not info["is_success"]
+    assert len(actions) == 1
+
+
+def test_random_is_the_same_for_the_same_seed_and_never_finishes(env):
+    first, second = (run(env, "random", max_seconds=5.0)[1] for _ in range(2))
+    assert first == second
+    assert len(first) == 50
+    assert run(env, "random", seed=1, max_seconds=1.0)[1] != first[:10]
+
+
+def test_an_unknown_agent_is_named_with_the_known_ones(env):
+    with pytest.raises(InputError, match="'clever'; known: tree, oracle, random, idle"):
+        env.unwrapped.policy("clever")
+
