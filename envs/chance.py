@@ -66,22 +66,25 @@ class Draw:
         self._people(rng)
         self._settle()
 
-    def likeliest(self, rng: Generator) -> None:
-        """The start without chance: everything as it is most often, nothing broken. Spots are still drawn."""
-        prior, start = self.prior, self.start
+    def likeliest(self) -> None:
+        """The start without chance: everything as it is most often, nothing broken, always at the same spots."""
+        prior, start, rng = self.prior, self.start, np.random.default_rng(0)
         start.states = np.where(prior.has_state, prior.chance >= 0.5, -1).astype(np.int8)
         for row in self.geometry.thing_rows:
-            self.lay(row, prior.likeliest_place(row), rng)
+            rows, weights = prior.places(row)
+            by_weight = rows[np.argsort(-weights, kind="stable")].tolist()
+            next(place for place in by_weight if self.lay(row, place, rng))
         for index, row in enumerate(self.geometry.people_rows):
             if prior.home[index] >= 0.5:
                 self.stand(row, int(np.argmax(prior.rooms[index])), rng)
         self._settle()
 
-    def robot(self, rng: Generator, *, has_chance: bool = True) -> None:
-        """Where the robot stands; drawn last, so that it stands clear of everything on the floor."""
+    def robot(self, rng: Generator | None) -> None:
+        """Where the robot stands; drawn last, so that it stands clear of everything on the floor. None: no chance."""
         row = self.geometry.robot_row
         rooms = self.prior.robot_rooms
-        room = int(_choose(rooms, rng)) if has_chance else int(np.argmax(rooms))
+        room = int(np.argmax(rooms)) if rng is None else int(_choose(rooms, rng))
+        rng = rng or np.random.default_rng(0)
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
         self.start.position[row] = _pick(self.spots.robot(room, taken), rng, "the robot", self.geometry.rooms[room])
         self.start.heading = float(rng.uniform(-pi, pi))

@@ -376,12 +376,12 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if options.chance:
             draw.everything(base)
         else:
-            draw.likeliest(base)
+            draw.likeliest()
         if options.chance and self._judging is not None:
             balance = self.config.balance if options.balance is None else options.balance
             mix(draw, self._judging.tests, balance, mixing)
         apply_options(options, draw, mixing)
-        draw.robot(base, has_chance=options.chance)
+        draw.robot(base if options.chance else None)
         return World(setting.geometry, setting.prior, setting.spots, draw.start, noise, self.config.world)
 
     # -- a step's parts -----------------------------------------------------------------------------------------------

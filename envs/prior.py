@@ -54,10 +54,6 @@ class Prior:
         """Where a thing may lie (rows, `ABSENT` among them) with the probability of each; padded with zeros."""
         return self._of_thing[thing]
 
-    def likeliest_place(self, thing: int) -> int:
-        rows, weights = self._of_thing[thing]
-        return int(rows[np.argmax(weights)])
-
     def _kind(self, row: int) -> Kind:
         return self.geometry.house.kind(self.geometry.names[row], self.geometry.kinds)
 

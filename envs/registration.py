@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from gymnasium.envs.registration import WrapperSpec, register, registry
+from gymnasium.envs.registration import register, registry
 
 HOUSEHOLD = "decomplex_bt/Household-v0"
 HOUSEHOLD_FLAT = "decomplex_bt/HouseholdFlat-v0"
 
 
 def register_envs() -> None:
-    """Registers every id of this package; calling it again changes nothing."""
-    takes_instruction = WrapperSpec(
-        name="InstructionReset", entry_point="decomplex_bt.envs.wrappers:InstructionReset", kwargs={}
-    )
+    """Registers every id of this package; calling it again changes nothing.
+
+    No wrappers are registered: the standard ones refuse `reset(instruction=...)`, and `gym.make_vec` refuses a
+    `vector_entry_point` beside `additional_wrappers`. The environment itself refuses what comes in the wrong order or is
+    no action. `wrappers.InstructionReset` brings the keyword back on top of any stack of wrappers.
+    """
     for identity, entry_point, vector_entry_point in (
         (HOUSEHOLD, "household:HouseholdEnv", "vector:make_household_vector"),
         (HOUSEHOLD_FLAT, "flat:FlatHouseholdEnv", "vector:make_flat_vector"),
@@ -22,5 +24,6 @@ def register_envs() -> None:
                 identity,
                 entry_point=f"decomplex_bt.envs.{entry_point}",
                 vector_entry_point=f"decomplex_bt.envs.{vector_entry_point}",
-                additional_wrappers=(takes_instruction,),
+                order_enforce=False,
+                disable_env_checker=True,
             )

@@ -11,7 +11,8 @@ from gymnasium.utils import RecordConstructorArgs
 class InstructionReset(gym.Wrapper, RecordConstructorArgs):
     """Lets `reset` take the instruction itself: `env.reset(seed=7, instruction="Bring me a pen.")`.
 
-    It is the outermost wrapper of the registered environments, for the standard ones refuse an unknown keyword.
+    The environments do so on their own; put this outermost where other wrappers are around them, for the standard ones
+    refuse an unknown keyword.
     """
 
     def __init__(self, env: gym.Env[Any, Any]) -> None:

@@ -53,7 +53,7 @@ def trial() -> Callable[..., Trial]:
         setting = setting_of(load_domain("household"))
         rng = np.random.default_rng(seed)
         draw = Draw(setting.prior, setting.spots)
-        draw.likeliest(rng)
+        draw.likeliest()
         options.setdefault("people", {"user": "study", "anna": None, "tom": None, "guest": None})
         apply_options(read_options(options, setting.geometry), draw, rng)
         row = setting.geometry.robot_row

@@ -1,0 +1,149 @@
+"""How an episode begins is drawn from the generator alone, and fits the house."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest, at_least, mix
+from decomplex_bt.envs.chance import POWER, TEMPERATURE, Draw
+from decomplex_bt.envs.prior import ABSENT
+from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.spots import PERSON_RADIUS
+from decomplex_bt.errors import InputError
+
+SETTING = setting_of(load_domain("household"))
+ROW = SETTING.geometry.row
+
+
+def drawn(seed, tests=(), balance=0.3):
+    draw = Draw(SETTING.prior, SETTING.spots)
+    draw.everything(np.random.default_rng(seed))
+    mix(draw, tests, balance, np.random.default_rng([seed, 1]))
+    return draw.start
+
+
+def share(test_is_true, tests, count=300, balance=0.3):
+    return np.mean([test_is_true(drawn(seed, tests, balance)) for seed in range(count)])
+
+
+def test_same_seed_same_start():
+    one, other = drawn(5), drawn(5)
+    assert np.array_equal(one.position, other.position, equal_nan=True)
+    assert np.array_equal(one.states, other.states)
+
+
+def test_things_lie_at_places_that_suit_them_and_none_on_another():
+    for seed in range(30):
+        start = drawn(seed)
+        for place in np.unique(start.place[start.place != ABSENT]):
+            rows = np.flatnonzero(start.place == place)
+            for row in rows:
+                at, weights = SETTING.prior.places(row)
+                assert weights[at == place] > 0
+                for other in rows[rows > row]:
+                    gap = np.hypot(*(start.position[row] - start.position[other]))
+                    assert gap >= SETTING.prior.radius[row] + SETTING.prior.radius[other] - 1e-9
+
+
+def test_places_come_up_as_often_as_their_weights_say():
+    rows, weights = SETTING.prior.places(ROW["milk"])
+    expected = weights[rows == ROW["fridge"]].sum()
+    assert share(lambda start: start.place[ROW["milk"]] == ROW["fridge"], ()) == pytest.approx(expected, abs=0.09)
+
+
+def test_broken_devices_are_off_and_closed_fridges_cool():
+    for seed in range(60):
+        start = drawn(seed)
+        assert (start.states[start.broken, POWER] != 1).all()
+        inside = np.flatnonzero(start.place == ROW["fridge"])
+        if start.states[ROW["fridge"], 1] == 0:
+            assert (start.states[inside, TEMPERATURE] != 1).all()
+
+
+def test_the_user_is_always_at_home_and_the_relative_never():
+    starts = [drawn(seed) for seed in range(40)]
+    assert all(start.home[ROW["user"]] for start in starts)
+    assert not any(start.home[ROW["relative"]] for start in starts)
+    assert {bool(start.home[ROW["anna"]]) for start in starts} == {True, False}
+
+
+def test_people_stand_clear_of_furniture_and_each_other():
+    for seed in range(30):
+        start = drawn(seed)
+        people = start.position[start.home]
+        for index, (x, y) in enumerate(people):
+            for x0, y0, x1, y1 in SETTING.geometry.blocks:
+                assert np.hypot(max(x0 - x, 0, x - x1), max(y0 - y, 0, y - y1)) >= PERSON_RADIUS
+            assert all(np.hypot(*(other - (x, y))) > 2 * PERSON_RADIUS for other in people[index + 1 :])
+
+
+@pytest.mark.parametrize("balance", [0.3, 0.5])
+def test_a_tested_state_holds_with_probability_within_the_balance(balance):
+    test = StateTest(("fridge",), "aperture", "open")
+    holds = share(lambda start: start.states[ROW["fridge"], 1] == 1, [test], balance=balance)
+    assert holds == pytest.approx(balance, abs=0.08), "the prior is 0.08"
+
+
+def test_no_balance_is_the_prior():
+    test = StateTest(("fridge",), "aperture", "open")
+    assert share(lambda start: start.states[ROW["fridge"], 1] == 1, [test], balance=0.0) == pytest.approx(0.08, abs=0.05)
+
+
+def test_all_that_a_phrase_may_mean_agrees():
+    windows = ("kitchen_window", "living_room_window", "bedroom_window")
+    for seed in range(20):
+        states = drawn(seed, [StateTest(windows, "aperture", "open")]).states
+        assert len({int(states[ROW[window], 1]) for window in windows}) == 1
+
+
+def test_a_chain_of_searches_ends_at_each_of_its_leaves():
+    stages = (("kitchen_table",), ("desk_drawer",), ("box",))
+    rows = [[ROW[place] for place in stage] for stage in stages]
+
+    def leaf(start):
+        at = {int(start.place[ROW[pen]]) for pen in ("pen_1", "pen_2")}
+        return next((index for index, stage in enumerate(rows) if at & set(stage)), 3)
+
+    leaves = [leaf(drawn(seed, [PlaceTest(("pen_1", "pen_2"), stages)])) for seed in range(400)]
+    assert (np.bincount(leaves, minlength=4) / 400).min() >= 0.2 - 0.05
+
+
+def test_presence_is_mixed():
+    test = PlaceTest(("apple",), ((),))
+    assert share(lambda start: start.place[ROW["apple"]] != ABSENT, [test]) == pytest.approx(0.7, abs=0.08)
+
+
+def test_people_and_devices_are_mixed():
+    assert share(lambda start: start.home[ROW["anna"]], [PersonTest(("anna",))]) == pytest.approx(0.7, abs=0.08)
+    assert share(lambda start: start.broken[ROW["tv"]], [WorksTest(("tv",))]) == pytest.approx(0.3, abs=0.08)
+
+
+def test_what_is_not_mentioned_is_drawn_as_without_an_instruction():
+    tests = [PlaceTest(("pen_1",), (("kitchen_table",),)), StateTest(("tv",), "power", "on"), PersonTest(("anna",))]
+    for seed in range(25):
+        plain, mixed = drawn(seed), drawn(seed, tests)
+        others = [row for name, row in ROW.items() if name not in ("pen_1", "tv", "anna")]
+        assert np.array_equal(plain.position[others], mixed.position[others], equal_nan=True)
+        assert np.array_equal(plain.states[others], mixed.states[others])
+        assert np.array_equal(plain.broken[others], mixed.broken[others])
+
+
+def test_what_cannot_be_mixed_is_listed():
+    exempt = drawn(0, [PersonTest(("relative",)), PlaceTest(("pen_1",), (("tv",),))]).exempt
+    assert any("relative" in line for line in exempt)
+    assert any("tv" in line for line in exempt)
+
+
+@pytest.mark.parametrize(
+    ("shares", "least", "expected"),
+    [((1.0, 0.0), 0.3, (0.7, 0.3)), ((0.9, 0.05, 0.05), 0.2, (0.6, 0.2, 0.2)), ((1, 0, 0, 0, 0, 0), 0.2, (1 / 6,) * 6)],
+)
+def test_at_least_lifts_the_small_shares(shares, least, expected):
+    assert at_least(np.array(shares, dtype=float), least) == pytest.approx(expected)
+
+
+def test_a_balance_that_is_no_probability_is_refused():
+    with pytest.raises(InputError, match=r"0\.9"):
+        drawn(0, (), balance=0.9)
