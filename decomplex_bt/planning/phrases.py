@@ -24,7 +24,8 @@ class NounPhrase:
 
     `entities`: what its noun names as it stands, likeliest first; `plurals`: what its noun is a plural of. `is_all`,
     `count`: of how many it speaks (`is_all`: "the plates", "all cups", of the plurals also without "all"). `wanted`: state
-    pairs and values that its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom").
+    pairs and values that its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the
+    words of its noun alone.
     """
 
     text: str
@@ -36,6 +37,7 @@ class NounPhrase:
     count: int = 1
     wanted: tuple[tuple[str, str], ...] = ()
     place: NounPhrase | None = None
+    noun: str = ""
 
 
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
@@ -148,7 +150,7 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
     """ "X of Y": a measure of Y, a part of Y, or the X that belongs to the place Y."""
     whole = _read_part(rest, preposition, domain, None)
     noun = head[-1]
-    measures = {**domain.lexicon.measures, **{word: 1 for word in domain.lexicon.all_words}}
+    measures = {**domain.lexicon.measures, **{word: 1 for word in ("both", *domain.lexicon.all_words)}}
     measure = noun if noun in measures else next((word for word in (noun[:-1], noun[:-2]) if word in measures), None)
     is_part = noun in domain.lexicon.parts and whole is not None and _opens(whole, domain)
     if whole is not None and (measure is not None or is_part):
@@ -171,16 +173,17 @@ def _read_simple(words: str, preposition: str, domain: Domain, later: NounPhrase
     for i in range(len(tokens)):
         entities, plurals = domain.nouns.lookup(" ".join(tokens[i:]))
         if entities or plurals:
-            phrase = NounPhrase(words, preposition, entities, tuple(name for name in plurals if name not in entities))
+            plurals = tuple(name for name in plurals if name not in entities)
+            phrase = NounPhrase(words, preposition, entities, plurals, noun=" ".join(tokens[i:]))
             found = _modified(phrase, tokens[:i], domain)
             if found is not None:
                 return found
     if len(tokens) > 1 and tokens[-1] in domain.lexicon.parts:
         whole = _read_simple(" ".join(tokens[:-1]), preposition, domain, later)
         return whole if whole is not None and _opens(whole, domain) else None
-    if tokens and later is not None and not later.place:
+    if tokens and later is not None and later.noun and tokens[-1] not in later.noun.split():
         # "the red and the blue mug": the noun stands only once
-        return _modified(replace(later, text=words, wanted=()), tokens, domain)
+        return _read_simple(f"{words} {later.noun}", preposition, domain, None)
     return None
 
 

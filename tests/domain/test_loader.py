@@ -1,0 +1,57 @@
+"""The loader reads the household once, and names file and key where data does not fit."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import DataFileError, InputError
+
+FILES = ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl")
+
+
+@pytest.fixture
+def folder(household_folder: Path, tmp_path: Path) -> Path:
+    for name in FILES:
+        shutil.copy(household_folder / name, tmp_path / name)
+    return tmp_path
+
+
+def test_the_household_loads_once() -> None:
+    assert load_domain() is load_domain("household")
+    assert load_domain().house.user == "user"
+
+
+def test_every_kind_of_the_house_is_known_and_every_thing_has_a_place() -> None:
+    domain = load_domain()
+    for name, item in domain.house.things.items():
+        assert item.places or domain.kind(name).places, name
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "message"),
+    [
+        ("kinds.yaml", "cools: [food]", "cools: [foood]", r"kinds\.yaml.*fridge.*'foood'"),
+        ("kinds.yaml", "tags: [dish, vessel, cup], radius: 0.05", "tags: [dish], places: {tv: 1}, radius: 0.05", r"kinds\.yaml"),
+        ("house.yaml", "kind: bookshelf", "kind: bookshelv", r"house\.yaml.*'bookshelv'"),
+        ("words.yaml", "tasks: [motion]", "tasks: [walking]", r"words\.yaml.*'walking'"),
+        ("words.yaml", "verbs: [go,", "verbs: [bring, go,", r"words\.yaml.*'bring' stands twice"),
+        ("goals.yaml", "(inspected {location})", "(inspekted {location})", r"goals\.yaml.*inspekted"),
+        ("goals.yaml", "  informing:", "  chatting:", r"goals\.yaml.*chatting"),
+        ("domain.pddl", "(told ?q - person)", "", r"goals\.yaml.*told"),
+    ],
+)
+def test_a_file_that_does_not_fit_is_named(folder: Path, file: str, old: str, new: str, message: str) -> None:
+    text = (folder / file).read_text(encoding="utf-8")
+    assert old in text
+    (folder / file).write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(DataFileError, match=message):
+        load_domain(folder)
+
+
+def test_an_unknown_domain_names_the_known_ones() -> None:
+    with pytest.raises(InputError, match=r"'hospital'.*household"):
+        load_domain("hospital")

@@ -1,0 +1,186 @@
+"""Grounding: phrases to entities, verbs to states; what is not known is refused with the task's number."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
+from decomplex_bt.planning.grounding import GroundInstruction, GroundTask, ground
+
+DOMAIN = load_domain()
+PENS, MUGS, TABLES = ("pen_1", "pen_2"), ("mug_1", "mug_2"), ("kitchen_table", "coffee_table", "hallway_table")
+
+
+def grounded(text: str, count: int = 1, **kwargs: Any) -> GroundInstruction:
+    return ground(read_markup(text, DOMAIN.ontology, flow=list(range(1, count + 1))), DOMAIN, **kwargs)
+
+
+def first(text: str) -> GroundTask:
+    return grounded(text).tasks[0]
+
+
+@pytest.mark.parametrize(
+    ("phrase", "expected"),
+    [
+        ("a pen", [(PENS, False, 1)]),
+        ("the red mug", [(("mug_1",), False, 1)]),
+        ("the cup and the plate", [(("cup_1", "cup_2"), False, 1), (("plate_1", "plate_2"), False, 1)]),
+        ("the pen, the book and my keys", [(PENS, False, 1), (("book_1", "book_2"), False, 1), (("keys",), False, 1)]),
+        ("all the mugs", [(MUGS, True, 1)]),
+        ("the mugs", [(MUGS, True, 1)]),
+        ("any mugs", [(MUGS, False, 1)]),
+        ("two mugs", [(MUGS, False, 2)]),
+        ("both of the mugs", [(MUGS, True, 1)]),
+        ("a cup or a mug", [(("cup_1", "cup_2", *MUGS), False, 1)]),
+        ("my wife's phone", [(("phone",), False, 1)]),
+        ("a slice of bread", [(("bread",), False, 1)]),
+        ("the glasses", [(("glasses",), False, 1)]),
+        ("the red and the green mug", [(("mug_1",), False, 1), (("mug_2",), False, 1)]),
+        ("the keys that are lying around", [(("keys",), False, 1)]),
+    ],
+)
+def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ...], bool, int]]) -> None:
+    task = first(f"[Take](1:taking) [{phrase}](1:object)")
+    assert [(r.candidates, r.is_all, r.count) for r in task.objects] == expected
+
+
+def test_state_words_tell_one_from_another() -> None:
+    task = first("[Bring](1:bringing) [me](1:recipient) [the clean red mug](1:object)")
+    assert task.objects[0].where == (("cleanliness", "clean"),)
+    assert task.objects[0].candidates == ("mug_1",)
+    assert task.recipient is not None
+    assert task.recipient.candidates == ("user",)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("[Switch](1:change_state) [the lamp in the bedroom](1:object) on", (("bedroom_lamp",), "on")),
+        ("[Turn](1:change_state) [it](1:object=the tv) back off", (("tv",), "off")),
+        ("[Turn](1:change_state) off [the light](1:object) [in the bathroom](1:location)", (("bathroom_light",), "off")),
+        ("[Open](1:change_state) [the fridge door](1:object)", (("fridge",), "open")),
+        ("[Wash](1:change_state) [the glasses](1:object)", (("glass_1", "glass_2"), "clean")),
+        ("[Make](1:change_state) [the soup](1:object) [nice and hot](1:state)", (("soup",), "hot")),
+        ("[Wipe](1:change_state) down [the kitchen counter](1:object)", (("counter",), "clean")),
+        ("[Close](1:change_state) [the door of the bathroom](1:object)", (("bathroom_door",), "closed")),
+    ],
+)
+def test_a_change_of_state_has_objects_and_a_value(text: str, expected: tuple[tuple[str, ...], str]) -> None:
+    task = first(text)
+    assert (task.objects[0].candidates, task.state) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "objects", "places", "state"),
+    [
+        ("If [the coffee](1:object) [is](1:check_state) still [hot](1:state)", ("coffee",), (), "hot"),
+        ("If there [is](1:check_state) [milk](1:object) [in the fridge](1:location)", ("milk",), ("fridge",), "here"),
+        ("[Is](1:check_state) [Anna](1:object) [at home](1:location)?", ("anna",), (), "here"),
+        ("[Any soap](1:object) [left](1:check_state) [on the shelf](1:location)?", ("soap",), ("bathroom_shelf", "bookshelf"), "here"),
+        ("[Oven](1:object) [on](1:check_state)?", ("oven",), (), "on"),
+        ("[Check](1:check_state) whether [the window](1:object) [in the kitchen](1:location) is [shut](1:state)", ("kitchen_window",), (), "closed"),
+        ("if [the washing machine](1:object) [is](1:check_state) [finished](1:state)", ("washing_machine",), (), "off"),
+        ("if [my mother](1:object) [is](1:check_state) [in the kitchen](1:location)", ("relative",), ("kitchen",), "here"),
+    ],
+)
+def test_a_check_asks_for_a_state_or_for_presence(
+    text: str, objects: tuple[str, ...], places: tuple[str, ...], state: str
+) -> None:
+    task = first(text)
+    assert task.objects[0].candidates == objects
+    assert tuple(name for referent in task.places for name in referent.candidates) == places
+    assert task.state == state
+
+
+@pytest.mark.parametrize(
+    ("goal", "candidates"),
+    [
+        ("on the kitchen counter", ("counter",)),
+        ("in the bedroom", ("bedroom",)),
+        ("on the table in the kitchen", ("kitchen_table",)),
+        ("under the bed", ("bedroom_floor",)),
+        ("next to the microwave", ("counter",)),
+        ("in the drawer of the desk", ("desk_drawer",)),
+        ("next to the laptop", ("laptop",)),
+    ],
+)
+def test_a_thing_is_put_where_things_can_lie(goal: str, candidates: tuple[str, ...]) -> None:
+    task = first(f"[Put](1:placing) [the book](1:object) [{goal}](1:goal)")
+    assert task.goal is not None
+    assert task.goal.candidates == candidates
+
+
+def test_the_room_in_question_tells_ambiguous_places_apart() -> None:
+    text = "[Go](1:motion) [to the living room](1:goal) and [put](2:placing) [the cup](2:object) [on the table](2:goal)"
+    goal = grounded(text, 2).tasks[1].goal
+    assert goal is not None
+    assert goal.candidates == ("coffee_table",)
+    alone = first("[Put](1:placing) [the cup](1:object) [on the table](1:goal)").goal
+    assert alone is not None
+    assert alone.candidates == TABLES
+
+
+def test_a_definite_phrase_takes_up_the_thing_that_was_spoken_of() -> None:
+    text = "[Find](1:searching) [a pen](1:object) and [bring](2:bringing) [me](2:recipient) [the pen](2:object)"
+    tasks = grounded(text, 2).tasks
+    assert tasks[0].objects == tasks[1].objects
+
+
+def test_leaving_a_room_is_going_anywhere_else() -> None:
+    goal = first("[Leave](1:motion) [the kitchen](1:source)").goal
+    assert goal is not None
+    assert goal.candidates[0] == "hallway"
+    assert "kitchen" not in goal.candidates
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "words"),
+    [
+        ("[Bring](1:bringing) [me](1:recipient) [the hairdryer](1:object)", UnknownWordError, "hairdryer"),
+        ("[Take](1:taking) [my library book](1:object)", UnknownWordError, "red book"),
+        ("[Take](1:taking) [the purple mug](1:object)", UnknownWordError, "green mug"),
+        ("[Take](1:taking) [the bok](1:object)", UnknownWordError, "book"),
+        ("[Open](1:change_state) [the pen](1:object)", ImpossibleGoalError, "open"),
+        ("[Heat](1:change_state) [the sofa](1:object)", ImpossibleGoalError, "hot"),
+        ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
+        ("[Bring](1:bringing) [me](1:recipient) [the fridge](1:object)", ImpossibleGoalError, "cannot be carried"),
+        ("[Put](1:placing) [the pen](1:object) [on the tv](1:goal)", ImpossibleGoalError, "on the tv"),
+        ("[Take](1:taking) [five mugs](1:object)", ImpossibleGoalError, "only 2"),
+        ("[Turn](1:motion) [left](1:direction)", ImpossibleGoalError, "where to go"),
+        ("[Bring](1:bringing) [me](1:recipient) [everything](1:object)", UnknownWordError, "everything at a place"),
+        ("if [the soup](1:object) [is](1:check_state) [ready](1:state)", ImpossibleGoalError, "ready"),
+    ],
+)
+def test_what_cannot_be_is_refused_with_the_task(text: str, error: type[InputError], words: str) -> None:
+    with pytest.raises(error, match=words) as caught:
+        first(text)
+    assert caught.value.task == 1  # type: ignore[attr-defined]
+
+
+def test_a_missing_argument_is_asked_for() -> None:
+    asked = []
+
+    def ask(missing: Any) -> str:
+        asked.append((missing.task, missing.argument, missing.question))
+        return "on the desk"
+
+    goal = grounded("[Put](1:placing) [the book](1:object) down", ask=ask).tasks[0].goal
+    assert goal is not None
+    assert goal.candidates == ("desk",)
+    assert asked == [(1, "goal", "Where should I put it?")]
+    with pytest.raises(MissingArgumentError, match="Where should I put it"):
+        first("[Put](1:placing) [the book](1:object) down")
+
+
+def test_recipient_and_message_have_defaults() -> None:
+    task = first("[Fetch](1:bringing) [a pen](1:object)")
+    assert task.recipient is not None
+    assert task.recipient.candidates == ("user",)
+    task = first("[Report](1:informing) back")
+    assert task.recipient is not None
+    assert task.recipient.candidates == ("user",)
+    assert task.message is None
