@@ -68,7 +68,7 @@ def attachment_features(observed: Observed, clauses: Sequence[Clause], roles: Se
         after = [j for j in range(k + 1, len(roles)) if roles[j] in CONDITION_ROLES]
         item["conditions"] = f"{min(2, len(before))}|{min(2, len(after))}"
         if before:
-            item.update(_left_features(clauses, k, before))
+            item.update(_left_features(clauses, k, before, roles))
         if after:
             item.update(_right_features(clauses, k, after[0]))
         for offset in (-1, 1):
@@ -225,17 +225,65 @@ def _speaks_of_pronoun(observed: Observed, clause: Clause) -> bool:
     return any(observed.document.tokens[j].lower in _PRONOUNS for j in range(clause.first, clause.last + 1))
 
 
-def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int]) -> Features:
+_TURNS = ("either_way", "else", "fail", "so", "after_that", "last", "then", "instead", "also", "but")
+
+
+def _shape(clauses: Sequence[Clause], j: int) -> str:
+    """How the clause of condition `j` lies in its sentence: what comes before its cue and what after its end. A condition
+    that opens its sentence governs what follows, one that closes it what came before."""
+    clause = clauses[j]
+    opens = clause.boundary if clause.boundary != "none" else "and" if "and" in clause.near else "but" if "but" in clause.near else "none"
+    if j == 0 or clauses[j - 1].sentence != clause.sentence:
+        opens = "start"
+    if j + 1 == len(clauses):
+        closes = "end"
+    elif clauses[j + 1].sentence != clause.sentence:
+        closes = "sentence"
+    else:
+        closes = clauses[j + 1].boundary
+    return f"{opens}.{closes}"
+
+
+def _last_turn(clauses: Sequence[Clause], j: int, k: int) -> tuple[str, int]:
+    """The last cue after condition `j` that turns the talk (otherwise, either way, after that, ...), up to task `k`, with
+    the number of tasks since it."""
+    for m in range(k, j, -1):
+        own = (*clauses[m].far, *clauses[m].near)
+        for name in _TURNS:
+            if name in own:
+                return name, k - m
+        if m < k and any(name in clauses[m].behind for name in _TURNS[:4]):
+            return next(name for name in _TURNS[:4] if name in clauses[m].behind), k - m
+    return "none", k - j
+
+
+def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int], roles: Sequence[str]) -> Features:
     j = before[0]
     clause, condition = clauses[k], clauses[j]
+    sentences = min(2, clause.sentence - condition.sentence)
+    shape = _shape(clauses, j)
+    governing = _last_of(condition.near, GOVERNING)
     item: Features = {
         "left.gap": min(4, k - j),
-        "left.sentences": min(2, clause.sentence - condition.sentence),
+        "left.sentences": sentences,
         "left.type": condition.task.type,
         "left.types": f"{condition.task.type}|{clause.task.type}",
         "left.negated": condition.polarity.is_negated,
-        "left.governing": _last_of(condition.near, GOVERNING),
+        "left.governing": governing,
+        "left.role": roles[j],
+        "left.shape": shape,
+        "left.shape.gap": f"{shape}.{min(3, k - j)}.{sentences}",
+        "left.shape.role": f"{shape}.{roles[j]}.{roles[k]}",
+        "left.question": f"{governing}.{sentences}.{min(2, k - j)}.{clause.boundary}",
     }
+    turn, since = _last_turn(clauses, j, k)
+    stretch = "own" if since == 0 else "same" if clauses[k - since].sentence == clause.sentence else "other"
+    item["turn"] = f"{turn}.{stretch}"
+    item["turn.shape"] = f"{turn}.{stretch}.{shape}"
+    item["turn.gap"] = f"{turn}.{stretch}.{min(3, k - j)}.{sentences}"
+    item["turn.role"] = f"{turn}.{stretch}.{roles[k]}.{roles[j]}"
+    item["turn.governing"] = f"{turn}.{stretch}.{governing}.{condition.polarity.is_negated}"
+    item["turn.boundary"] = f"{turn}.{clause.boundary}.{sentences}"
     between: set[str] = set(condition.behind)
     for m in range(j + 1, k + 1):
         between |= {*clauses[m].far, *clauses[m].near}
@@ -244,20 +292,17 @@ def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int]) -> 
     for cue in _SIGNALS:
         if cue in between:
             item[f"between.{cue}"] = 1.0
-    own = {*clause.far, *clause.near}
-    last = next(
-        (cue for cue in ("either_way", "else", "fail", "so", "then", "after_that", "also", "instead") if cue in own), ""
-    )
-    item["turn"] = last
-    item["turn.gap"] = f"{last}.{min(3, k - j)}.{item['left.sentences']}"
-    item["turn.governing"] = f"{last}.{item['left.governing']}.{condition.polarity.is_negated}"
-    item["turn.boundary"] = f"{last}.{clause.boundary}"
     strong = [cue for cue in ("either_way", "else", "fail", "so") if cue in between]
     item["turns"] = "+".join(strong)
     item["turns.type"] = f"{'+'.join(strong)}.{clause.task.type}"
     if len(before) > 1:
+        second = clauses[before[1]]
         item["left.second.gap"] = min(4, k - before[1])
-        item["left.second.same_sentence"] = clauses[before[1]].sentence == condition.sentence
+        item["left.second.same_sentence"] = second.sentence == condition.sentence
+        item["left.second.between"] = min(3, before[0] - before[1])
+        item["left.second.turn"] = f"{turn}.{stretch}.{roles[before[1]]}.{roles[j]}"
+        item["left.second.shape"] = f"{_shape(clauses, before[1])}|{shape}"
+        item["left.second.object"] = bool(set(second.objects) & set(clause.objects))
     return item
 
 
@@ -265,16 +310,21 @@ def _right_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
     clause, condition = clauses[k], clauses[j]
     governing = _last_of(condition.near, GOVERNING)
     opens = {*clauses[k + 1].far, *clauses[k + 1].near, *clause.behind}
+    shape = _shape(clauses, j)
+    sentences = min(2, condition.sentence - clause.sentence)
     return {
         "right.gap": min(4, j - k),
-        "right.sentences": min(2, condition.sentence - clause.sentence),
+        "right.sentences": sentences,
         "right.type": condition.task.type,
         "right.governing": governing,
         "right.boundary": condition.boundary,
-        "right.near": f"{j - k == 1}.{condition.sentence == clause.sentence}.{governing}",
+        "right.near": f"{j - k == 1}.{sentences == 0}.{governing}",
         "right.boundary.governing": f"{condition.boundary}.{governing}.{min(2, j - k)}",
         "right.negated": condition.polarity.is_negated,
         "right.opens": "+".join(sorted(opens & _STRONG)),
+        "right.shape": f"{shape}.{sentences}",
+        "right.shape.gap": f"{shape}.{sentences}.{min(3, j - k)}.{governing}",
+        "right.but": f"{'but' in (*condition.near, *condition.far)}.{shape}.{sentences}",
     }
 
 
