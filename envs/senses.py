@@ -154,7 +154,8 @@ class Senses:
     def _has_moving_person(self, recent: NDArray) -> bool:
         """Whether a person in view has walked into another room since the last report."""
         return any(
-            recent[self.row[name]] and self.places.get(name) != self.room_of_person(name) for name in self.people
+            (recent[self.row[name]] or name == self.house.user) and self.places.get(name) != self.room_of_person(name)
+            for name in self.people
         )
 
     def _report(self, recent: NDArray, sure: NDArray) -> None:
@@ -177,6 +178,8 @@ class Senses:
                     states[name, pair] = self._values[column, flag]
                     if pair == "aperture" and name in self.house.doorways:
                         self._door_states[name] = states[name, pair]
+        if self.house.user not in places and (room := self.room_of_person(self.house.user)) is not None:
+            places[self.house.user] = room  # the user's place is always known
         self._on_floors = on_floors
         self.places, self.states = _kept(self.places, places), _kept(self.states, states)
         self.inspected = frozenset(names[index] for index in sure.tolist())

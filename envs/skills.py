@@ -533,10 +533,16 @@ def _keep_behind(
 
 
 def _cells_behind(body: HouseholdEmbodiment, person: str) -> Cells:
-    position = body.senses.position(person)
+    """Where to follow to: near the person, and in their room, so that nobody stops in a doorway."""
+    senses, plan = body.senses, body.floorplan
+    position = senses.position(person)
     if position is None:
         raise SkillError(f"I have lost {person}")
-    return body.floorplan.cells_around(*position, nearest=0.5, farthest=FOLLOW_GAP - 0.05, room=None)
+    for room, farthest in ((senses.room_of_person(person), FOLLOW_GAP - 0.05), (senses.room_of_person(person), 1.4)):
+        cells = plan.cells_around(*position, nearest=0.5, farthest=farthest, room=room)
+        if cells.size:
+            return cells
+    return plan.cells_around(*position, nearest=0.5, farthest=1.4, room=None)
 
 
 def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Script:

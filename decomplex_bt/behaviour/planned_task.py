@@ -22,6 +22,9 @@ MAX_ROUNDS = 30
 PATIENCE_TICKS = 5
 """Ticks to wait for the effect of a finished plan to be perceived."""
 
+COMMITTED = ("follow", "tag-along")
+"""Actions under way that are not given up for what is believed meanwhile: a person who leads the way is lost from sight
+now and then, and not where they were."""
 UNDECIDABLE_TYPES = ("check_state", "searching")
 """Types of tasks that, given up, are neither true nor false as a condition."""
 
@@ -57,17 +60,16 @@ class PlannedTask(Behaviour):
     def update(self) -> Status:
         session = self.session
         for _ in range(MAX_ROUNDS):
+            # The skill first: that its step is done must be known before the plan is looked at again.
+            action = self._tick_skill() if self._skill is not None else None
             if self._revision != session.belief.revision:
                 status = self._consider()
                 if status is not None:
                     return status
-            if not self._has_plan and not self._make_plan():
-                continue
-            if self._position < len(self._steps):
-                self._tick_skill()
-            else:
-                self._await_effect()
-            if session.action is not None:
+            if self._skill is None:
+                action = self._go_on()
+            if action is not None:
+                session.action = action
                 return Status.RUNNING
         session.action = session.embodiment.rest()
         return Status.RUNNING
@@ -115,6 +117,8 @@ class PlannedTask(Behaviour):
         session = self.session
         self._revision = session.belief.revision
         pursuit = pursue(self.task, session.belief, session.bindings, since=self._since)
+        if pursuit.status is not PursuitStatus.DONE and self._is_committed():
+            return None
         self._pursuit = pursuit
         session.bindings = pursuit.bindings
         if pursuit.status is not PursuitStatus.ONGOING:
@@ -126,6 +130,16 @@ class PlannedTask(Behaviour):
         if self._has_plan and (pursuit.goal_atoms != self._goal or not self._still_works()):
             self._drop_plan()
         return None
+
+    def _go_on(self) -> Any:
+        """Plans if need be and begins the next step; its first action, None where the belief has to be asked again."""
+        if not self._has_plan and not self._make_plan():
+            return None
+        step = self.step
+        if step is None:
+            return self._await_effect()
+        self._skill = self.session.embodiment.skill(step)
+        return self._tick_skill()
 
     def _make_plan(self) -> bool:
         session = self.session
@@ -142,14 +156,13 @@ class PlannedTask(Behaviour):
         self._show()
         return True
 
-    def _tick_skill(self) -> None:
+    def _tick_skill(self) -> Any:
+        """Ticks the skill; its action while it runs, None when it has ended, which the belief is told."""
+        assert self._skill is not None
         session, step = self.session, self._steps[self._position]
-        if self._skill is None:
-            self._skill = session.embodiment.skill(step)
         tick = self._skill.tick(session.observation)
         if tick.status is SkillStatus.RUNNING:
-            session.action = tick.action
-            return
+            return tick.action
         self._skill = None
         if tick.status is SkillStatus.SUCCESS:
             self._position += 1
@@ -159,13 +172,13 @@ class PlannedTask(Behaviour):
             self._last_problem = (step, tick.reason)
             session.belief.failed(step, tick.reason)
             self._drop_plan()
+        return None
 
-    def _await_effect(self) -> None:
+    def _await_effect(self) -> Any:
         """The plan is through and the task is not: waits for the effect to be perceived, then plans again."""
         if self._waited < PATIENCE_TICKS:
             self._waited += 1
-            self.session.action = self.session.embodiment.rest()
-            return
+            return self.session.embodiment.rest()
         last = self._steps[-1] if self._steps else None
         self._last_problem = (last, "its effect did not show")
         if last is None:
@@ -173,6 +186,10 @@ class PlannedTask(Behaviour):
         else:
             self.session.belief.failed(last, "its effect did not show")
         self._drop_plan()
+        return None
+
+    def _is_committed(self) -> bool:
+        return self._skill is not None and self.step is not None and self.step.name in COMMITTED
 
     def _still_works(self) -> bool:
         """Whether the rest of the plan still leads to the goal; looked into when something it is about has changed."""

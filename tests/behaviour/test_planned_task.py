@@ -170,7 +170,7 @@ def test_a_new_goal_drops_the_plan(make):
 
 def test_without_a_plan_the_goal_is_given_up_and_the_failure_says_why(make):
     def decide(belief):
-        reason = belief.given_up(GOAL)
+        reason = belief.given_up(GOAL, since=0)
         return Pursuit(PursuitStatus.FAILED, truth=False, reason=reason) if reason else ONGOING
 
     leaf, session = make(decide, [PlanResult(PlanStatus.UNSOLVABLE, reason="no way in")])
