@@ -1,0 +1,245 @@
+"""Monte-Carlo: instructions times drawn worlds, each an episode, judged by the corpus' gold flow.
+
+All episodes are fixed before the first one runs, so that no figure depends on which of them were quick; rows come out
+in that order, and are the same for any number of processes. Environments are reached through their Gymnasium id alone.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Literal
+
+import gymnasium as gym
+
+import decomplex_bt
+from decomplex_bt.corpus import Example
+from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.errors import InputError
+from decomplex_bt.evaluation.blame import blame_reading, blame_run
+from decomplex_bt.evaluation.row import Outcome, Row
+from decomplex_bt.instruction import Instruction
+from decomplex_bt.planning.planner import Planner
+
+AGENTS = ("tree", "oracle", "random", "idle")
+"""The policies an environment offers; only "tree" understands text, the others are given the gold flow."""
+CHUNK = 5
+"""Episodes that a process takes at once; few, so that none is left with the slow ones."""
+Progress = Callable[[int, int], None]
+"""Told after each episode how many of how many are done."""
+ReadingSource = Literal["own", "gold"]
+
+logger = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """What all episodes of an evaluation have in common.
+
+    `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
+    `noise`: slips and misses.
+    """
+
+    env_id: str = "decomplex_bt/Household-v0"
+    domain: str | Path = "household"
+    balance: float | None = None
+    max_seconds: float | None = None
+    noise: bool = True
+
+    def options(self) -> dict[str, Any]:
+        """The reset options that they come to."""
+        options = {"balance": self.balance, "max_seconds": self.max_seconds, "noise": self.noise}
+        return {key: value for key, value in options.items() if value is not None}
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """One episode to be run. `reading`: how the agent is to understand it; None with `problem`: it could not."""
+
+    example: str
+    gold: Instruction
+    seed: int
+    agent: str
+    source: ReadingSource
+    reading: Instruction | None
+    problem: str | None = None
+
+
+def evaluate(
+    examples: Sequence[Example],
+    *,
+    episodes: int = 20,
+    seed: int = 0,
+    jobs: int = 1,
+    agent: str = "tree",
+    reading: ReadingSource = "own",
+    setup: Setup | None = None,
+    progress: Progress | None = None,
+) -> tuple[Row, ...]:
+    """The rows of `episodes` worlds for every example, world k with seed `seed + k`.
+
+    `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
+    one a core; joblib's `parallel_config` chooses another backend. Raises `InputError` for options that make no sense.
+    """
+    setup = setup or Setup()
+    planned = plan_episodes(
+        examples, episodes=episodes, seed=seed, agent=agent, reading=reading, domain=load_domain(setup.domain)
+    )
+    return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
+
+
+def plan_episodes(
+    examples: Sequence[Example],
+    *,
+    episodes: int,
+    seed: int,
+    agent: str,
+    domain: Domain,
+    reading: ReadingSource = "own",
+) -> tuple[Episode, ...]:
+    """All episodes, fixed. Every text is understood here, once and in a batch. Raises `InputError`."""
+    if agent not in AGENTS:
+        raise InputError(f"there is no agent {agent!r}; known: {', '.join(AGENTS)}")
+    if episodes < 1:
+        raise InputError(f"episodes is {episodes}; expected at least one world for each instruction")
+    if seed < 0:
+        raise InputError(f"seed is {seed}; expected 0 or more")
+    if not examples:
+        raise InputError("the corpus holds no example; give one with at least one instruction")
+    source: ReadingSource = reading if agent == "tree" else "gold"
+    readings = _understand(examples, domain) if source == "own" else [example.instruction for example in examples]
+    return tuple(
+        Episode(
+            example.id,
+            example.instruction,
+            seed + world,
+            agent,
+            source,
+            found if isinstance(found, Instruction) else None,
+            None if isinstance(found, Instruction) else found,
+        )
+        for example, found in zip(examples, readings, strict=True)
+        for world in range(episodes)
+    )
+
+
+def run_episodes(
+    planned: Sequence[Episode], setup: Setup, *, jobs: int = 1, progress: Progress | None = None
+) -> Iterator[Row]:
+    """The rows of the episodes, in their order, as they come."""
+    from joblib import Parallel, delayed
+
+    size = 1 if jobs == 1 else CHUNK
+    chunks = [planned[start : start + size] for start in range(0, len(planned), size)]
+    run = Parallel(n_jobs=jobs, return_as="generator")
+    done = 0
+    for rows in run(delayed(_run_chunk)(chunk, setup) for chunk in chunks):
+        for row in rows:
+            done += 1
+            if progress is not None:
+                progress(done, len(planned))
+            yield row
+
+
+def run_episode(episode: Episode, setup: Setup) -> Row:
+    """One episode from reset to verdict, as a row."""
+    env, planner, domain = _bench(setup)
+    try:
+        observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
+    except InputError as error:
+        return _row(episode, "ungroundable", cause=("grounding", str(error)))
+    if episode.reading is None:
+        return _ended(episode, info, ("understanding", episode.problem or "not understood"))
+    make_policy = env.get_wrapper_attr("policy")
+    policy = make_policy(episode.agent, reading=episode.reading, planner=planner, seed=episode.seed)
+    steps, is_over, truncated = 0, False, False
+    try:
+        policy.reset(observation, info)
+    except InputError as error:
+        found = blame_reading(episode.reading, episode.gold, domain)
+        return _ended(episode, info, found or ("grounding", str(error)))
+    try:
+        while not is_over:
+            observation, _, terminated, truncated, info = env.step(policy.act(observation))
+            steps += 1
+            is_over = terminated or truncated
+    except Exception as error:  # one broken episode must not lose the others
+        logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
+        return _ended(episode, info, ("execution", f"broke off: {type(error).__name__}: {error}"), steps=steps)
+    failures = tuple(failure.to_json() for failure in policy.failures)
+    found = None
+    if not info["is_success"]:
+        found = blame_reading(episode.reading, episode.gold, domain)
+        found = found or blame_run(failures, info["violations"], is_truncated=truncated)
+    return _ended(
+        episode, info, found, steps=steps, failures=failures, plans=policy.plans, replans=policy.replans
+    )
+
+
+def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:
+    """The agent's own reading of every text; where a text cannot be read at all, why."""
+    from decomplex_bt.understanding.interpreter import Interpreter, check_text
+
+    problems: dict[str, str] = {}
+    for example in examples:
+        try:
+            check_text(example.instruction.text)
+        except InputError as error:
+            problems[example.id] = str(error)
+    usable = [example for example in examples if example.id not in problems]
+    interpreter = Interpreter.load(domain)
+    read = interpreter.interpret_batch(example.instruction.text for example in usable)
+    readings = dict(zip((example.id for example in usable), read, strict=True))
+    return [readings.get(example.id) or problems[example.id] for example in examples]
+
+
+def _run_chunk(episodes: Iterable[Episode], setup: Setup) -> list[Row]:
+    return [run_episode(episode, setup) for episode in episodes]
+
+
+@lru_cache(maxsize=2)
+def _bench(setup: Setup) -> tuple[gym.Env[Any, Any], Planner, Domain]:
+    """A process' environment, its planner (for its cache) and the domain."""
+    from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+
+    assert decomplex_bt  # importing it registers the ids
+    env = gym.make(setup.env_id, domain=setup.domain)
+    return env, PyperplanPlanner(), load_domain(setup.domain)
+
+
+def _ended(episode: Episode, info: dict[str, Any], found: tuple[Any, str] | None, **counts: Any) -> Row:
+    """The row of an episode that was begun; `found`: where and why it failed, None for a success."""
+    outcome: Outcome = "success" if found is None else "failure"
+    if info["feasible"] is False:
+        outcome, found = "infeasible", ("infeasible", info["infeasible_cause"])
+    return _row(
+        episode,
+        outcome,
+        cause=found,
+        sim_seconds=round(float(info["seconds"]), 2),
+        path_length=round(float(info["path_length"]), 3),
+        goals_met=info["goal_conditions_met"],
+        goals_total=info["goal_conditions_total"],
+        branches=tuple(info["branches"]),
+        violations=tuple(info["violations"]),
+        **counts,
+    )
+
+
+def _row(episode: Episode, outcome: Outcome, *, cause: tuple[Any, str] | None = None, **found: Any) -> Row:
+    stage, why = cause or (None, None)
+    return Row(
+        example=episode.example,
+        seed=episode.seed,
+        agent=episode.agent,
+        reading=episode.source,
+        judged_by="gold",
+        flow=tuple(episode.gold.flow.to_json()),
+        outcome=outcome,
+        stage=stage,
+        cause=why,
+        **found,
+    )

@@ -1,0 +1,88 @@
+"""One episode of an evaluation as a row: what was asked, where, of whom, and what came of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, Literal
+
+from decomplex_bt.errors import DataFileError
+
+Outcome = Literal["success", "failure", "infeasible", "ungroundable"]
+Stage = Literal["understanding", "grounding", "planning", "execution", "infeasible"]
+OUTCOMES: tuple[Outcome, ...] = ("success", "failure", "infeasible", "ungroundable")
+STAGES: tuple[Stage, ...] = ("understanding", "grounding", "planning", "execution", "infeasible")
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One episode.
+
+    `example`: the id in the corpus. `seed`: of the world. `reading`: who understood the instruction for the agent,
+    "gold" or "own". `judged_by`: whose flow the judge went by, "gold" or "interpreted"; `flow`: that flow, which also
+    set the balance, so that a row and a run with this seed and flow are the same world. `stage`, `cause`: where and why
+    it went wrong, None for a success. `steps`: of control. `sim_seconds`, `path_length`: simulated seconds, metres
+    driven. `goals_met`, `goals_total`: tasks and conditions due. `branches`: one mapping (task, truth, taken) for each
+    condition reached, in order. `failures`: those the agent knows of, as `run --json` prints them.
+    """
+
+    example: str
+    seed: int
+    agent: str
+    reading: str
+    judged_by: str
+    flow: tuple[Any, ...]
+    outcome: Outcome
+    stage: Stage | None = None
+    cause: str | None = None
+    steps: int = 0
+    sim_seconds: float = 0.0
+    path_length: float = 0.0
+    plans: int = 0
+    replans: int = 0
+    goals_met: int = 0
+    goals_total: int = 0
+    branches: tuple[Mapping[str, Any], ...] = ()
+    violations: tuple[str, ...] = ()
+    failures: tuple[Mapping[str, Any], ...] = ()
+
+    @property
+    def is_feasible(self) -> bool:
+        return self.outcome in ("success", "failure")
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values, in the order of the fields."""
+        return {field.name: _plain(getattr(self, field.name)) for field in fields(self)}
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> Row:
+        """The inverse of `to_json`. Raises `TypeError` for missing or unknown keys."""
+        return cls(**{key: tuple(entry) if isinstance(entry, list) else entry for key, entry in value.items()})
+
+
+def row_lines(rows: Iterable[Row]) -> Iterator[str]:
+    """The rows as JSON lines."""
+    return (json.dumps(row.to_json(), ensure_ascii=False) + "\n" for row in rows)
+
+
+def read_rows(path: Path) -> tuple[Row, ...]:
+    """The rows of a `rows.jsonl`. Raises `DataFileError` naming the line."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise DataFileError(path, f"cannot be read: {error}") from None
+    rows = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        try:
+            rows.append(Row.from_json(json.loads(line)))
+        except (ValueError, TypeError, AttributeError) as error:
+            raise DataFileError(path, f"no row of an evaluation: {error}", line=number) from None
+    return tuple(rows)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return [_plain(entry) for entry in value]
+    return dict(value) if isinstance(value, Mapping) else value
