@@ -37,14 +37,18 @@ class Goals(Record):
         """The predicate that says a thing is in this state."""
         return self.fluents.get(value, value)
 
-    def fill(self, task_type: str, roles: Mapping[str, str], has_type: Callable[[str, str], bool]) -> tuple[Filled, ...]:
+    def fill(
+        self, task_type: str, roles: Mapping[str, str], has_type: Callable[[str, str], bool]
+    ) -> tuple[Filled, ...]:
         """The goal of a task whose roles are filled with these objects.
 
         `has_type` says whether an object is of a PDDL type; the role `state` takes a state value and needs none.
         Raises `KeyError` where no template of the task type fits.
         """
         for template in self.goals[task_type]:
-            if all(role in roles and (role == "state" or has_type(roles[role], of)) for role, of in template.of.items()):
+            if all(
+                role in roles and (role == "state" or has_type(roles[role], of)) for role, of in template.of.items()
+            ):
                 words = {**roles, "state": self.fluent(roles.get("state", ""))}
                 return tuple(tuple(part.format(**words) for part in parts) for parts in template.parts())
         raise KeyError(f"no goal of {task_type} takes {dict(roles)}")
@@ -59,7 +63,9 @@ def check_goals(goals: Goals, predicates: Mapping[str, int], values: tuple[str, 
         for template in templates:
             for predicate, *terms in template.parts():
                 if unknown := [term for term in terms if term.strip("{}") not in template.of]:
-                    raise ValueError(f"goals.{task_type}: {unknown[0]} stands for none of the roles {sorted(template.of)}")
+                    raise ValueError(
+                        f"goals.{task_type}: {unknown[0]} stands for none of the roles {sorted(template.of)}"
+                    )
                 if predicate != "{state}" and predicates.get(predicate) != len(terms):
                     raise ValueError(f"goals.{task_type}: domain.pddl has no ({predicate} ...) of {len(terms)} objects")
 

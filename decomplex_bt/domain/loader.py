@@ -130,7 +130,9 @@ def _check_tags(kinds: Kinds) -> None:
         for ability in _ABILITIES:
             for tag in getattr(kind, ability):
                 if tag not in tags:
-                    raise ValueError(f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}")
+                    raise ValueError(
+                        f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}"
+                    )
 
 
 def _check_places(house: House, kinds: Kinds) -> None:

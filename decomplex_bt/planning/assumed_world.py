@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import LOOKS, ROBOT, Belief
+from decomplex_bt.planning.effects import values_after
 from decomplex_bt.planning.ground_task import GroundTask
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
@@ -15,7 +16,6 @@ from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.problem import belief_problem
 from decomplex_bt.planning.pursuit import Bindings, Pursuit, PursuitStatus, pursue
-from decomplex_bt.planning.effects import values_after
 
 MAX_PLANS = 300
 """Plans for one task after which something is wrong with the planner or the domain."""
@@ -26,7 +26,8 @@ _LOOKING = ("inspect", "sense", "sense-place", "sense-held", "sense-given")
 class AssumedWorld:
     """The world as it is assumed. `places`: thing to place, person to room; who is missing is nowhere in the house.
 
-    `values`: (entity, state pair) to value; what is not given is as it usually is. `broken` devices do not switch on.
+    `values`: (entity, state pair) to value; what is not given is as it usually is. `broken` devices do not switch on,
+    `slippery` things slip from the hand, `refused` names actions that are not possible here.
     The robot sees what is in its room, but for the insides of closed containers.
     """
 
@@ -35,6 +36,8 @@ class AssumedWorld:
     places: dict[str, str]
     values: dict[tuple[str, str], str] = field(default_factory=dict)
     broken: frozenset[str] = frozenset()
+    slippery: frozenset[str] = frozenset()
+    refused: frozenset[str] = frozenset()
     at: str = ""
     held: str | None = None
     tray: list[str | None] = field(default_factory=lambda: [None] * 4)
@@ -53,7 +56,9 @@ class AssumedWorld:
 
     def copy(self) -> AssumedWorld:
         """A world that goes its own way from here."""
-        return replace(self, places=dict(self.places), values=dict(self.values), tray=list(self.tray), steps=list(self.steps))
+        return replace(
+            self, places=dict(self.places), values=dict(self.values), tray=list(self.tray), steps=list(self.steps)
+        )
 
     def __post_init__(self) -> None:
         self.values = {**Prior.of(self.domain).values, **self.values}
@@ -68,10 +73,19 @@ class AssumedWorld:
         doors = [name for name in house.doorways if self.room in house.doorways[name].rooms]
         states = {key: value for key, value in self.values.items() if key[0] in visible or key[0] in doors}
         inspected = frozenset(
-            place for place in (self.at, house.floor_of(self.room)) if holds_things(place, self.domain) and self._is_open(place)
+            place
+            for place in (self.at, house.floor_of(self.room))
+            if holds_things(place, self.domain) and self._is_open(place)
         )
         return Percept(
-            self.room, self.held, tuple(self.tray), seen, states, inspected, frozenset((self.at,)), seconds=float(len(self.steps))
+            self.room,
+            self.held,
+            tuple(self.tray),
+            seen,
+            states,
+            inspected,
+            frozenset((self.at,)),
+            seconds=float(len(self.steps)),
         )
 
     def apply(self, step: GroundAction) -> str:
@@ -116,7 +130,13 @@ class AssumedWorld:
         raise AssertionError(f"no end in sight after {MAX_PLANS} plans: {pursuit}")
 
     def _carry_out(
-        self, steps: tuple[GroundAction, ...], task: GroundTask, belief: Belief, bindings: Bindings, since: int, pursuit: Pursuit
+        self,
+        steps: tuple[GroundAction, ...],
+        task: GroundTask,
+        belief: Belief,
+        bindings: Bindings,
+        since: int,
+        pursuit: Pursuit,
     ) -> None:
         """Carries a plan out until it fails or another goal is due; a look that is next in the plan is still taken."""
         for step, following in zip(steps, (*steps[1:], None), strict=True):
@@ -133,6 +153,10 @@ class AssumedWorld:
 
     def _problem(self, step: GroundAction) -> str:
         name, objects = step.name, step.objects
+        if name in self.refused:
+            return "not possible"
+        if name == "pick" and objects[0] in self.slippery:
+            return "slipped"
         if name in ("switch-on", "heat", "wash") and objects[-1] in self.broken:
             return "broken"
         if name in ("pick", "place") and not self._is_open(objects[1]):

@@ -114,7 +114,9 @@ class _Grounder:
         for referent, fit in zip(objects, fits, strict=True):
             if fit is None:
                 raise ImpossibleGoalError(f"nothing here makes {referent.phrase!r} {value}")
-        there = tuple(place for place in places + inner if any(not self._is_fixed(n) for r in objects for n in r.candidates))
+        there = tuple(
+            place for place in places + inner if any(not self._is_fixed(n) for r in objects for n in r.candidates)
+        )
         return replace(bare, objects=tuple(fit for fit in fits if fit is not None), places=there, state=value)
 
     def _check_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
@@ -130,13 +132,17 @@ class _Grounder:
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
         objects, inner = self._stateful(task, places, words, state)
         pair, value = self._value_of(objects, words, state, task)
-        there = tuple(place for place in places + inner if any(not self._is_fixed(n) for r in objects for n in r.candidates))
+        there = tuple(
+            place for place in places + inner if any(not self._is_fixed(n) for r in objects for n in r.candidates)
+        )
         return replace(bare, objects=objects, places=there, state=value)
 
     def _presence(self, grounded: GroundTask, task: Task) -> GroundTask:
         for referent in grounded.objects:
             if all(name in self.house.rooms for name in referent.candidates):
-                raise ImpossibleGoalError(f"whether {referent.phrase!r} is there is no question; ask about a thing or a person")
+                raise ImpossibleGoalError(
+                    f"whether {referent.phrase!r} is there is no question; ask about a thing or a person"
+                )
         return grounded
 
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
@@ -224,7 +230,9 @@ class _Grounder:
         pairs = self._pairs_meant(words, state)
         if words is not None and not pairs and state is None:
             known = sorted({value for pair in self.domain.kinds.state_pairs.values() for value in pair.values})
-            raise ImpossibleGoalError(f"{words!r} is no state that anything here can be in; known states: {', '.join(known)}")
+            raise ImpossibleGoalError(
+                f"{words!r} is no state that anything here can be in; known states: {', '.join(known)}"
+            )
 
         def has_state(name: str) -> bool:
             return name not in self.house.rooms and bool(pairs & set(self._states(name)))
@@ -245,7 +253,11 @@ class _Grounder:
         self, objects: tuple[Referent, ...], words: str | None, state: str | None, task: Task
     ) -> tuple[str, str]:
         """State pair and value for these objects. Raises `ImpossibleGoalError` where they have no such state."""
-        pairs = [pair for pair in self.domain.kinds.state_pairs if all(pair in self._states(r.candidates[0]) for r in objects)]
+        pairs = [
+            pair
+            for pair in self.domain.kinds.state_pairs
+            if all(pair in self._states(r.candidates[0]) for r in objects)
+        ]
         found = read_state(words, pairs, self.domain) if words is not None else None
         if found is None and state is not None and self.domain.kinds.pair_of(state) in pairs:
             found = (self.domain.kinds.pair_of(state), state)
@@ -297,7 +309,11 @@ class _Grounder:
         if phrase.preposition in self.domain.lexicon.beside:
             near = [place for name in referent.candidates for place in (name, *self._beside(name))]
             return replace(referent, candidates=tuple(dict.fromkeys(place for place in near if self._can_hold(place))))
-        if not all(self._is_thing(name) for name in referent.candidates) or phrase.preposition not in ("in", "inside", "into"):
+        if not all(self._is_thing(name) for name in referent.candidates) or phrase.preposition not in (
+            "in",
+            "inside",
+            "into",
+        ):
             return referent
         raise ImpossibleGoalError(f"nothing can lie in {phrase.text!r} here")
 
@@ -335,7 +351,13 @@ class _Grounder:
         return Referent(" and ".join(referent.phrase for referent in referents), names, is_all=True)
 
     def _referent(
-        self, phrase: NounPhrase, fits: Callable[[str], bool], ability: str, *, rooms: frozenset[str] = frozenset(), is_place: bool
+        self,
+        phrase: NounPhrase,
+        fits: Callable[[str], bool],
+        ability: str,
+        *,
+        rooms: frozenset[str] = frozenset(),
+        is_place: bool,
     ) -> Referent:
         """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` where nothing does."""
         entities = tuple(name for name in phrase.entities if fits(name))
@@ -343,7 +365,9 @@ class _Grounder:
         names = entities or tuple(name for name in phrase.plurals if fits(name))
         if not names:
             first = (*phrase.entities, *phrase.plurals)[0]
-            raise ImpossibleGoalError(f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)")
+            raise ImpossibleGoalError(
+                f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
+            )
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
         names = self._in_context(names, rooms, is_all)
         if phrase.count > len(names):
@@ -402,7 +426,9 @@ class _Grounder:
         return replace(referent, candidates=names) if names else None
 
     def _can_hold(self, name: str) -> bool:
-        return name in self.house.rooms or self._is_person(name) or self._is_thing(name) or holds_things(name, self.domain)
+        return (
+            name in self.house.rooms or self._is_person(name) or self._is_thing(name) or holds_things(name, self.domain)
+        )
 
     def _is_thing(self, name: str) -> bool:
         return name in self.house.things

@@ -110,7 +110,9 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
 
 def _read_choice(part: str, preposition: str, domain: Domain, later: NounPhrase | None, text: str) -> NounPhrase:
     """One part of a coordination; with "or" whatever any of its alternatives names."""
-    alternatives = [_read_part(choice, preposition, domain, later) for choice in _CHOICE.split(part.removeprefix("either "))]
+    alternatives = [
+        _read_part(choice, preposition, domain, later) for choice in _CHOICE.split(part.removeprefix("either "))
+    ]
     if None in alternatives:
         raise _unknown(part or text, domain)
     first, *others = [phrase for phrase in alternatives if phrase is not None]
@@ -150,7 +152,7 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
     """ "X of Y": a measure of Y, a part of Y, or the X that belongs to the place Y."""
     whole = _read_part(rest, preposition, domain, None)
     noun = head[-1]
-    measures = {**domain.lexicon.measures, **{word: 1 for word in ("both", *domain.lexicon.all_words)}}
+    measures = {**domain.lexicon.measures, **dict.fromkeys(("both", *domain.lexicon.all_words), 1)}
     measure = noun if noun in measures else next((word for word in (noun[:-1], noun[:-2]) if word in measures), None)
     is_part = noun in domain.lexicon.parts and whole is not None and _opens(whole, domain)
     if whole is not None and (measure is not None or is_part):
@@ -283,14 +285,22 @@ def _opens(phrase: NounPhrase, domain: Domain) -> bool:
 def _inside(head: NounPhrase, place: NounPhrase, domain: Domain) -> NounPhrase:
     """A noun phrase at a place: what is fixed must be there, what can be carried is looked for there."""
     named = frozenset((*place.entities, *place.plurals))
-    if head.entities and all(name in domain.house.rooms for name in head.entities) and not named <= set(domain.house.rooms):
+    if (
+        head.entities
+        and all(name in domain.house.rooms for name in head.entities)
+        and not named <= set(domain.house.rooms)
+    ):
         # "in the bathroom on the shelf": the place says more than the room
         return _inside(place, head, domain)
     rooms = {room for name in named if (room := domain.room_of(name)) is not None}
     names = (*head.entities, *head.plurals)
-    there = frozenset(name for name in names if _part_of(name, domain) in named or name in {_part_of(n, domain) for n in named})
+    there = frozenset(
+        name for name in names if _part_of(name, domain) in named or name in {_part_of(n, domain) for n in named}
+    )
     if not there:
-        there = frozenset(name for name in names if not rooms or not _rooms(name, domain) or rooms & _rooms(name, domain))
+        there = frozenset(
+            name for name in names if not rooms or not _rooms(name, domain) or rooms & _rooms(name, domain)
+        )
     if not there:
         return head
     return replace(
@@ -322,7 +332,9 @@ def _unique(names: tuple[str, ...]) -> tuple[str, ...]:
 def _unknown(words: str, domain: Domain) -> UnknownWordError:
     """The error for words that name nothing: the nearest are what the noun alone names, else words that look alike."""
     tokens = [token for token in words.split() if token not in domain.lexicon.determiners]
-    known = next((found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None)
+    known = next(
+        (found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None
+    )
     if known is not None:
         return UnknownWordError(words, [_describe(name, domain) for name in (*known[0], *known[1])[:4]])
     noun = " ".join(tokens) or words

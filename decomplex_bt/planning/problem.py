@@ -66,7 +66,9 @@ def make_problem(state: SymbolicState, goal: Iterable[Atom], *, forbidden: Colle
     scene = _Scene(state, goal)
     names = {name for name, _ in scene.objects}
     relevant = sorted({step for step in forbidden if names.issuperset(step.objects)} | set(scene.misplacements()))
-    return Problem(state.belief.domain.domain_pddl, scene.objects, tuple(sorted(set(scene.atoms()))), goal, tuple(relevant))
+    return Problem(
+        state.belief.domain.domain_pddl, scene.objects, tuple(sorted(set(scene.atoms()))), goal, tuple(relevant)
+    )
 
 
 class _Scene:

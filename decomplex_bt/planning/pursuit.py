@@ -86,7 +86,9 @@ class _Pursuer:
         self.task, self.belief, self.bindings, self.since = task, belief, bindings, max(since, 0)
         self.domain = belief.domain
         self.house = belief.domain.house
-        self.wheres = tuple(place for r in task.places for place in places_of(r, belief, for_people=self._asks_people()))
+        self.wheres = tuple(
+            place for r in task.places for place in places_of(r, belief, for_people=self._asks_people())
+        )
 
     def settle_all(self) -> None:
         """Binds "everything on the table", once the places were looked at, to what is there then."""
@@ -180,7 +182,9 @@ class _Pursuer:
     def _other(self) -> Pursuit:
         """A task type of a domain of one's own: its goal template, with the first candidate of every phrase."""
         roles = {"object": self.task.objects[0]} if self.task.objects else {}
-        roles |= {role: r for role, r in (("goal", self.task.goal), ("recipient", self.task.recipient)) if r is not None}
+        roles |= {
+            role: r for role, r in (("goal", self.task.goal), ("recipient", self.task.recipient)) if r is not None
+        }
         goal = self._goal({role: self._meant(referent)[0] for role, referent in roles.items()})
         if all(self.belief.noted(atom) > self.since for atom in goal):
             return self._done({})
@@ -211,7 +215,9 @@ class _Pursuer:
     def _look_through(self, *, may_be_partial: bool) -> Pursuit:
         """A search through the places that the task names; false when they were inspected in vain."""
         names = [name for referent in self.task.objects for name in self._fitting(referent)]
-        known = [place for name in names if (place := self.belief.place_of(name)) in self.wheres and self._is_open(place)]
+        known = [
+            place for name in names if (place := self.belief.place_of(name)) in self.wheres and self._is_open(place)
+        ]
         open_places = known or [place for place in self.wheres if self._is_open(place)]
         place = next_place(names, self.belief, open_places)
         if place is not None:
@@ -271,7 +277,9 @@ class _Pursuer:
         settled: dict[Referent, list[str]] = {}
         for referent in self.task.objects:
             seen = [name for name in self._fitting(referent) if self.belief.state_seen(name, pair) >= self.since]
-            seen = [name for name in seen if not self.wheres or self._is_there(name)] or ([] if self._may_be_there() else seen)
+            seen = [name for name in seen if not self.wheres or self._is_there(name)] or (
+                [] if self._may_be_there() else seen
+            )
             so = [name for name in seen if self.belief.state(name, pair) == value]
             not_so = [name for name in seen if name not in so]
             is_any = _is_indefinite(referent)
@@ -309,12 +317,16 @@ class _Pursuer:
         place = next_place(unknown, self.belief, open_places)
         if place is not None:
             return self._inspect(place, referent.phrase)
-        raise _NothingLeftError(self._why(f"the state of {referent.phrase!r} could not be seen", referent.candidates), truth=None)
+        raise _NothingLeftError(
+            self._why(f"the state of {referent.phrase!r} could not be seen", referent.candidates), truth=None
+        )
 
     def _may_be_there(self) -> bool:
         """Whether a place that the task names is still to be looked at, or has one of the objects."""
         names = [name for referent in self.task.objects for name in self._fitting(referent)]
-        return any(self._is_open(place) for place in self.wheres) or any(self._is_there(name) for name in names if self.wheres)
+        return any(self._is_open(place) for place in self.wheres) or any(
+            self._is_there(name) for name in names if self.wheres
+        )
 
     def _may_be_seen(self, name: str) -> bool:
         """Whether an entity is known to be somewhere, or may still turn up."""
@@ -348,7 +360,9 @@ class _Pursuer:
         if not ends and lost:
             return self._look_for_people(target, lost)
         for end in ends:
-            pursuit = self._handle(task_type, has_arrived, {role if end in people else "goal": end}, is_last=end == ends[-1])
+            pursuit = self._handle(
+                task_type, has_arrived, {role if end in people else "goal": end}, is_last=end == ends[-1]
+            )
             if pursuit is not None:
                 return pursuit
         raise _NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
@@ -371,10 +385,18 @@ class _Pursuer:
         things = [thing for referent in self.task.objects for thing in self._fitting(referent)]
         weights = [dict(self.belief.prior.places.get(thing, ())) for thing in things]
         surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
-        return sorted(surfaces, key=lambda place: (-sum(weight.get(place, 0.0) for weight in weights), surfaces.index(place)))
+        return sorted(
+            surfaces, key=lambda place: (-sum(weight.get(place, 0.0) for weight in weights), surfaces.index(place))
+        )
 
     def _handle(
-        self, task_type: str, is_done: Callable[[str], bool], roles: Mapping[str, str], *, batch: int = 2, is_last: bool = True
+        self,
+        task_type: str,
+        is_done: Callable[[str], bool],
+        roles: Mapping[str, str],
+        *,
+        batch: int = 2,
+        is_last: bool = True,
     ) -> Any:
         """Brings something about for the objects: finds them all first, then plans for a few at a time.
 
@@ -413,7 +435,9 @@ class _Pursuer:
         able = [name for name in self._fitting(referent) if is_possible(name)]
         located = [name for name in able if self._is_located(name)]
         if self.wheres and referent not in self.bindings:
-            there = [name for name in located if is_done(name) or self._is_there(name) or self.belief.place_of(name) == ROBOT]
+            there = [
+                name for name in located if is_done(name) or self._is_there(name) or self.belief.place_of(name) == ROBOT
+            ]
             if referent.is_all or there or any(self._is_open(place) for place in self.wheres):
                 located = there
         unknown = [name for name in able if not self._is_located(name)]
@@ -476,8 +500,12 @@ class _Pursuer:
             if lost and self._next_for(lost) is not None:
                 return self._look_for_people(referent, lost)
             if not (done and referent.is_all):
-                raise _NothingLeftError(self._why(f"{referent.phrase!r} is not to be found or reached", referent.candidates))
-        return self._done({referent: [name for name in self._meant(referent) if is_done(name)] for referent in referents})
+                raise _NothingLeftError(
+                    self._why(f"{referent.phrase!r} is not to be found or reached", referent.candidates)
+                )
+        return self._done(
+            {referent: [name for name in self._meant(referent) if is_done(name)] for referent in referents}
+        )
 
     def _look_for_people(self, referent: Referent, lost: Sequence[str]) -> Pursuit:
         place = next_place(lost, self.belief, [p for p in likely_places(lost, self.belief) if self._is_open(p)])
@@ -506,7 +534,9 @@ class _Pursuer:
                 return False
             return pair != changes or self.belief.state_changed(name, pair) < self.since
 
-        return tuple(n for n in referent.candidates if not any(differs(n, pair, value) for pair, value in referent.where))
+        return tuple(
+            n for n in referent.candidates if not any(differs(n, pair, value) for pair, value in referent.where)
+        )
 
     def _found(self, is_done: Callable[[str], bool]) -> dict[Referent, list[str]] | None:
         """Which candidates settle every object; None while one of them is open."""
@@ -582,7 +612,9 @@ class _Pursuer:
     def _bring_about(self, goals: Sequence[tuple[Atom, ...]], doing: str) -> Pursuit:
         goal = self._first_open(goals)
         if goal is None:
-            raise _NothingLeftError(self._why(f"no way was found to {doing}", [n for g in goals for a in g for n in a.objects]))
+            raise _NothingLeftError(
+                self._why(f"no way was found to {doing}", [n for g in goals for a in g for n in a.objects])
+            )
         return self._ongoing(goal, doing)
 
     def _ongoing(self, goal: tuple[Atom, ...], doing: str) -> Pursuit:
@@ -599,7 +631,11 @@ class _Pursuer:
     def _why_not(self, referent: Referent, roles: Mapping[str, str]) -> str:
         names = (*self._meant(referent), *roles.values())
         is_known = any(self._is_located(name) for name in self._meant(referent))
-        summary = f"no way was found to do it with {referent.phrase!r}" if is_known else f"{referent.phrase!r} is nowhere to be found"
+        summary = (
+            f"no way was found to do it with {referent.phrase!r}"
+            if is_known
+            else f"{referent.phrase!r} is nowhere to be found"
+        )
         return self._why(summary, names)
 
     def _objects_phrase(self) -> str:

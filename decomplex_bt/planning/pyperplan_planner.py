@@ -123,7 +123,8 @@ def _ground(problem: Problem) -> Any:
     grounded = ground(parser.parse_problem(_parse_domain(problem.domain_pddl), read_from_file=False))
     forbidden = {str(step).lower() for step in problem.forbidden}
     grounded.operators = sorted(
-        (operator for operator in grounded.operators if operator.name not in forbidden), key=lambda operator: operator.name
+        (operator for operator in grounded.operators if operator.name not in forbidden),
+        key=lambda operator: operator.name,
     )
     return grounded
 
@@ -133,7 +134,9 @@ def _number_facts(grounded: Any) -> Any:
     from pyperplan.task import Operator, Task
 
     names = {name for operator in grounded.operators for name in operator.add_effects | operator.preconditions}
-    number = {name: i for i, name in enumerate(sorted({*grounded.facts, *grounded.initial_state, *grounded.goals, *names}))}
+    number = {
+        name: i for i, name in enumerate(sorted({*grounded.facts, *grounded.initial_state, *grounded.goals, *names}))
+    }
 
     def numbers(facts: Iterable[str]) -> frozenset[int]:
         return frozenset(sorted(number[fact] for fact in facts))

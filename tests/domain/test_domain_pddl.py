@@ -61,7 +61,9 @@ def test_values_after_says_what_the_effects_say(name: str) -> None:
     action = ACTIONS[name]
     parameters = tuple(word for word in action[action.index(":parameters") + 1] if word.startswith("?"))
     adds, _ = effects(action)
-    of_fluent = {DOMAIN.goals.fluent(value): (pair, value) for pair, p in DOMAIN.kinds.state_pairs.items() for value in p.values}
+    of_fluent = {
+        DOMAIN.goals.fluent(value): (pair, value) for pair, p in DOMAIN.kinds.state_pairs.items() for value in p.values
+    }
     expected = {(atom[1], of_fluent[atom[0]][0]): of_fluent[atom[0]][1] for atom in adds if atom[0] in of_fluent}
     assert values_after(name, parameters) == expected
 

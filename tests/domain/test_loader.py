@@ -35,7 +35,12 @@ def test_every_kind_of_the_house_is_known_and_every_thing_has_a_place() -> None:
     ("file", "old", "new", "message"),
     [
         ("kinds.yaml", "cools: [food]", "cools: [foood]", r"kinds\.yaml.*fridge.*'foood'"),
-        ("kinds.yaml", "tags: [dish, vessel, cup], radius: 0.05", "tags: [dish], places: {tv: 1}, radius: 0.05", r"kinds\.yaml"),
+        (
+            "kinds.yaml",
+            "tags: [dish, vessel, cup], radius: 0.05",
+            "tags: [dish], places: {tv: 1}, radius: 0.05",
+            r"kinds\.yaml",
+        ),
         ("house.yaml", "kind: bookshelf", "kind: bookshelv", r"house\.yaml.*'bookshelv'"),
         ("words.yaml", "tasks: [motion]", "tasks: [walking]", r"words\.yaml.*'walking'"),
         ("words.yaml", "verbs: [go,", "verbs: [bring, go,", r"words\.yaml.*'bring' stands twice"),

@@ -38,7 +38,9 @@ def test_a_verb_form_says_its_task_and_state(form: str, particles: list[str], ta
 
 
 def test_the_lexicon_is_broad() -> None:
-    by_task = {task: [v for v, s in DOMAIN.lexicon.verbs.items() if task in s.tasks] for task in DOMAIN.ontology.task_types}
+    by_task = {
+        task: [v for v, s in DOMAIN.lexicon.verbs.items() if task in s.tasks] for task in DOMAIN.ontology.task_types
+    }
     assert len(DOMAIN.lexicon.verbs) > 900
     assert min(map(len, by_task.values())) >= 40
 

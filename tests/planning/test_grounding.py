@@ -61,7 +61,10 @@ def test_state_words_tell_one_from_another() -> None:
     [
         ("[Switch](1:change_state) [the lamp in the bedroom](1:object) on", (("bedroom_lamp",), "on")),
         ("[Turn](1:change_state) [it](1:object=the tv) back off", (("tv",), "off")),
-        ("[Turn](1:change_state) off [the light](1:object) [in the bathroom](1:location)", (("bathroom_light",), "off")),
+        (
+            "[Turn](1:change_state) off [the light](1:object) [in the bathroom](1:location)",
+            (("bathroom_light",), "off"),
+        ),
         ("[Open](1:change_state) [the fridge door](1:object)", (("fridge",), "open")),
         ("[Wash](1:change_state) [the glasses](1:object)", (("glass_1", "glass_2"), "clean")),
         ("[Make](1:change_state) [the soup](1:object) [nice and hot](1:state)", (("soup",), "hot")),
@@ -80,11 +83,26 @@ def test_a_change_of_state_has_objects_and_a_value(text: str, expected: tuple[tu
         ("If [the coffee](1:object) [is](1:check_state) still [hot](1:state)", ("coffee",), (), "hot"),
         ("If there [is](1:check_state) [milk](1:object) [in the fridge](1:location)", ("milk",), ("fridge",), "here"),
         ("[Is](1:check_state) [Anna](1:object) [at home](1:location)?", ("anna",), (), "here"),
-        ("[Any soap](1:object) [left](1:check_state) [on the shelf](1:location)?", ("soap",), ("bathroom_shelf", "bookshelf"), "here"),
+        (
+            "[Any soap](1:object) [left](1:check_state) [on the shelf](1:location)?",
+            ("soap",),
+            ("bathroom_shelf", "bookshelf"),
+            "here",
+        ),
         ("[Oven](1:object) [on](1:check_state)?", ("oven",), (), "on"),
-        ("[Check](1:check_state) whether [the window](1:object) [in the kitchen](1:location) is [shut](1:state)", ("kitchen_window",), (), "closed"),
+        (
+            "[Check](1:check_state) whether [the window](1:object) [in the kitchen](1:location) is [shut](1:state)",
+            ("kitchen_window",),
+            (),
+            "closed",
+        ),
         ("if [the washing machine](1:object) [is](1:check_state) [finished](1:state)", ("washing_machine",), (), "off"),
-        ("if [my mother](1:object) [is](1:check_state) [in the kitchen](1:location)", ("relative",), ("kitchen",), "here"),
+        (
+            "if [my mother](1:object) [is](1:check_state) [in the kitchen](1:location)",
+            ("relative",),
+            ("kitchen",),
+            "here",
+        ),
     ],
 )
 def test_a_check_asks_for_a_state_or_for_presence(

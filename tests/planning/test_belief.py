@@ -1,0 +1,97 @@
+"""Belief: what looks teach, and what two looks in vain unteach."""
+
+from __future__ import annotations
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.planning.belief import MAX_ATTEMPTS, Belief
+from decomplex_bt.planning.pddl import Atom, GroundAction
+from decomplex_bt.planning.percept import Percept
+
+DOMAIN = load_domain()
+EMPTY = Percept(room="study")
+
+
+def look(belief: Belief, percept: Percept, times: int = 2) -> Belief:
+    for _ in range(times):
+        belief.update(percept)
+    return belief
+
+
+def test_an_unseen_thing_may_be_where_its_kind_tends_to_be() -> None:
+    belief = look(Belief(DOMAIN), EMPTY)
+    assert belief.place_of("pen_1") is None
+    assert belief.likely_places("pen_1")[0][0] == "desk"
+
+
+def test_a_place_looked_at_in_vain_is_no_longer_likely() -> None:
+    belief = look(Belief(DOMAIN), Percept(room="study", inspected=frozenset({"desk"})))
+    assert "desk" not in dict(belief.likely_places("pen_1"))
+
+
+def test_one_look_may_miss_a_thing() -> None:
+    seen = Percept(room="study", places={"pen_1": "desk"}, inspected=frozenset({"desk"}))
+    missed = Percept(room="study", inspected=frozenset({"desk"}))
+    belief = look(Belief(DOMAIN), seen)
+    belief.update(missed)
+    assert belief.place_of("pen_1") == "desk"
+    belief.update(missed)
+    assert belief.place_of("pen_1") is None
+
+
+def test_a_thing_out_of_sight_stays_where_it_was() -> None:
+    belief = look(Belief(DOMAIN), Percept(room="study", places={"pen_1": "desk"}))
+    look(belief, Percept(room="kitchen"))
+    assert (belief.place_of("pen_1"), belief.room_of("pen_1")) == ("desk", "study")
+
+
+def test_what_is_carried_is_with_the_robot_and_goes_where_it_is_put() -> None:
+    belief = look(Belief(DOMAIN), Percept(room="study", held="pen_1", tray=("keys", None, None, None)))
+    assert belief.room_of("keys") == "study"
+    assert belief.carried("pen_1") == belief.tick
+    belief.update(Percept(room="study", places={"pen_1": "desk_drawer"}))
+    belief.succeeded(GroundAction("place", ("pen_1", "desk_drawer")))
+    assert belief.place_of("pen_1") == "desk_drawer"
+
+
+def test_what_gets_hot_behind_a_closed_door_is_believed_hot_but_was_not_seen() -> None:
+    belief = look(Belief(DOMAIN), EMPTY)
+    belief.succeeded(GroundAction("heat", ("soup", "microwave")))
+    assert belief.state("soup", "temperature") == "hot"
+    assert belief.state_seen("soup", "temperature") == -1
+
+
+def test_the_revision_tells_news_from_the_same_again() -> None:
+    percept = Percept(room="study", places={"pen_1": "desk"}, states={("desk", "cleanliness"): "dirty"})
+    belief = look(Belief(DOMAIN), percept, times=3)
+    before = belief.revision
+    look(belief, percept)
+    assert belief.revision == before
+    belief.update(Percept(room="study", places={"pen_1": "desk"}, states={("desk", "cleanliness"): "clean"}))
+    assert belief.revision == before + 1
+    assert belief.state_changed("desk", "cleanliness") == belief.tick
+
+
+def test_steps_that_fail_too_often_or_for_good_are_blocked() -> None:
+    belief = look(Belief(DOMAIN), EMPTY)
+    pick, switch = GroundAction("pick", ("pen_1", "desk")), GroundAction("switch-on", ("tv",))
+    for _ in range(MAX_ATTEMPTS - 1):
+        belief.failed(pick, "slipped")
+    belief.failed(switch, "broken")
+    assert list(belief.blocked()) == [switch]
+    belief.failed(pick, "slipped")
+    assert set(belief.blocked()) == {pick, switch}
+
+
+def test_giving_up_counts_for_the_task_that_did() -> None:
+    belief = look(Belief(DOMAIN), EMPTY)
+    goal = (Atom("inspected", ("desk",)),)
+    belief.give_up(goal, "no way")
+    assert belief.given_up(goal, since=0) == "no way"
+    assert belief.given_up(goal, since=belief.tick + 1) is None
+
+
+def test_it_prints_as_a_table() -> None:
+    text = str(look(Belief(DOMAIN), Percept(room="study", held="pen_1", places={"user": "kitchen"})))
+    assert "holding pen_1" in text
+    assert "pencil" in text
+    assert "? desk 0.40" in text

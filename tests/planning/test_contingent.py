@@ -1,0 +1,53 @@
+"""The conditional plan: a plan for each task from the state assumed on its branch."""
+
+from __future__ import annotations
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.planning.assumed_world import AssumedWorld
+from decomplex_bt.planning.contingent import Choice, ConditionalPlan, TaskPlan, plan_conditionally
+from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+
+DOMAIN = load_domain()
+COFFEE = (
+    "If [the coffee](1:object) [is](1:check_state) [hot](1:state) [bring](2:bringing) [me](2:recipient) [it](2:object=the coffee), "
+    "otherwise [heat](3:change_state) [it](3:object=the coffee). Then [go](4:motion) [to the study](4:goal)."
+)
+
+
+def plan(text: str, flow: list) -> ConditionalPlan:
+    grounded = ground(read_markup(text, DOMAIN.ontology, flow=flow), DOMAIN)
+    return plan_conditionally(grounded, PyperplanPlanner(), world=AssumedWorld.likely(DOMAIN))
+
+
+def test_each_branch_is_planned_from_what_it_assumes() -> None:
+    made = plan(COFFEE, [{"if": 1, "then": [2], "else": [3]}, 4])
+    choice, last = made.nodes
+    assert isinstance(choice, Choice)
+    (bring,), (heat,) = choice.then, choice.orelse
+    assert isinstance(bring, TaskPlan)
+    assert isinstance(heat, TaskPlan)
+    assert str(bring.steps[-1]) == "(give coffee user)"
+    assert str(heat.steps[-1]) == "(heat coffee microwave)"
+    assert choice.fails.reason == "the coffee is not hot"
+    assert isinstance(last, TaskPlan)
+    assert str(last.steps[0]) == "(move living_room_floor living_room_doorway living_room)"
+
+
+def test_an_action_as_condition_fails_where_the_world_does_not_allow_it() -> None:
+    text = "[Turn](1:change_state) on [the tv](1:object); if you cannot, [tell](2:informing) [me](2:recipient)"
+    (choice,) = plan(text, [{"if": 1, "else": [2]}]).nodes
+    assert isinstance(choice, Choice)
+    assert choice.holds.reason == ""
+    assert "broken" in choice.fails.reason
+
+
+def test_it_says_itself_as_text_and_json() -> None:
+    made = plan(COFFEE, [{"if": 1, "then": [2], "else": [3]}, 4])
+    text = str(made)
+    assert "if [1]" in text
+    assert "else\n  [3] heat the coffee (change_state)" in text
+    value = made.to_json()
+    assert value["plan"][0]["then"][0]["steps"][-1] == "(give coffee user)"
+    assert list(value["plan"][0]) == ["if", "then", "if_not", "else"]

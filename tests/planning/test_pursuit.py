@@ -1,0 +1,226 @@
+"""Pursuit: tasks carried to their end in an assumed world, by what the robot has seen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import pytest
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.planning.assumed_world import AssumedWorld
+from decomplex_bt.planning.belief import ROBOT, Belief
+from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.pursuit import Pursuit, PursuitStatus, pursue
+from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+
+DOMAIN = load_domain()
+PLANNER = PyperplanPlanner()
+DONE, FAILED = PursuitStatus.DONE, PursuitStatus.FAILED
+
+
+def world(
+    places: Mapping[str, str | None] | None = None,
+    values: Mapping[tuple[str, str], str] | None = None,
+    broken: str = "",
+) -> AssumedWorld:
+    """The likely world with some of it otherwise; a place of None is nowhere."""
+    made = AssumedWorld.likely(DOMAIN)
+    for name, place in (places or {}).items():
+        made.places.pop(name, None)
+        if place is not None:
+            made.places[name] = place
+    made.values.update(values or {})
+    made.broken = frozenset(broken.split())
+    return made
+
+
+def run(text: str, inside: AssumedWorld) -> list[Pursuit]:
+    """Pursues all tasks of a marked text one after the other."""
+    count = text.count("](") and max(int(part.split(":")[0]) for part in text.split("](")[1:])
+    grounded = ground(read_markup(text, DOMAIN.ontology, flow=list(range(1, count + 1))), DOMAIN)
+    belief, bindings, results = Belief(DOMAIN), {}, []
+    for task in grounded.tasks:
+        results.append(inside.run(task, belief, PLANNER, bindings))
+        bindings = results[-1].bindings
+    return results
+
+
+def names(inside: AssumedWorld) -> list[str]:
+    return [str(step) for step in inside.steps]
+
+
+def bound(pursuit: Pursuit) -> dict[str, tuple[str, ...]]:
+    return {referent.phrase: entities for referent, entities in pursuit.bindings.items()}
+
+
+FIND_PEN = "[Find](1:searching) [a pen](1:object) and [give](2:bringing) [it](2:object=a pen) [to Anna](2:recipient)"
+
+
+def test_a_search_goes_on_until_the_thing_is_seen_and_binds_the_phrase() -> None:
+    inside = world({"pen_1": None, "pen_2": "nightstand"})
+    found, given = run(FIND_PEN, inside)
+    assert (found.status, found.truth, bound(found)["a pen"]) == (DONE, True, ("pen_2",))
+    assert (given.status, inside.places["pen_2"]) == (DONE, "anna")
+
+
+def test_a_search_without_a_place_fails_when_nothing_is_left_to_try() -> None:
+    found, _ = run(FIND_PEN, world({"pen_1": None, "pen_2": None}))
+    assert (found.status, found.truth) == (FAILED, False)
+    assert "nowhere to be found" in found.reason
+
+
+LOOK_IN_FRIDGE = "[Look](1:searching) [in the fridge](1:location) for [the milk](1:object)"
+
+
+@pytest.mark.parametrize(("place", "truth"), [("fridge", True), ("counter", False), (None, False)])
+def test_a_search_of_a_place_is_done_either_way(place: str | None, truth: bool) -> None:
+    inside = world({"milk": place})
+    (looked,) = run(LOOK_IN_FRIDGE, inside)
+    assert (looked.status, looked.truth) == (DONE, truth)
+    assert "(open-up fridge)" in names(inside)
+
+
+def test_a_place_that_cannot_be_looked_into_leaves_the_answer_open() -> None:
+    inside = world()
+    inside.refused = frozenset(("open-up",))
+    (looked,) = run(LOOK_IN_FRIDGE, inside)
+    assert (looked.status, looked.truth) == (FAILED, None)
+    assert "open-up fridge" in looked.reason
+
+
+def test_looking_into_a_room_looks_at_everything_in_it() -> None:
+    inside = world()
+    (looked,) = run("[Look](1:searching) [in the bathroom](1:location)", inside)
+    assert looked.status is DONE
+    opened = {step for step in names(inside) if step.startswith("(open-up")}
+    assert opened == {"(open-up washing_machine)", "(open-up medicine_cabinet)"}
+
+
+def test_two_things_are_brought_in_one_go() -> None:
+    inside = world()
+    (brought,) = run("[Bring](1:bringing) [me](1:recipient) [the cup and the plate](1:object)", inside)
+    assert brought.status is DONE
+    assert sum(step.startswith("(pass living_room_doorway") for step in names(inside)) == 1
+
+
+def test_the_clean_one_is_brought_not_the_dirty_one() -> None:
+    values = {("mug_1", "cleanliness"): "dirty", ("mug_2", "cleanliness"): "clean"}
+    inside = world({"mug_1": "counter", "mug_2": "desk"}, values)
+    (brought,) = run("[Bring](1:bringing) [me](1:recipient) [a clean mug](1:object)", inside)
+    assert (brought.status, bound(brought)["a clean mug"]) == (DONE, ("mug_2",))
+
+
+def test_all_the_dirty_ones_are_washed() -> None:
+    values = {(f"plate_{i}", "cleanliness"): "dirty" for i in (1, 2)}
+    inside = world({"plate_1": "kitchen_table", "plate_2": "sink"}, values)
+    (washed,) = run("[Wash](1:change_state) [the dirty plates](1:object)", inside)
+    assert washed.status is DONE
+    assert {inside.values[f"plate_{i}", "cleanliness"] for i in (1, 2)} == {"clean"}
+
+
+def test_all_the_lights_are_switched_off() -> None:
+    lights = ("kitchen_light", "bedroom_light", "bathroom_light", "living_room_lamp", "bedroom_lamp")
+    inside = world(values={(light, "power"): "on" for light in lights})
+    (switched,) = run("[Turn](1:change_state) off [all the lights](1:object)", inside)
+    assert switched.status is DONE
+    assert {inside.values[light, "power"] for light in lights} == {"off"}
+
+
+def test_everything_at_a_place_is_what_is_there() -> None:
+    inside = world()
+    there = sorted(name for name, place in inside.places.items() if place == "kitchen_table")
+    (put,) = run("[Put](1:placing) [everything on the kitchen table](1:object) [on the couch](1:goal)", inside)
+    assert put.status is DONE
+    assert sorted(name for name, place in inside.places.items() if place == "couch" and name in there) == there
+    assert sorted(bound(put)["everything on the kitchen table"]) == there
+
+
+def test_another_device_is_tried_when_one_is_broken() -> None:
+    inside = world(broken="microwave")
+    (heated,) = run("[Heat](1:change_state) [the soup](1:object)", inside)
+    assert heated.status is DONE
+    assert names(inside)[-1] == "(heat soup oven)"
+
+
+def test_a_broken_device_is_given_up_with_the_reason() -> None:
+    (switched,) = run("[Turn](1:change_state) on [the tv](1:object)", world(broken="tv"))
+    assert (switched.status, switched.truth) == (FAILED, False)
+    assert "(switch-on tv): broken" in switched.reason
+
+
+def test_a_thing_that_slips_is_tried_again_and_then_another_is_taken() -> None:
+    inside = world({"pen_1": "desk", "pen_2": "desk"})
+    inside.slippery = frozenset(("pen_1",))
+    (taken,) = run("[Take](1:taking) [a pen](1:object)", inside)
+    assert (taken.status, bound(taken)["a pen"], inside.places["pen_2"]) == (DONE, ("pen_2",), ROBOT)
+
+
+@pytest.mark.parametrize(("value", "truth"), [("hot", True), ("cold", False)])
+def test_a_state_is_seen_and_judged(value: str, truth: bool) -> None:
+    inside = world(values={("coffee", "temperature"): value})
+    (checked,) = run("if [the coffee](1:object) [is](1:check_state) [hot](1:state)", inside)
+    assert (checked.status, checked.truth) == (DONE, truth)
+
+
+def test_the_state_of_a_thing_that_is_nowhere_is_neither() -> None:
+    (checked,) = run("if [the coffee](1:object) [is](1:check_state) [hot](1:state)", world({"coffee": None}))
+    assert (checked.status, checked.truth) == (FAILED, None)
+
+
+def test_what_was_seen_before_the_task_became_due_is_looked_at_again() -> None:
+    inside = world(values={("kitchen_window", "aperture"): "open"})
+    first = "[Go](1:motion) [to the kitchen](1:goal). [Go](2:motion) [to the study](2:goal). "
+    *_, checked = run(first + "if [the kitchen window](3:object) [is](3:check_state) [open](3:state)", inside)
+    assert checked.truth is True
+    assert names(inside)[-1].startswith("(pass kitchen_doorway hallway kitchen")
+
+
+@pytest.mark.parametrize(("room", "truth"), [("study", True), (None, False)])
+def test_whether_somebody_is_home_is_found_out_room_by_room(room: str | None, truth: bool) -> None:
+    (checked,) = run("[Is](1:check_state) [Anna](1:object) [home](1:state)?", world({"anna": room}))
+    assert (checked.status, checked.truth) == (DONE, truth)
+
+
+def test_somebody_is_told_where_they_are() -> None:
+    inside = world({"anna": "bedroom"})
+    (told,) = run("[Tell](1:informing) [Anna](1:recipient) [that dinner is ready](1:message)", inside)
+    assert told.status is DONE
+    assert names(inside)[-1] == "(say anna)"
+
+
+def test_saying_it_for_one_task_is_not_saying_it_for_the_next() -> None:
+    inside = world()
+    run(
+        "[Tell](1:informing) [me](1:recipient) [a](1:message), [tell](2:informing) [me](2:recipient) [b](2:message)",
+        inside,
+    )
+    assert names(inside).count("(say user)") == 2
+
+
+def test_somebody_is_followed_to_a_room() -> None:
+    inside = world({"anna": "study"})
+    (followed,) = run("[Follow](1:following) [Anna](1:object) [to the kitchen](1:goal)", inside)
+    assert followed.status is DONE
+    assert (inside.room, inside.places["anna"]) == ("kitchen", "kitchen")
+
+
+def test_who_is_out_cannot_be_told() -> None:
+    (told,) = run("[Tell](1:informing) [my mother](1:recipient) [hello](1:message)", world())
+    assert (told.status, told.truth) == (FAILED, False)
+
+
+def test_a_goal_that_holds_is_done_at_once() -> None:
+    inside = world({"user": "hallway", "pen_1": "user", "pen_2": None})
+    (brought,) = run("[Bring](1:bringing) [me](1:recipient) [a pen](1:object)", inside)
+    assert (brought.status, inside.steps) == (DONE, [])
+
+
+def test_a_task_type_of_ones_own_needs_a_goal_template_only() -> None:
+    belief = Belief(DOMAIN)
+    inside = world()
+    belief.update(inside.percept())
+    task = ground(read_markup("[Go](1:motion) [to the desk](1:goal)", DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0]
+    other: Any = type(task)(1, "motion", "go", goal=task.goal)
+    assert [str(atom) for atom in pursue(other, belief, {}, since=1).goal_atoms] == ["(at desk)"]
