@@ -1,0 +1,89 @@
+"""The application: its commands, and one place where errors become one line and an exit status."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import typer
+
+from decomplex_bt import __version__
+from decomplex_bt.cli import corpus, parse, plan, run, train, tree
+from decomplex_bt.errors import DecomplexError
+
+OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+"""Exit statuses: done; the task failed or was infeasible; the input cannot be used; interrupted by the user."""
+DEBUG = "DECOMPLEX_BT_DEBUG"
+"""Environment variable that lets an unexpected error show its traceback."""
+
+# typer brings its own click in some releases and the public one in others: its classes are found through typer
+_ClickError: Any = next(base for base in typer.BadParameter.__mro__ if base.__name__ == "ClickException")
+_NoArguments = "NoArgsIsHelpError"
+
+# plain help: loading rich for it would double the time until it shows
+app = typer.Typer(
+    name="decomplex-bt",
+    help="A household robot that does what a complex sentence says. Data goes to standard output, all else to "
+    "standard error. Exit status: 0 success, 1 the task failed or is infeasible, 2 bad input.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("run")(run.run)
+app.command("parse")(parse.parse)
+app.command("plan")(plan.plan)
+app.command("tree")(tree.tree)
+app.command("train")(train.train)
+app.add_typer(corpus.app, name="corpus")
+
+
+def _show_version(is_asked: bool) -> None:
+    if is_asked:
+        print(__version__)
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None:
+    """Options before any command."""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Runs the command line on `argv` (default: the process' arguments); returns the exit status, never raises."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    try:
+        result = typer.main.get_command(app).main(arguments, prog_name="decomplex-bt", standalone_mode=False)
+        return result if isinstance(result, int) else OK
+    except _ClickError as error:
+        if type(error).__name__ == _NoArguments:
+            print(error.format_message(), file=sys.stderr)
+        else:
+            _complain(f"{error.format_message()} (see decomplex-bt --help)")
+        return BAD_INPUT
+    except DecomplexError as error:
+        _complain(str(error))
+        return BAD_INPUT
+    except (KeyboardInterrupt, typer.Abort):
+        _complain("interrupted")
+        return INTERRUPTED
+    except BrokenPipeError:
+        # whoever read our output has seen enough; keep Python from complaining about it when it exits
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return OK
+    except Exception as error:
+        if os.environ.get(DEBUG):
+            raise
+        _complain(f"internal error: {type(error).__name__}: {error}; run with {DEBUG}=1 to see where, and report it")
+        return FAILED
+
+
+def _complain(message: str) -> None:
+    print(f"decomplex-bt: {' '.join(message.split())}", file=sys.stderr)

@@ -1,0 +1,35 @@
+"""Options that several commands share."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+class Format(StrEnum):
+    """How a result is printed."""
+
+    text = "text"
+    json = "json"
+
+
+FormatOption = Annotated[Format, typer.Option("--format", "-f", help="How the result is printed.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="The same as --format json.")]
+SeedOption = Annotated[int, typer.Option("--seed", "-s", min=0, help="Seed of all chance.")]
+DomainOption = Annotated[
+    str, typer.Option("--domain", "-d", help="A domain by name, or the folder of one (a path with a slash in it).")
+]
+TextArgument = Annotated[str, typer.Argument(metavar="TEXT", help="What the robot is to do, in English.")]
+
+
+def chosen(format: Format, json: bool) -> Format:
+    """The format that both options ask for together."""
+    return Format.json if json else format
+
+
+def domain_of(name: str) -> str | Path:
+    """A name of a shipped domain as it is, anything that looks like a path as a path."""
+    return Path(name) if "/" in name or "\\" in name or name in (".", "..") else name

@@ -1,0 +1,114 @@
+"""`decomplex-bt parse`: instructions, one a line, to what was understood of them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, BinaryIO
+
+import typer
+
+from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
+from decomplex_bt.cli.output import print_json, remark, track, use_utf8
+from decomplex_bt.errors import InputError
+
+if TYPE_CHECKING:
+    from decomplex_bt.instruction import Instruction
+
+SourceArgument = Annotated[
+    str, typer.Argument(metavar="[FILE|-]", help="A file with an instruction a line; - reads standard input.")
+]
+LONGEST_LINE = 4 * 2_000 + 4
+"""Bytes after which a line cannot be an instruction any more: four to a character at most, and its end."""
+
+
+def parse(
+    source: SourceArgument = "-",
+    format: FormatOption = Format.text,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
+) -> int:
+    """Understand instructions, one a line: tasks, arguments and control flow.
+
+    A line that cannot be an instruction is named on standard error; the others come out all the same, and the exit
+    status is 2.
+    """
+    use_utf8()
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+    with _open(source) as stream:
+        interpreter = Interpreter.load(domain_of(domain))
+        lines = _Lines(stream)
+        is_typed = stream.isatty()
+        understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)
+        for number, instruction in enumerate(track(understood, total=None, label="parsing")):
+            _print(instruction, chosen(format, json), is_first=number == 0)
+    return 2 if lines.has_errors else 0
+
+
+class _Lines:
+    """The usable lines of a stream as texts; what is wrong with the others goes to standard error."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self._stream = stream
+        self.has_errors = False
+
+    def __iter__(self) -> Iterator[str]:
+        from decomplex_bt.understanding.interpreter import check_text
+
+        for number, raw in enumerate(_raw_lines(self._stream), start=1):
+            try:
+                text = _decode(raw, is_first=number == 1)
+                check_text(text)
+            except InputError as error:
+                remark(f"line {number}: {error}")
+                self.has_errors = True
+            else:
+                yield text
+
+
+def _raw_lines(stream: BinaryIO) -> Iterator[bytes]:
+    """Lines without their ends, each cut off where it is too long to be an instruction."""
+    while raw := stream.readline(LONGEST_LINE):
+        rest = raw
+        while not rest.endswith(b"\n") and (rest := stream.readline(1 << 16)):
+            pass  # the rest of an endless line is read past, not kept
+        yield raw.removesuffix(b"\n").removesuffix(b"\r")
+
+
+def _decode(raw: bytes, *, is_first: bool) -> str:
+    if len(raw) > LONGEST_LINE - 4:
+        raise InputError(
+            f"the instruction has over {LONGEST_LINE // 4 - 1:,} characters; expected at most 2,000; split it"
+        )
+    try:
+        return raw.decode("utf-8-sig" if is_first else "utf-8")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"not valid UTF-8: byte 0x{raw[error.start]:02x} at position {error.start}; save the text as UTF-8"
+        ) from None
+
+
+@contextmanager
+def _open(source: str) -> Iterator[BinaryIO]:
+    if source == "-":
+        yield sys.stdin.buffer
+        return
+    try:
+        with Path(source).open("rb") as stream:
+            yield stream
+    except OSError as error:
+        raise InputError(f"{source}: cannot be read: {error.strerror}; give a file, or - for standard input") from None
+
+
+def _print(instruction: Instruction, format: Format, *, is_first: bool) -> None:
+    if format is Format.json:
+        print_json(instruction.to_json())
+        return
+    lines = [] if is_first else [""]
+    lines += [instruction.text, *(f"  {line}" for line in str(instruction).splitlines())]
+    lines += [f"  missing: task {m.task} lacks its {m.argument}: {m.question}" for m in instruction.missing]
+    lines += [f"  warning: {warning}" for warning in instruction.warnings]
+    print("\n".join(lines), flush=True)

@@ -1,0 +1,45 @@
+"""`decomplex-bt train`: the models, from a corpus."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
+from decomplex_bt.cli.output import print_json, remark, use_utf8
+
+FolderOption = Annotated[Path | None, typer.Option(help="Default: the domain's own folder.")]
+
+
+def train(
+    corpus: FolderOption = None,
+    output: FolderOption = None,
+    format: FormatOption = Format.text,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
+) -> int:
+    """Train all models on a corpus folder; the voices kept for testing are never read.
+
+    Nothing is written unless all models were trained; the same corpus gives the same models.
+    """
+    use_utf8()
+    from decomplex_bt.understanding import training
+
+    report = training.train(corpus, output, domain=domain_of(domain), progress=lambda stage: remark(f"{stage} ..."))
+    if chosen(format, json) is Format.json:
+        print_json(
+            {
+                "voices": list(report.voices),
+                "examples": report.examples,
+                "flows_left_out": report.flows_left_out,
+                "folder": str(report.folder),
+            }
+        )
+        return 0
+    print(f"trained on {report.examples} instructions of {', '.join(report.voices)}")
+    if report.flows_left_out:
+        print(f"{report.flows_left_out} flows that the labels cannot say were left out of the flow model")
+    print(f"models are in {report.folder}")
+    return 0
