@@ -35,6 +35,8 @@ DISCOMFORT = 1.5
 """Extra cost of a metre along an obstacle, relative to a metre in the open."""
 REACHABLE = 0.78
 """[m] A place whose footprint the robot's centre cannot come nearer to than this is not used from there."""
+THRESHOLD = 0.15
+"""[m] So near to a room's border nobody stops: it would not be clear which room they are in."""
 _FIELDS_KEPT = 256
 
 
@@ -141,8 +143,10 @@ class Floorplan:
         return np.flatnonzero(region).astype(np.int32)
 
     def _in_room(self, room: str) -> Mask:
+        """The cells of a room, less those on its threshold: who stops near one of these is in the room for sure."""
         left, bottom, right, top = self.house.rooms[room].rect
-        return (self.cell_x >= left) & (self.cell_x < right) & (self.cell_y >= bottom) & (self.cell_y < top)
+        along_x = (self.cell_x >= left + THRESHOLD) & (self.cell_x < right - THRESHOLD)
+        return along_x & (self.cell_y >= bottom + THRESHOLD) & (self.cell_y < top - THRESHOLD)
 
     def _beside(self, rect: Rect, side: str) -> Mask:
         left, bottom, right, top = rect
