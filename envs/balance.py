@@ -142,7 +142,7 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
 
 
 def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
-    geometry, prior = draw.geometry, draw.prior
+    geometry = draw.geometry
     things = _rows(draw, test.things, settled, "place", lambda row: row in geometry.thing_rows)
     if not things:
         return

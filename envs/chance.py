@@ -160,7 +160,7 @@ class Draw:
         spots = self.spots.lying(place, radius)
         if not len(spots):
             return None
-        taken = [disc for disc in self._lying_at(place, besides=thing)]
+        taken = list(self._lying_at(place, besides=thing))
         if place in self.geometry.floor_row:
             taken.extend(self._standing())
         for _ in range(TRIES):

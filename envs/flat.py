@@ -18,7 +18,7 @@ SPEEDS = tuple(round(share / 4, 2) for share in range(-4, 5))
 class FlatHouseholdEnv(HouseholdEnv):
     """`HouseholdEnv` with a `MultiDiscrete` action and a `Box` observation.
 
-    Action `MultiDiscrete([9, 9, 13, rows])`: forward speed and turning speed (indices of `SPEEDS`), interaction, target.
+    Action `MultiDiscrete([9, 9, 13, rows])`: forward and turning speed (indices of `SPEEDS`), interaction, target.
     Observation `Box(float32)`: robot (5), held (5), entity table row by row, result as 12 indicators, seconds, and the
     2,000 codes of the instruction; `parts` has the slice of each. All else is as in `HouseholdEnv`.
     """
@@ -58,5 +58,5 @@ class FlatHouseholdEnv(HouseholdEnv):
         seen = super()._observe()
         result = np.zeros(len(Result), dtype=np.float32)
         result[seen["result"]] = 1
-        values = (seen["robot"], seen["held"], seen["entities"].ravel(), result, seen["seconds"], seen["instruction_codes"])
-        return np.concatenate(values, dtype=np.float32)
+        seen["result"] = result
+        return np.concatenate([np.ravel(seen[key]) for key, _ in self._kept()], dtype=np.float32)

@@ -40,8 +40,9 @@ class Geometry:
     """All of a house that never changes in an episode. Read only; shared by every episode in that house.
 
     `names` are the rows of the entity table and `row` their inverse; `rooms` the room names in order. `footprints`:
-    `(places, 4)` x0, y0, x1, y1, a floor's being its room. `place_room`: room index of each place. `walls`: centre lines.
-    `leaves`: door name to the line that its closed leaf stands on. `blocks`: footprints of furniture with a body.
+    `(places, 4)` x0, y0, x1, y1, a floor's being its room. `place_room`: room index of each place.
+    `walls`: centre lines. `leaves`: door name to the line that its closed leaf stands on. `blocks`: footprints of
+    furniture with a body.
     """
 
     def __init__(self, house: House, kinds: Kinds) -> None:
@@ -211,9 +212,7 @@ def _merged(stretches: list[tuple[float, float]]) -> list[tuple[float, float]]:
     return merged
 
 
-def _without(
-    stretches: list[tuple[float, float]], gaps: list[tuple[float, float]]
-) -> list[tuple[float, float]]:
+def _without(stretches: list[tuple[float, float]], gaps: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """The stretches without the gaps; at a gap the wall ends early by its own radius, for its ends are round."""
     left: list[tuple[float, float]] = []
     for low, high in stretches:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import hypot, isfinite, pi
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 from zlib import crc32
 
 import gymnasium as gym
@@ -61,8 +61,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     """A mobile robot in a house of rooms, furniture, things and people, with one sentence that says what it is to do.
 
     ## Description
-    A round robot (radius 0.22 m) with a differential drive, a gripper for one thing and a tray for four moves in a house
-    of about 12 x 9 m, seen from above. It sees what is in its range and line of sight, not what lies in a closed
+    A round robot (radius 0.22 m) with a differential drive, a gripper for one thing and a tray for four moves in a
+    house of about 12 x 9 m, seen from above. It sees what is in its range and line of sight, not what lies in a closed
     container. Physics run at 100 Hz, an action lasts 0.1 s. SI units; origin bottom left, headings in radians,
     counter-clockwise from +x. Where things lie, which state they are in, what is broken, who is at home: all of it is
     drawn anew by every `reset` and mixed towards the instruction, so that each outcome of what it tests comes up.
@@ -73,15 +73,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | key | space | meaning |
     |---|---|---|
     | `drive` | `Box(-1, 1, (2,))` | forward and turning speed, as shares of 1 m/s and 2.5 rad/s (positive: left) |
-    | `interact` | `Discrete(13)` | none, pick, place, open, close, switch on, switch off, fill, empty, clean, hand over, say, finish |
-    | `target` | `Discrete(rows)` | the row of the entity table the interaction is about (see `interface.OBSERVATION_KEYS`) |
+    | `interact` | `Discrete(13)` | `interface.Interaction`: none, pick, place, open, close, ... |
+    | `target` | `Discrete(rows)` | the row it is about (which, `interface.OBSERVATION_KEYS` says) |
 
     An interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
     next observation. The gripper reaches 0.8 m; speaking and handing over need 1.5 m.
 
-    To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there (a
-    room's floor stands for the room), with "robot" as target wherever they like. They wait while the robot is over 3 m
-    behind, and open the doors on their way.
+    To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there
+    (a room's floor stands for the room), with "robot" as target wherever they like. They wait while the robot is
+    over 3 m behind, and open the doors on their way.
 
     ## Observation space
     `Dict`:
@@ -91,15 +91,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `instruction` | `Text(2000)` | the instruction in printable ASCII and Latin-1, other characters as "?" |
     | `instruction_codes` | `Box(0, 255, (2000,), uint8)` | its code points, 0 after its end |
     | `robot` | `Box((5,))` | x, y (m), heading (rad), forward speed (m/s), turn rate (rad/s) |
-    | `held` | `Box(-1, rows - 1, (5,), int16)` | rows of the things in the gripper and the tray's four slots, -1 where free |
+    | `held` | `Box(-1, rows - 1, (5,), int16)` | rows of what is in the gripper and the tray's slots, -1 where free |
     | `entities` | `Box((rows, 11))` | the entity table, one row for each place, thing, person and the robot |
     | `result` | `Discrete(12)` | what came of the last interaction (`interface.Result`) |
     | `seconds` | `Box((1,))` | simulated time |
 
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
-    temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs), place and
-    states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every third step, and in any step in which
-    something was changed; between looks the table stays. A floor counts as inspected when each part of it was in view
+    temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs),
+    place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every third step, and in any step
+    in which something was changed; between looks the table stays. A floor counts as inspected when each part of it was in view
     within the last 15 s, and the things seen on it in that time are then reported with where they were seen.
 
     ## Rewards
@@ -126,7 +126,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     v0: first version.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}  # noqa: RUF012
 
     def __init__(
         self,
@@ -138,7 +138,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         render_mode: str | None = None,
     ) -> None:
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
-            raise InputError(f"render_mode is {render_mode!r}; expected one of {', '.join(self.metadata['render_modes'])}")
+            modes = ", ".join(self.metadata["render_modes"])
+            raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
         self._arguments = {"domain": domain, "config": config, "render_mode": render_mode}
         self.domain = domain if isinstance(domain, Domain) else load_domain(domain)
         self.config = config or HouseholdConfig()
@@ -149,6 +150,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._judge: Judge | None = None
         self._camera: Camera | None = None
         self._world: World | None = None
+        self._verdict: Verdict | None = None
         self.observation_space = self._make_observation_space()
         self.action_space = self._make_action_space()
 
@@ -191,7 +193,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def render(self) -> Any:
         """A picture `(height, width, 3)`, a text map, or None after showing it on the screen, by the render mode."""
         if self.render_mode is None:
-            gym.logger.warn("render() does nothing without a render mode; give gym.make one, e.g. render_mode='rgb_array'")
+            gym.logger.warn("render() needs a render mode; give gym.make one, as in render_mode='rgb_array'")
             return None
         verdict = "success" if self._verdict is not None and self._verdict.is_success else ""
         scene = self.camera.scene(self.world, instruction=self._text, verdict=verdict)
@@ -288,8 +290,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         for index, (mine, recorded) in enumerate(zip(self._checksums, state["checksums"], strict=True)):
             if mine != recorded:
                 raise InputError(
-                    f"the replay departs from the recording by step {index * CHECK_EVERY}; it was recorded with another "
-                    "version, domain or configuration"
+                    f"the replay departs from the recording by step {index * CHECK_EVERY}; it was recorded with "
+                    "another version, domain or configuration"
                 )
 
     def __getstate__(self) -> dict[str, Any]:
@@ -360,7 +362,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
                 return drawn, self._judge_for(drawn)
             except InputError:
                 continue  # most corpora ask for more than one house has
-        raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples can be asked for in this house; give an instruction")
+        raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples suits this house; give an instruction")
 
     def _judge_for(self, request: Request) -> Judge:
         if request.gold is not None:
@@ -393,7 +395,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         except (KeyError, TypeError, ValueError) as error:
             raise InputError(f"no action: {error}; expected a sample of {self.action_space}") from None
         if not (isfinite(forward) and isfinite(turn) and 0 <= target < len(self.entities)):
-            raise InputError(f"no action: drive ({forward}, {turn}), target {target}; expected a sample of {self.action_space}")
+            given = f"drive ({forward}, {turn}), target {target}"
+            raise InputError(f"no action: {given}; expected a sample of {self.action_space}")
         return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), interaction, target
 
     def _observe(self) -> Observation:

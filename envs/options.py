@@ -49,7 +49,19 @@ class Options:
     reward: str | None = None
 
 
-KEYS = ("instruction", "gold", "balance", "placement", "states", "broken", "people", "noise", "chance", "max_seconds", "reward")
+KEYS = (
+    "instruction",
+    "gold",
+    "balance",
+    "placement",
+    "states",
+    "broken",
+    "people",
+    "noise",
+    "chance",
+    "max_seconds",
+    "reward",
+)
 
 
 def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Options:

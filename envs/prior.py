@@ -71,7 +71,8 @@ class Prior:
                 )
             for place in found:
                 if not self.holds[place]:
-                    raise InputError(f"things.{geometry.names[row]}: nothing can lie on or in {geometry.names[place]!r}")
+                    where = geometry.names[place]
+                    raise InputError(f"things.{geometry.names[row]}: nothing can lie on or in {where!r}")
                 weights[place] += weight / len(found)
         total = weights.sum()
         weights = weights * (1 - absent) / total if total > 0 else weights

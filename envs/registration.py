@@ -12,8 +12,8 @@ def register_envs() -> None:
     """Registers every id of this package; calling it again changes nothing.
 
     No wrappers are registered: the standard ones refuse `reset(instruction=...)`, and `gym.make_vec` refuses a
-    `vector_entry_point` beside `additional_wrappers`. The environment itself refuses what comes in the wrong order or is
-    no action. `wrappers.InstructionReset` brings the keyword back on top of any stack of wrappers.
+    `vector_entry_point` beside `additional_wrappers`. The environment itself refuses what comes in the wrong order
+    or is no action. `wrappers.InstructionReset` brings the keyword back on top of any stack of wrappers.
     """
     for identity, entry_point, vector_entry_point in (
         (HOUSEHOLD, "household:HouseholdEnv", "vector:make_household_vector"),

@@ -1,8 +1,8 @@
 """Sensing: what the robot sees of the world, as the entity table of an observation.
 
-It sees what is within `range` and its field of view, behind no wall and no closed door; furniture hides nothing but what
-is in a closed container, and into an open one it looks from `inside_range`. Rooms are rectangles, so a point in the
-robot's own room is in sight, and one in another room where it lies in the wedge that the open doorways leave.
+It sees what is within `range` and its field of view, behind no wall and no closed door; furniture hides nothing but
+what is in a closed container, and into an open one it looks from `inside_range`. Rooms are rectangles, so a point in
+the robot's own room is in sight, and one in another room where it lies in the wedge that the open doorways leave.
 """
 
 from __future__ import annotations
@@ -143,7 +143,7 @@ class Sensor:
         return in_sight
 
     def _wedges(self, room: int, x: float, y: float) -> list[NDArray[np.float64]]:
-        """What can be seen of the other rooms: layers of `(rooms, 4)` wedges; more than one where two ways lead there."""
+        """What is seen of the other rooms: layers of `(rooms, 4)` wedges; several where two ways lead there."""
         closed = self.world.closed_leaves()
         layers: list[NDArray[np.float64]] = []
         taken: dict[int, int] = {}
@@ -266,7 +266,7 @@ def _through(
     path: tuple[int, ...],
     closed: tuple[str, ...],
 ) -> Iterator[tuple[int, Wedge]]:
-    """The rooms seen through open doorways of `room`, each with the wedge it is seen in; deeper ones through nearer ones."""
+    """The rooms seen through open doorways of `room`, each with its wedge; deeper ones through nearer ones."""
     for portal in geometry.portals[room]:
         if portal.beyond in path or portal.leaf in closed:
             continue

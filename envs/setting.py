@@ -43,9 +43,10 @@ def draw_request(domain: Domain, rng: Generator) -> Request:
 
 @lru_cache(maxsize=8)
 def _training_voices(domain: Domain) -> tuple[str, ...]:
-    voices = tuple(sorted(name for name, voice in read_voices(domain.folder / "corpus").items() if voice.split == "train"))
+    folder = domain.folder / "corpus"
+    voices = tuple(sorted(name for name, voice in read_voices(folder).items() if voice.split == "train"))
     if not voices:
-        raise InputError(f"{domain.folder / 'corpus'} has no voice in the split 'train' to draw an instruction from; give one")
+        raise InputError(f"{folder} has no voice in the split 'train' to draw an instruction from; give one")
     return voices
 
 

@@ -109,9 +109,10 @@ class Spots:
 
     def _clearance(self, points: Floats, room: int) -> Floats:
         x0, y0, x1, y1 = self.geometry.room_rects[room]
-        clearance = np.minimum.reduce(
-            [points[:, 0] - x0, x1 - points[:, 0], points[:, 1] - y0, y1 - points[:, 1]]
-        ) - WALL_RADIUS
+        clearance = (
+            np.minimum.reduce([points[:, 0] - x0, x1 - points[:, 0], points[:, 1] - y0, y1 - points[:, 1]])
+            - WALL_RADIUS
+        )
         for block in self.geometry.blocks:
             np.minimum(clearance, _distances(points, block), out=clearance)
         return clearance

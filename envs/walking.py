@@ -43,7 +43,7 @@ class Lead:
 
 @dataclass(slots=True)
 class Walk:
-    """A person on the way to `end`; `rest` are the corners still ahead, `held_up` [s] how long the robot stood ahead."""
+    """A person on the way to `end`: `rest` are the corners ahead, `held_up` [s] how long the robot stood in the way."""
 
     person: int
     end: Point
@@ -54,7 +54,7 @@ class Walk:
 
 
 def ask_to_lead(world: World, goal: int) -> Lead:
-    """Asks the nearest person within earshot to lead the way: to a place, or, with the robot's row, wherever they like."""
+    """Asks the nearest person within earshot to lead the way to a place; with the robot's row, wherever they like."""
     geometry = world.geometry
     near = [row for row in geometry.people_rows if is_near_person(world, row)]
     if not near:
@@ -149,7 +149,7 @@ def _is_there(world: World, person: int, goal: int) -> bool:
 def _destination(world: World, person: int, goal: int) -> Point | None:
     """Where the person will stand: the spot in the goal's room nearest to the middle of the goal."""
     geometry = world.geometry
-    taken = [disc for disc in world.discs_at(int(geometry.floor_row[geometry.place_room[goal]]))]
+    taken = list(world.discs_at(int(geometry.floor_row[geometry.place_room[goal]])))
     spots = world.spots.standing(int(geometry.place_room[goal]), taken)
     if not len(spots):
         return None
@@ -171,7 +171,7 @@ def _way(world: World, start: Point, end: Point, *, avoids_robot: bool = False) 
 
     plan = _floorplan(world.geometry)
     obstacles = [
-        Disc(*world.position[row].tolist(), PERSON_RADIUS)
+        Disc(*_point(world, row), PERSON_RADIUS)
         for row in np.flatnonzero(world.home).tolist()
         if row not in world.walks and hypot(*(world.position[row] - start)) > 0.05
     ]

@@ -102,8 +102,8 @@ class World:
 
     Arrays by row of the entity table: `position` `(rows, 2)`, `heading` `(rows,)`, `place` (row of the place a thing
     lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
-    house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts changes
-    that are no motion.
+    house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
+    changes that are no motion.
     """
 
     def __init__(

@@ -14,9 +14,12 @@ from decomplex_bt.envs.chance import Draw
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.options import apply_options, read_options
-from decomplex_bt.envs.sensing import Sensor, SensingConfig
+from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.world import World, WorldConfig
+
+
+Point = tuple[float, float]
 
 
 class Trial:
@@ -47,9 +50,9 @@ class Trial:
 
 @pytest.fixture
 def trial() -> Callable[..., Trial]:
-    """Makes a trial: `at` is the robot's point, `facing` the point it looks at; the rest are reset options."""
+    """Makes a trial: `at` is the robot's point, `facing` what it looks at; the rest are reset options."""
 
-    def make(at: tuple[float, float], facing: tuple[float, float] | None = None, seed: int = 0, **options: Any) -> Trial:
+    def make(at: Point, facing: Point | None = None, seed: int = 0, **options: Any) -> Trial:
         setting = setting_of(load_domain("household"))
         rng = np.random.default_rng(seed)
         draw = Draw(setting.prior, setting.spots)

@@ -88,7 +88,8 @@ def test_a_tested_state_holds_with_probability_within_the_balance(balance):
 
 def test_no_balance_is_the_prior():
     test = StateTest(("fridge",), "aperture", "open")
-    assert share(lambda start: start.states[ROW["fridge"], 1] == 1, [test], balance=0.0) == pytest.approx(0.08, abs=0.05)
+    holds = share(lambda start: start.states[ROW["fridge"], 1] == 1, [test], balance=0.0)
+    assert holds == pytest.approx(0.08, abs=0.05)
 
 
 def test_all_that_a_phrase_may_mean_agrees():

@@ -30,7 +30,8 @@ REST = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
 
 
 def action(env, interaction=Interaction.NONE, target="robot", drive=(0.0, 0.0)):
-    return {"drive": np.array(drive, dtype=np.float32), "interact": int(interaction), "target": env.entities.index(target)}
+    row = env.entities.index(target)
+    return {"drive": np.array(drive, dtype=np.float32), "interact": int(interaction), "target": row}
 
 
 def rollout(env, steps, seed=1):
