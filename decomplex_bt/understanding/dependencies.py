@@ -18,7 +18,7 @@ from decomplex_bt.understanding.crf import Crf, CrfParameters, train_crf
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
 
-PARAMETERS = CrfParameters(c1=0.05, c2=0.1, max_iterations=120)
+PARAMETERS = CrfParameters(c1=0.05, c2=0.5, max_iterations=120)
 MODELS = ("roles", "attachments", "orders")
 
 

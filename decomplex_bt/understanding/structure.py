@@ -50,6 +50,7 @@ def role_features(observed: Observed, clauses: Sequence[Clause]) -> list[Feature
             else:
                 item[f"{offset:+d}.none"] = 1.0
         item.update(_resemblance_features(observed, clauses, k))
+        item.update(_surrounding_features(clauses, k))
         items.append(item)
     return items
 
@@ -197,6 +198,37 @@ def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, o
             (cue for cue in other.far if cue in _STRONG), next((cue for cue in other.near if cue in _STRONG), "")
         )
         item["+1.signal.type"] = f"{item['+1.far.first']}.{clauses[k].task.type}"
+    return item
+
+
+_OPENING = frozenset(("if", "only_if", "unless", "when", "depending"))
+_CLOSING = frozenset(("else", "fail", "so"))
+
+
+def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
+    """Which cues stand anywhere ahead and behind: without any, nothing is a condition; and how the task joins the clause
+    before it ("if A and B")."""
+    clause = clauses[k]
+    ahead = {cue for other in clauses[k + 1 :] for cue in (*other.far, *other.near)} | set(clause.behind)
+    own = {*clause.far, *clause.near}
+    behind = {cue for other in clauses[:k] for cue in (*other.far, *other.near, *other.behind)}
+    item: Features = {
+        "ahead.if": bool(ahead & _OPENING),
+        "ahead.else": bool(ahead & _CLOSING),
+        "behind.if": bool(behind & _OPENING),
+        "type.ahead": f"{clause.task.type}.{bool(ahead & _OPENING)}.{bool(ahead & _CLOSING)}.{bool(own & _OPENING)}",
+    }
+    for distance in (1, 2):
+        if k + distance < len(clauses):
+            signals = {*clauses[k + distance].far, *clauses[k + distance].near} & _STRONG
+            pronoun = "own" if clauses[k + distance].objects else "pro"
+            item[f"ahead{distance}"] = f"{'+'.join(sorted(signals))}.{clauses[k + distance].task.type}.{pronoun}.{clause.task.type}"
+    if k and clauses[k - 1].sentence == clause.sentence:
+        before = clauses[k - 1]
+        joint = "or" if "or" in clause.near else "and" if "and" in clause.near else "none"
+        opened = _last_of((*before.far, *before.near), GOVERNING)
+        item["joint"] = f"{joint}.{opened}.{_last_of(clause.near, GOVERNING)}.{clause.task.type}.{clause.boundary}"
+        item["joint.else"] = f"{item['joint']}.{bool(ahead & _CLOSING)}"
     return item
 
 
