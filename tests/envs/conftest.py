@@ -18,7 +18,6 @@ from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.world import World, WorldConfig
 
-
 Point = tuple[float, float]
 
 
