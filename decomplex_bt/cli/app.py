@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from decomplex_bt import __version__
-from decomplex_bt.cli import corpus, parse, plan, run, train, tree
+from decomplex_bt.cli import corpus, evaluate, parse, plan, run, train, tree
 from decomplex_bt.errors import DecomplexError
 
 OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -37,6 +37,7 @@ app.command("run")(run.run)
 app.command("parse")(parse.parse)
 app.command("plan")(plan.plan)
 app.command("tree")(tree.tree)
+app.command("evaluate")(evaluate.evaluate)
 app.command("train")(train.train)
 app.add_typer(corpus.app, name="corpus")
 
@@ -74,8 +75,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (KeyboardInterrupt, typer.Abort):
         _complain("interrupted")
         return INTERRUPTED
-    except BrokenPipeError:
-        # whoever read our output has seen enough; keep Python from complaining about it when it exits
+    except (BrokenPipeError, SystemExit):
+        # Whoever read our output has seen enough (typer turns that into SystemExit, which it uses for nothing else
+        # here); keep Python from complaining about it when it exits.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
     except Exception as error:

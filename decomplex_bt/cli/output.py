@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from typing import Any, TypeVar
 
 Item = TypeVar("Item")
+_LINE_ENDS = re.compile("[\x7f\x85\u2028\u2029]")
 
 
 def use_utf8() -> None:
@@ -18,8 +20,8 @@ def use_utf8() -> None:
 
 
 def print_json(value: Any) -> None:
-    """One JSON object on a line of its own."""
-    print(json.dumps(value, ensure_ascii=False), flush=True)
+    """One JSON object on a line of its own, also for readers that take other characters for the end of a line."""
+    print(_LINE_ENDS.sub(lambda match: f"\\u{ord(match[0]):04x}", json.dumps(value, ensure_ascii=False)), flush=True)
 
 
 def remark(message: str) -> None:

@@ -1,0 +1,225 @@
+"""The command line: what it prints, to which stream, and with which exit status; never a traceback."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from decomplex_bt.cli import main
+
+PEN = "Bring me a pen if you can find it on the table, if you cannot find one then search in the drawer."
+
+
+@pytest.fixture
+def parse_lines(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    """Runs `parse --json` on bytes; gives the exit status, the objects and the lines on standard error."""
+
+    def run(data: bytes) -> tuple[int, list[dict], list[str]]:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(data), encoding="utf-8"))
+        status = main(["parse", "-", "--json"])
+        out, err = capsys.readouterr()
+        return status, [json.loads(line) for line in out.splitlines()], err.splitlines()
+
+    return run
+
+
+def test_parse_prints_the_object_of_annotation_md(parse_lines) -> None:
+    status, (parsed,), errors = parse_lines(PEN.encode() + b"\n")
+    assert status == 0
+    assert errors == []
+    assert list(parsed) == ["text", "tasks", "flow", "missing", "warnings"]
+    assert parsed["text"] == PEN
+    for task in parsed["tasks"]:
+        assert list(task) == ["id", "type", "start", "end", "surface", "dependency", "confidence", "arguments"]
+        assert PEN[task["start"] : task["end"]] == task["surface"]
+        for argument in task["arguments"]:
+            assert list(argument) == ["type", "start", "end", "surface", "value", "confidence"]
+            if argument["start"] is not None:
+                assert PEN[argument["start"] : argument["end"]] == argument["surface"]
+
+
+def test_parse_names_bad_lines_and_goes_on(parse_lines) -> None:
+    lines = [b"Turn on the tv.", b"", b"   ", b"\xff\xfe", b"a" * 2001, b"b" * 100_000, "Öffne 🙂 das Fenster".encode()]
+    status, parsed, errors = parse_lines(b"\n".join(lines))
+    assert status == 2
+    assert [p["text"] for p in parsed] == ["Turn on the tv.", "Öffne 🙂 das Fenster"]
+    assert [error.split(":")[0] for error in errors] == ["line 2", "line 3", "line 4", "line 5", "line 6"]
+
+
+def test_parse_keeps_the_line_as_given_without_its_end(parse_lines) -> None:
+    _, parsed, _ = parse_lines("\ufeff  Turn on the tv.\u2028 \r\n".encode())
+    assert parsed[0]["text"] == "  Turn on the tv.\u2028 "
+
+
+def test_parse_of_nothing_prints_nothing(parse_lines) -> None:
+    assert parse_lines(b"") == (0, [], [])
+
+
+def test_text_without_a_task_is_no_error_of_parse(parse_lines) -> None:
+    status, (parsed,), _ = parse_lines(b"?!...\n")
+    assert status == 0
+    assert parsed["tasks"] == parsed["flow"] == []
+    assert parsed["warnings"]
+
+
+def test_parse_reads_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "lines.txt").write_text("Turn on the tv.\nGo to the kitchen.\n", encoding="utf-8")
+    assert main(["parse", str(tmp_path / "lines.txt")]) == 0
+    assert capsys.readouterr().out.count("[1]") == 2
+
+
+def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None:
+    text = "If the tv is on, turn it off."
+    starts = {"text": "→ If", "ascii": "-> If", "json": '{"type"', "dot": "digraph", "xml": "<?xml"}
+    for form, start in starts.items():
+        assert main(["tree", text, "--format", form]) == 0
+        assert capsys.readouterr().out.startswith(start)
+    assert main(["plan", text]) == 0
+    assert "(switch-off tv)" in capsys.readouterr().out
+    assert main(["plan", text, "--json"]) == 0
+    assert "(switch-off tv)" in json.dumps(json.loads(capsys.readouterr().out))
+
+
+def test_run_prints_one_object(capsys: pytest.CaptureFixture[str]) -> None:
+    status = main(["run", "If the tv is on, turn it off.", "--seed", "3", "--json"])
+    result = json.loads(capsys.readouterr().out)
+    assert list(result) == [
+        "instruction", "seed", "flow", "outcome", "judged_by", "branches", "steps", "sim_seconds", "failures", "trace",
+    ]  # fmt: skip
+    assert status == (0 if result["outcome"] == "success" else 1)
+    assert result["seed"] == 3
+    assert result["judged_by"] == "interpreted"
+    assert result["flow"] == [{"if": 1, "then": [2]}]
+    assert [list(branch) for branch in result["branches"]] == [["task", "truth", "taken"]]
+    keys = ["tick", "sim_seconds", "node", "status", "feedback", "event"]
+    assert all(list(entry) == keys for entry in result["trace"])
+
+
+def test_run_tells_the_story_and_films_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from PIL import Image
+
+    film = tmp_path / "film.gif"
+    main(["run", "Go to the kitchen, then go to the bedroom.", "--record", str(film)])
+    out = capsys.readouterr().out
+    for part in ("control flow:", "behaviour tree:", "world 0:", "judged by the robot's own reading"):
+        assert part in out
+    with Image.open(film) as picture:
+        assert picture.n_frames > 2
+
+
+BAD = {
+    "empty": ["run", ""],
+    "only spaces": ["run", "   "],
+    "punctuation": ["run", "?!?!"],
+    "emoji": ["run", "🤖🤖"],
+    "ten thousand words": ["run", "bring " * 10_000],
+    "unknown thing": ["run", "Bring me the samovar."],
+    "impossible goal": ["run", "Open the pen."],
+    "nothing to do": ["tree", "Hello."],
+    "surrogate": ["plan", "turn on \ud800"],
+    "unknown command": ["fly"],
+    "unknown option": ["run", "x", "--wings"],
+    "seed no number": ["run", "Go to the kitchen.", "--seed", "x"],
+    "negative seed": ["run", "Go to the kitchen.", "--seed", "-1"],
+    "film of unknown kind": ["run", "Go to the kitchen.", "--record", "film.avi"],
+    "film in no folder": ["run", "Go to the kitchen.", "--record", "/nowhere/at/all/film.gif"],
+    "no such file": ["parse", "/nowhere/at/all"],
+    "no such corpus": ["corpus", "check", "/nowhere/at/all"],
+    "unknown domain": ["parse", "-", "--domain", "spaceship"],
+    "no argument": ["run"],
+}
+
+
+@pytest.mark.parametrize("arguments", BAD.values(), ids=BAD.keys())
+def test_bad_input_is_one_line_and_status_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("decomplex-bt: ")
+    assert err.count("\n") == 1
+    assert "internal error" not in err
+
+
+def test_unknown_thing_names_the_nearest_known(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "Bring me the mugg."]) == 2
+    assert "mug" in capsys.readouterr().err.replace("mugg", "")
+
+
+def test_unanswered_question_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "Put down."]) == 2
+    assert "?" in capsys.readouterr().err
+
+
+def test_corpus_check_names_file_line_and_example(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    good = '- {id: one, text: "[Go](1:motion) [home](1:goal).", flow: [1]}\n'
+    broken = '- {id: two, text: "[Go](2:motion).", flow: [1]}\n'
+    path = tmp_path / "voice.yaml"
+    path.write_text(good, encoding="utf-8")
+    assert main(["corpus", "check", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["instructions"] == 1
+    path.write_text(good + broken, encoding="utf-8")
+    assert main(["corpus", "check", str(path)]) == 2
+    assert f"{path}:2: example 'two'" in capsys.readouterr().err
+
+
+def test_corpus_stats_count_structures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (
+        "[Bring](1:bringing) [me](1:recipient) [the samovar](1:object) if you [find](2:searching) "
+        "[it](2:object=the samovar) [on the desk](2:location), else [tell](3:informing) [me](3:recipient)."
+    )
+    path = tmp_path / "voice.yaml"
+    path.write_text(f'- {{id: one, text: "{text}", flow: [{{if: 2, then: [1], else: [3]}}]}}\n', encoding="utf-8")
+    assert main(["corpus", "stats", str(path), "--json"]) == 0
+    counts = json.loads(capsys.readouterr().out)["all"]
+    assert counts["tasks"] == 3
+    assert counts["task_types"]["searching"] == 1
+    assert counts["structures"]["with an else"] == 1
+    assert counts["structures"]["out of order"] == 0
+    assert counts["out_of_house"] == pytest.approx(2 / 5)
+    assert main(["corpus", "stats", str(path)]) == 0
+    assert "with a condition" in capsys.readouterr().out
+
+
+def test_evaluate_writes_rows_and_summary(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    corpus = tmp_path / "voice.yaml"
+    text = "[Turn](1:change_state) on [the tv](1:object)."
+    corpus.write_text(f'- {{id: one, text: "{text}", flow: [1]}}\n', encoding="utf-8")
+    assert main(["evaluate", str(corpus), "--episodes", "2", "--output", str(tmp_path / "out"), "--json"]) == 0
+    summary = json.loads(capsys.readouterr().out)
+    assert json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8")) == summary
+    rows = [json.loads(line) for line in (tmp_path / "out" / "rows.jsonl").read_text(encoding="utf-8").splitlines()]
+    assert [row["seed"] for row in rows] == [0, 1]
+    assert main(["evaluate", str(corpus), "--agent", "wizard"]) == 2
+    assert "oracle" in capsys.readouterr().err
+
+
+def test_help_loads_nothing_heavy() -> None:
+    code = (
+        "import sys; from decomplex_bt.cli import main; main(['--help']); "
+        "heavy = ('spacy', 'scipy', 'pymunk', 'pygame', 'pydantic', 'rich'); "
+        "print([m for m in heavy if m in sys.modules], file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "[]"
+    for command in ("run", "parse", "plan", "tree", "train", "corpus", "evaluate"):
+        assert f"\n  {command} " in done.stdout
+
+
+def test_reader_that_stops_is_no_error() -> None:
+    lines = b"Turn on the tv.\n" * 400
+    command = [sys.executable, "-m", "decomplex_bt.cli", "parse", "--json"]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdin is not None
+    assert process.stdout is not None
+    assert process.stderr is not None
+    process.stdin.write(lines)
+    process.stdin.close()
+    assert json.loads(process.stdout.readline())["text"] == "Turn on the tv."
+    process.stdout.close()
+    assert process.stderr.read() == b""
+    assert process.wait(timeout=60) == 0
