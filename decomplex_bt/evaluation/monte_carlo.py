@@ -6,6 +6,8 @@ in that order, and are the same for any number of processes. Environments are re
 
 from __future__ import annotations
 
+import atexit
+import gc
 import logging
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -208,6 +210,13 @@ def _bench(setup: Setup) -> tuple[gym.Env[Any, Any], Planner, Domain]:
     assert decomplex_bt  # importing it registers the ids
     env = gym.make(setup.env_id, domain=setup.domain)
     return env, PyperplanPlanner(), load_domain(setup.domain)
+
+
+@atexit.register
+def _clear_away() -> None:
+    """Frees the worlds while pymunk can still free its own."""
+    _bench.cache_clear()
+    gc.collect()
 
 
 def _ended(episode: Episode, info: dict[str, Any], found: tuple[Any, str] | None, **counts: Any) -> Row:

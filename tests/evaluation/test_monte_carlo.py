@@ -1,0 +1,128 @@
+from __future__ import annotations
+
+import ast
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import decomplex_bt.evaluation
+from decomplex_bt.corpus import parse_corpus
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import InputError
+from decomplex_bt.evaluation.blame import blame_run
+from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, plan_episodes, run_episode
+
+DOMAIN = load_domain("household")
+CORPUS = """
+- id: light
+  text: >-
+    If [the kitchen light](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state)
+    [it](2:object=the kitchen light) [off](2:state).
+  flow: [{if: 1, then: [2]}]
+- id: tea
+  text: "[Tell](1:informing) [Anna](1:recipient) [that tea is ready](1:message)."
+  flow: [1]
+- id: dragon
+  text: "[Feed](1:bringing) [the dragon](1:recipient) [a pen](1:object)."
+  flow: [1]
+"""
+EXAMPLES = parse_corpus(CORPUS, DOMAIN.ontology)
+SETUP = Setup(max_seconds=120.0)
+
+
+@pytest.fixture(scope="module")
+def rows():
+    return evaluate(EXAMPLES, episodes=6, seed=3, reading="gold", setup=SETUP)
+
+
+def test_every_episode_gives_a_row_in_the_order_planned(rows):
+    assert [(row.example, row.seed) for row in rows] == [(e.id, 3 + k) for e in EXAMPLES for k in range(6)]
+    assert {row.outcome for row in rows if row.example == "light"} == {"success"}
+    assert {row.outcome for row in rows if row.example == "dragon"} == {"ungroundable"}
+    assert all("dragon" in row.cause for row in rows if row.example == "dragon")
+
+
+def test_infeasible_episodes_name_their_cause(rows):
+    tea = {row.seed: row for row in evaluate([EXAMPLES[1]], episodes=20, agent="idle", setup=SETUP)}
+    infeasible = [row for row in tea.values() if row.outcome == "infeasible"]
+    assert 0 < len(infeasible) < 12
+    assert {(row.stage, row.cause) for row in infeasible} == {("infeasible", "task 1: anna is out")}
+
+
+def test_rows_are_the_same_for_any_number_of_jobs(rows):
+    assert evaluate(EXAMPLES, episodes=6, seed=3, reading="gold", setup=SETUP, jobs=2) == rows
+
+
+def test_progress_is_told_after_every_episode():
+    told = []
+    evaluate(
+        EXAMPLES[:1], episodes=3, agent="idle", setup=SETUP, progress=lambda done, total: told.append((done, total))
+    )
+    assert told == [(1, 3), (2, 3), (3, 3)]
+
+
+def episode(**changes):
+    (planned,) = plan_episodes(EXAMPLES[:1], episodes=1, seed=0, agent="tree", domain=DOMAIN, reading="gold")
+    return replace(planned, source="own", **changes)
+
+
+def test_a_wrong_reading_is_a_failure_of_understanding():
+    negated = parse_corpus(CORPUS.replace("{if: 1, then: [2]}", "{if: 1, else: [2]}"), DOMAIN.ontology)[0]
+    outcomes = [run_episode(episode(reading=negated.instruction, seed=seed), SETUP) for seed in range(4)]
+    failed = [row for row in outcomes if row.outcome == "failure"]
+    assert failed
+    assert {row.stage for row in failed} == {"understanding"}
+    assert "flow: [{'if': 1, 'else': [2]}] instead of" in failed[0].cause
+
+
+def test_a_reading_that_does_not_ground_where_the_gold_one_does_is_one_too():
+    wrong = parse_corpus(CORPUS.replace("[on](1:state)", "on"), DOMAIN.ontology)[0]
+    assert run_episode(episode(reading=wrong.instruction), SETUP).stage == "understanding"
+
+
+def test_a_text_that_could_not_be_read_is_one_too():
+    row = run_episode(episode(reading=None, problem="too long"), SETUP)
+    assert (row.outcome, row.stage, row.cause) == ("failure", "understanding", "too long")
+
+
+def test_a_gold_reading_that_fails_is_blamed_on_the_run():
+    failures = [{"stage": "planning", "task": 2, "reason": "no way"}]
+    assert blame_run(failures, [], is_truncated=False) == ("planning", "task 2: no way")
+    assert blame_run(failures, ["task 3 was brought about"], is_truncated=False)[0] == "execution"
+    assert blame_run([], [], is_truncated=True) == ("execution", "the time was up")
+
+
+def test_an_episode_that_breaks_off_is_a_row(monkeypatch):
+    from decomplex_bt.behaviour.agent import TreeAgent
+
+    def burst(self, observation):
+        raise RuntimeError("burst")
+
+    monkeypatch.setattr(TreeAgent, "act", burst)
+    row = run_episode(episode(), SETUP)
+    assert (row.outcome, row.stage) == ("failure", "execution")
+    assert "RuntimeError: burst" in row.cause
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"agent": "clever"}, "no agent 'clever'; known: tree, oracle"),
+        ({"episodes": 0}, "episodes is 0"),
+        ({"seed": -1}, "seed is -1"),
+        ({"examples": ()}, "holds no example"),
+    ],
+)
+def test_bad_options_are_named(arguments, message):
+    with pytest.raises(InputError, match=message):
+        evaluate(**{"examples": EXAMPLES, "episodes": 1, "reading": "gold", **arguments})
+
+
+def test_environments_are_reached_through_gymnasium_alone():
+    folder = Path(decomplex_bt.evaluation.__file__).parent
+    for path in folder.glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            assert not any(name.startswith("decomplex_bt.envs") for name in names), path.name
