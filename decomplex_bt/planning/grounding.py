@@ -131,7 +131,7 @@ class _Grounder:
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
         objects, inner = self._stateful(task, places, words, state)
-        pair, value = self._value_of(objects, words, state, task)
+        _, value = self._value_of(objects, words, state, task)
         there = tuple(
             place for place in places + inner if any(not self._is_fixed(n) for r in objects for n in r.candidates)
         )

@@ -224,3 +224,11 @@ def test_a_task_type_of_ones_own_needs_a_goal_template_only() -> None:
     task = ground(read_markup("[Go](1:motion) [to the desk](1:goal)", DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0]
     other: Any = type(task)(1, "motion", "go", goal=task.goal)
     assert [str(atom) for atom in pursue(other, belief, {}, since=1).goal_atoms] == ["(at desk)"]
+
+
+@pytest.mark.parametrize(("place", "status"), [("bathroom_shelf", DONE), (None, FAILED)])
+def test_something_to_wipe_with_is_looked_for_first(place: str | None, status: PursuitStatus) -> None:
+    inside = world({"rag": place}, {("coffee_table", "cleanliness"): "dirty"})
+    (cleaned,) = run("[Wipe](1:change_state) [the coffee table](1:object)", inside)
+    assert cleaned.status is status
+    assert (names(inside)[-1] == "(wipe coffee_table rag)") == (place is not None)

@@ -1,0 +1,210 @@
+"""Handling: tasks that bring something about for things, places and people."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from decomplex_bt.planning.abilities import wipers_of
+from decomplex_bt.planning.belief import ROBOT
+from decomplex_bt.planning.ground_task import Referent
+from decomplex_bt.planning.looking import Looking
+from decomplex_bt.planning.pddl import Atom
+from decomplex_bt.planning.standing import NothingLeftError, Pursuit
+from decomplex_bt.planning.whereabouts import likely_places, next_place, places_in
+
+_HANDLING = ("taking", "placing", "bringing", "change_state")
+
+
+class Handling(Looking):
+    """How a task stands that handles things or has to do with people, and what to bring about next."""
+
+    def settle_all(self) -> None:
+        """Binds "everything on the table", once the places were looked at, to what is there then."""
+        if self.task.type not in _HANDLING or not self.wheres or any(self._is_open(place) for place in self.wheres):
+            return
+        for referent in self.task.objects:
+            if referent.is_all and referent not in self.bindings:
+                there = [name for name in self._fitting(referent) if self._is_there(name)]
+                if not there:
+                    raise NothingLeftError(self._why(f"{referent.phrase!r}: nothing of it is there", self.wheres))
+                self.bindings = self._bind({referent: there})
+
+    # -- handling things ------------------------------------------------------------------------------------------------------
+
+    def _put(self, task_type: str) -> Pursuit:
+        """Placing and bringing: the things end up at the goal, or with the recipient."""
+        target = self.task.recipient or self.task.goal
+        assert target is not None
+        role = "recipient" if self.task.recipient is not None else "goal"
+        people = [name for name in self._meant(target) if name in self.house.people]
+        places = [place for name in self._meant(target) if name not in people for place in self._landing(name)]
+
+        def has_arrived(name: str) -> bool:
+            place = self.belief.place_of(name)
+            return place is not None and place != ROBOT and self._is_target(place, target)
+
+        found = self._found(has_arrived)
+        if found is not None:
+            return self._done(found)
+        lost = [name for name in people if not self._is_located(name)]
+        ends = [name for name in (*people, *places) if name not in lost]
+        if not ends and lost:
+            return self._look_for_people(target, lost)
+        if not ends:
+            raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
+        problem: NothingLeftError | None = None
+        for end in ends:
+            try:
+                return self._handle(task_type, has_arrived, {role if end in people else "goal": end})
+            except NothingLeftError as error:
+                problem = error
+        assert problem is not None
+        raise problem
+
+    def _is_target(self, place: str, target: Referent) -> bool:
+        for name in self._meant(target):
+            if place == name or (name in self.house.rooms and self.domain.room_of(place) == name):
+                return True
+            if name in self.house.things and self.belief.place_of(name) == place:
+                return True
+        return False
+
+    def _landing(self, name: str) -> list[str]:
+        """Where a thing is put for a goal: the place itself, in a room a surface that suits it, beside a thing its place."""
+        if name in self.house.things:
+            place = self.belief.place_of(name)
+            return [place] if place is not None and place != ROBOT else []
+        if name not in self.house.rooms:
+            return [name]
+        things = [thing for referent in self.task.objects for thing in self._fitting(referent)]
+        weights = [dict(self.belief.prior.places.get(thing, ())) for thing in things]
+        surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
+        return sorted(
+            surfaces, key=lambda place: (-sum(weight.get(place, 0.0) for weight in weights), surfaces.index(place))
+        )
+
+    def _handle(
+        self, task_type: str, is_done: Callable[[str], bool], roles: Mapping[str, str], *, batch: int = 2
+    ) -> Pursuit:
+        """Brings something about for the objects: finds them all first, then plans for a few at a time."""
+        found = self._found(is_done)
+        if found is not None:
+            return self._done(found)
+        chosen: list[str] = []
+        for referent in self.task.objects:
+            picked, unknown = self._choose(referent, is_done, task_type, roles)
+            if len(picked) < self._needed(referent) and unknown:
+                place = self._next_for(unknown)
+                if place is not None:
+                    return self._inspect(place, referent.phrase)
+            if not self._is_enough(referent, picked):
+                raise NothingLeftError(self._why_not(referent, roles))
+            chosen += [name for name in picked if not is_done(name)]
+        goals = [self._atoms(task_type, {**roles, "object": name}) for name in chosen]
+        joint = tuple(sorted({atom for goal in goals[:batch] for atom in goal}))
+        goal = self._first_open([joint, *goals])
+        if goal is None:
+            raise NothingLeftError(self._why(f"no way was found to do it with {self._objects_phrase()}", chosen))
+        return self._ongoing(goal, self.task.phrase)
+
+    def _find_tool(self, is_done: Callable[[str], bool]) -> Pursuit | None:
+        """A search for something to wipe with, where a place is to be cleaned and none is known; None if none is needed."""
+        names = [name for referent in self.task.objects for name in self._fitting(referent) if not is_done(name)]
+        wiped = [name for name in names if name not in self.house.things]
+        tools = wipers_of(wiped[0], self.domain) if wiped and self.task.state == "clean" else ()
+        if not tools or any(self._is_located(tool) for tool in tools):
+            return None
+        place = next_place(tools, self.belief, [p for p in likely_places(tools, self.belief) if self._is_open(p)])
+        what = self.domain.kind(tools[0]).words[0]
+        if place is None:
+            raise NothingLeftError(f"there is no {what} to be found to clean {self._objects_phrase()} with")
+        return self._inspect(place, f"a {what}")
+
+    def _choose(
+        self, referent: Referent, is_done: Callable[[str], bool], task_type: str, roles: Mapping[str, str]
+    ) -> tuple[list[str], list[str]]:
+        """Those of a referent's candidates that will do and are located, best first, and those that may still turn up."""
+
+        def is_possible(name: str) -> bool:
+            return is_done(name) or self._is_possible(self._atoms(task_type, {**roles, "object": name}))
+
+        able = [name for name in self._fitting(referent) if is_possible(name)]
+        located = [name for name in able if self._is_located(name)]
+        if self.wheres and referent not in self.bindings:
+            there = [
+                name for name in located if is_done(name) or self._is_there(name) or self.belief.place_of(name) == ROBOT
+            ]
+            if referent.is_all or there or any(self._is_open(place) for place in self.wheres):
+                located = there
+        unknown = [name for name in able if not self._is_located(name)]
+        if self.wheres and not unknown and len(located) < self._needed(referent):
+            unknown = able
+        located.sort(key=lambda name: (not is_done(name), self.belief.place_of(name) != ROBOT, self._distance(name)))
+        if referent.is_all:
+            return located, unknown
+        return located[: self._needed(referent)], unknown
+
+    def _next_for(self, unknown: Sequence[str]) -> str | None:
+        """Where to look next for things: at the places the task names, then wherever they may be."""
+        place = next_place(unknown, self.belief, [place for place in self.wheres if self._is_open(place)])
+        if place is not None or (self.wheres and any(r.is_all for r in self.task.objects)):
+            return place
+        return next_place(unknown, self.belief, [p for p in likely_places(unknown, self.belief) if self._is_open(p)])
+
+    def _is_enough(self, referent: Referent, picked: Sequence[str]) -> bool:
+        """Of "all" those will do that there are; else as many as are asked for."""
+        return bool(picked) if referent.is_all else len(picked) >= self._needed(referent)
+
+    # -- people and places to go to ---------------------------------------------------------------------------------------------
+
+    def _go(self, target: Referent, names: Sequence[str]) -> Pursuit:
+        located = [name for name in names if self._is_located(name)]
+        goals = [self._atoms("motion", {"goal": self._standing_for(name)}) for name in located]
+        goal = self._first_open(goals)
+        if goal is not None:
+            return self._ongoing(goal, f"going to {target.phrase}")
+        lost = [name for name in names if name not in located]
+        if lost:
+            return self._look_for_people(target, lost)
+        raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
+
+    def _standing_for(self, name: str) -> str:
+        """The room or position one goes to for a name: of a thing its place, of a floor its room."""
+        if name in self.house.things:
+            place = self.belief.place_of(name)
+            return self.belief.room if place in (None, ROBOT) else str(place)
+        return name.removesuffix("_floor") if name.removesuffix("_floor") in self.house.rooms else name
+
+    def _was_at(self, name: str) -> bool:
+        name = self._standing_for(name)
+        return self.belief.visited(name) >= self.since
+
+    def _with_people(
+        self, referents: Sequence[Referent], goal_of: Callable[[str], tuple[Atom, ...]], is_done: Callable[[str], bool]
+    ) -> Pursuit:
+        """Does something with people, one after the other, looking for those whose whereabouts are not known."""
+        for referent in referents:
+            done = [name for name in self._meant(referent) if is_done(name)]
+            if len(done) >= self._needed(referent):
+                continue
+            left = [name for name in self._meant(referent) if name not in done]
+            located = sorted((name for name in left if self._is_located(name)), key=self._distance)
+            goal = self._first_open([goal_of(name) for name in located])
+            if goal is not None:
+                return self._ongoing(goal, self.task.phrase)
+            lost = [name for name in left if name not in located]
+            if lost and self._next_for(lost) is not None:
+                return self._look_for_people(referent, lost)
+            if not (done and referent.is_all):
+                raise NothingLeftError(
+                    self._why(f"{referent.phrase!r} is not to be found or reached", referent.candidates)
+                )
+        return self._done(
+            {referent: [name for name in self._meant(referent) if is_done(name)] for referent in referents}
+        )
+
+    def _look_for_people(self, referent: Referent, lost: Sequence[str]) -> Pursuit:
+        place = next_place(lost, self.belief, [p for p in likely_places(lost, self.belief) if self._is_open(p)])
+        if place is None:
+            raise NothingLeftError(self._why(f"{referent.phrase!r} is nowhere to be found", lost))
+        return self._inspect(place, referent.phrase)

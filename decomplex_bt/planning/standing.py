@@ -1,0 +1,219 @@
+"""How a task stands: the values that a pursuit gives, and what all kinds of tasks ask of task, belief and bindings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+
+from decomplex_bt.planning.belief import Belief
+from decomplex_bt.planning.ground_task import GroundTask, Referent
+from decomplex_bt.planning.pddl import Atom
+from decomplex_bt.planning.whereabouts import is_at, places_of, room_distances
+
+Bindings = Mapping[Referent, tuple[str, ...]]
+"""Which entities a referent has turned out to mean; final once a task that names it is done."""
+
+
+class PursuitStatus(Enum):
+    """How a task stands."""
+
+    ONGOING = "ongoing"
+    DONE = "done"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class Pursuit:
+    """How a task stands and what to bring about next.
+
+    `goal_atoms` (ONGOING): the goal of the next plan. `truth` (DONE, FAILED): what the task is as a condition: true,
+    false, or None where it is neither, which is a failure with the `reason` whatever the flow. As a plain step DONE is
+    success and FAILED failure. `doing`: in words what is being done now, for feedback. `bindings` replaces the bindings
+    that were handed in.
+    """
+
+    status: PursuitStatus
+    goal_atoms: tuple[Atom, ...] = ()
+    truth: bool | None = None
+    reason: str = ""
+    doing: str = ""
+    bindings: Bindings = field(default_factory=dict)
+
+
+class NothingLeftError(Exception):
+    """Nothing is left to try; `truth` is what the task is as a condition."""
+
+    def __init__(self, reason: str, truth: bool | None = False) -> None:
+        super().__init__(reason)
+        self.truth = truth
+
+
+class Standing:
+    """One task at one moment: what its phrases mean, what was seen of it since it became due, what can still be tried."""
+
+    def __init__(self, task: GroundTask, belief: Belief, bindings: Bindings, since: int) -> None:
+        self.task, self.belief, self.bindings, self.since = task, belief, bindings, max(since, 0)
+        self.domain = belief.domain
+        self.house = belief.domain.house
+        self.wheres = tuple(
+            place for r in task.places for place in places_of(r, belief, for_people=self._asks_people())
+        )
+
+    # -- referents ----------------------------------------------------------------------------------------------------------
+
+    def _meant(self, referent: Referent | None) -> tuple[str, ...]:
+        """What a referent may still mean."""
+        return () if referent is None else self.bindings.get(referent, referent.candidates)
+
+    def _needed(self, referent: Referent) -> int:
+        return len(self._meant(referent)) if referent.is_all else min(referent.count, len(self._meant(referent)))
+
+    def _fitting(self, referent: Referent) -> tuple[str, ...]:
+        """Candidates that are not known to differ from how the phrase describes them ("the clean mug")."""
+        if referent in self.bindings or not referent.where:
+            return self._meant(referent)
+        is_change = self.task.type == "change_state" and self.task.state is not None
+        changes = self.domain.kinds.pair_of(self.task.state or "") if is_change else None
+
+        def differs(name: str, pair: str, value: str) -> bool:
+            if self.belief.state(name, pair) in (None, value):
+                return False
+            return pair != changes or self.belief.state_changed(name, pair) < self.since
+
+        return tuple(
+            n for n in referent.candidates if not any(differs(n, pair, value) for pair, value in referent.where)
+        )
+
+    def _found(self, is_done: Callable[[str], bool]) -> dict[Referent, list[str]] | None:
+        """Which candidates settle every object; None while one of them is open."""
+        found: dict[Referent, list[str]] = {}
+        for referent in self.task.objects:
+            done = [name for name in self._fitting(referent) if is_done(name)]
+            if referent.is_all:
+                left = [name for name in self._fitting(referent) if name not in done and self._counts(name)]
+                if not done or left:
+                    return None
+            elif len(done) < self._needed(referent):
+                return None
+            found[referent] = done if referent.is_all else done[: self._needed(referent)]
+        return found
+
+    def _counts(self, name: str) -> bool:
+        """Whether one of "all" is still to be dealt with: it is there, or may still turn up."""
+        return self._is_located(name) or any(self._is_open(place) for place, _ in self.belief.likely_places(name))
+
+    def _missing(self, is_done: Callable[[str], bool]) -> list[str]:
+        """The candidates of the first object that is not settled."""
+        for referent in self.task.objects:
+            left = [name for name in self._fitting(referent) if not is_done(name)]
+            if len(self._fitting(referent)) - len(left) < self._needed(referent):
+                return left
+        return []
+
+    def _bind(self, bound: Mapping[Referent, Sequence[str]]) -> Bindings:
+        return {**self.bindings, **{referent: tuple(names) for referent, names in bound.items() if names}}
+
+    # -- facts ----------------------------------------------------------------------------------------------------------------
+
+    def _is_located(self, name: str) -> bool:
+        if name in self.house.things:
+            return self.belief.room_of(name) is not None
+        return name not in self.house.people or self.belief.place_of(name) is not None
+
+    def _is_there(self, name: str) -> bool:
+        """Whether an object is where the task says, if it says a place."""
+        return not self.task.places or is_at(name, self.wheres, self.belief)
+
+    def _was_seen(self, name: str) -> bool:
+        if name in self.house.things or name in self.house.people:
+            return self.belief.seen(name) >= self.since
+        return max(self.belief.seen(name), self.belief.visited(name)) >= self.since
+
+    def _was_noted(self, predicate: str, *objects: str) -> bool:
+        return self.belief.noted(Atom(predicate, objects)) > self.since
+
+    def _asks_people(self) -> bool:
+        names = [name for referent in self.task.objects for name in referent.candidates]
+        return bool(names) and all(name in self.house.people for name in names)
+
+    def _distance(self, name: str) -> int:
+        room = self.belief.room_of(name)
+        return room_distances(self.domain, self.belief.room).get(room, 99) if room is not None else 99
+
+    def _inspected_goal(self, place: str) -> tuple[Atom, ...]:
+        """To have looked at a place; at what holds nothing one is, and a person's room is looked over."""
+        if place in self.house.rooms:
+            place = self.house.floor_of(place)
+        if place in self.house.people or not holds_things(place, self.domain):
+            return (Atom("at", (place,)),)
+        return self._atoms("searching", {"location": place})
+
+    def _is_open(self, place: str | None) -> bool:
+        """Whether a place can still be looked at: not inspected since the task became due, and not given up."""
+        return place is not None and not self._was_inspected(place) and self._is_possible(self._inspected_goal(place))
+
+    def _was_inspected(self, place: str) -> bool:
+        if place in self.house.people or not holds_things(place, self.domain):
+            return self.belief.visited(place) >= self.since
+        return self.belief.inspected(place) >= self.since
+
+    # -- what comes out -----------------------------------------------------------------------------------------------------
+
+    def _goal(self, roles: Mapping[str, str]) -> tuple[Atom, ...]:
+        return self._atoms(self.task.type, roles)
+
+    def _atoms(self, task_type: str, roles: Mapping[str, str]) -> tuple[Atom, ...]:
+        filled = self.domain.goals.fill(task_type, roles, self.domain.has_type)
+        return tuple(Atom(predicate, tuple(objects)) for predicate, *objects in filled)
+
+    def _is_possible(self, goal: tuple[Atom, ...]) -> bool:
+        return self.belief.given_up(goal, since=self.since) is None
+
+    def _first_open(self, goals: Iterable[tuple[Atom, ...]]) -> tuple[Atom, ...] | None:
+        return next((goal for goal in goals if goal and self._is_possible(goal)), None)
+
+    def _bring_about(self, goals: Sequence[tuple[Atom, ...]], doing: str) -> Pursuit:
+        goal = self._first_open(goals)
+        if goal is None:
+            raise NothingLeftError(
+                self._why(f"no way was found to {doing}", [n for g in goals for a in g for n in a.objects])
+            )
+        return self._ongoing(goal, doing)
+
+    def _ongoing(self, goal: tuple[Atom, ...], doing: str) -> Pursuit:
+        return Pursuit(PursuitStatus.ONGOING, goal, doing=doing, bindings=self.bindings)
+
+    def _done(self, bound: Mapping[Referent, Sequence[str]]) -> Pursuit:
+        return Pursuit(PursuitStatus.DONE, truth=True, bindings=self._bind(bound))
+
+    def _why(self, summary: str, names: Iterable[str]) -> str:
+        """The summary with what went wrong last with one of these."""
+        reason = self.belief.last_reason(names)
+        return f"{summary}: {reason}" if reason else summary
+
+    def _why_not(self, referent: Referent, roles: Mapping[str, str]) -> str:
+        names = (*self._meant(referent), *roles.values())
+        is_known = any(self._is_located(name) for name in self._meant(referent))
+        summary = (
+            f"no way was found to do it with {referent.phrase!r}"
+            if is_known
+            else f"{referent.phrase!r} is nowhere to be found"
+        )
+        return self._why(summary, names)
+
+    def _objects_phrase(self) -> str:
+        return " and ".join(referent.phrase for referent in self.task.objects) or "it"
+
+    def _phrase_of(self, names: Iterable[str]) -> str:
+        wanted = set(names)
+        phrases = [referent.phrase for referent in self.task.objects if wanted & set(referent.candidates)]
+        return " and ".join(phrases) or self._objects_phrase()
+
+
+_INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
+
+
+def is_indefinite(referent: Referent) -> bool:
+    """Whether a phrase asks for any one, not for a certain one."""
+    return referent.phrase.lower().split(" ", 1)[0] in _INDEFINITE
