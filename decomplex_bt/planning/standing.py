@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 
+from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 from decomplex_bt.planning.pddl import Atom
