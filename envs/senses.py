@@ -19,6 +19,8 @@ from decomplex_bt.envs.navigation import Pose
 STEADY = 3
 """Looks in a row that make a sighting sure: a place counts as inspected when it was so in the last three, and a thing
 missed by one look counts as seen while one of the last three had it."""
+RECALL = 15.0
+"""[s] For so long a floor seen bit by bit counts as inspected, and people seen meanwhile as still there."""
 REMEMBERED = 100
 """Looks for which a person out of view is still reckoned with as an obstacle where they were."""
 NEAR_PLACE = 1.0
@@ -75,7 +77,9 @@ class Senses:
         self._position = np.full((count, 2), np.nan)
         self._age = np.full(count, REMEMBERED)
         self._inspected_for = np.zeros(count, int)
-        self._signature: tuple[bytes, bytes] | None = None
+        self._signature: tuple[bytes, bytes, tuple[str, ...]] | None = None
+        self._recalled: tuple[str, ...] = ()
+        self._seen_at = dict.fromkeys(self.people, -math.inf)
         self._near_signature: bytes | None = None
         self._door_states: dict[str, str] = {}
         self._on_floors: list[str] = []
@@ -146,10 +150,25 @@ class Senses:
         inspected = table[:, _INSPECTED] > 0.5
         self._inspected_for = np.where(inspected, self._inspected_for + 1, 0)
         recent, sure = self._age < STEADY, self._inspected_for >= STEADY
-        signature = (recent.tobytes() + sure.tobytes(), self._table[recent][:, _REPORTED].tobytes())
+        self._recalled = self._recall(recent, sure)
+        signature = (recent.tobytes() + sure.tobytes(), self._table[recent][:, _REPORTED].tobytes(), self._recalled)
         if signature != self._signature or self._has_moving_person(recent):
             self._signature = signature
             self._report(np.flatnonzero(recent), np.flatnonzero(sure))
+
+    def _recall(self, recent: NDArray, sure: NDArray) -> tuple[str, ...]:
+        """The people out of view who are taken to be where they were: in a room whose floor counts as inspected.
+
+        It counts so for what was seen of it in the last seconds, and so must they.
+        """
+        recalled = []
+        for name in self.people:
+            if recent[self.row[name]]:
+                self._seen_at[name] = self.seconds
+            elif self.seconds - self._seen_at[name] <= RECALL and (room := self.room_of_person(name)) is not None:
+                if sure[self.row[self.house.floor_of(room)]]:
+                    recalled.append(name)
+        return tuple(recalled)
 
     def _has_moving_person(self, recent: NDArray) -> bool:
         """Whether a person in view has walked into another room since the last report."""
@@ -178,6 +197,8 @@ class Senses:
                     states[name, pair] = self._values[column, flag]
                     if pair == "aperture" and name in self.house.doorways:
                         self._door_states[name] = states[name, pair]
+        for name in self._recalled:
+            places[name] = self.room_of_person(name) or ""
         if self.house.user not in places and (room := self.room_of_person(self.house.user)) is not None:
             places[self.house.user] = room  # the user's place is always known
         self._on_floors = on_floors
