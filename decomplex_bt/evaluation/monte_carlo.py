@@ -93,6 +93,30 @@ def evaluate(
     return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
 
 
+def evaluate_agents(
+    examples: Sequence[Example],
+    agents: Sequence[str] = ("tree", "oracle", "random"),
+    *,
+    episodes: int = 20,
+    seed: int = 0,
+    jobs: int = 1,
+    reading: ReadingSource = "own",
+    setup: Setup | None = None,
+    progress: Progress | None = None,
+) -> tuple[Row, ...]:
+    """As `evaluate` for several agents in the same worlds; `summary.tabulate` shows them beside each other."""
+    setup = setup or Setup()
+    domain = load_domain(setup.domain)
+    planned = [
+        episode
+        for agent in agents
+        for episode in plan_episodes(
+            examples, episodes=episodes, seed=seed, agent=agent, reading=reading, domain=domain
+        )
+    ]
+    return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
+
+
 def plan_episodes(
     examples: Sequence[Example],
     *,
@@ -176,9 +200,7 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     if not info["is_success"]:
         found = blame_reading(episode.reading, episode.gold, domain)
         found = found or blame_run(failures, info["violations"], is_truncated=truncated)
-    return _ended(
-        episode, info, found, steps=steps, failures=failures, plans=policy.plans, replans=policy.replans
-    )
+    return _ended(episode, info, found, steps=steps, failures=failures, plans=policy.plans, replans=policy.replans)
 
 
 def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:

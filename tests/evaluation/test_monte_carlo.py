@@ -11,7 +11,7 @@ from decomplex_bt.corpus import parse_corpus
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.evaluation.blame import blame_run
-from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, plan_episodes, run_episode
+from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, evaluate_agents, plan_episodes, run_episode
 
 DOMAIN = load_domain("household")
 CORPUS = """
@@ -60,6 +60,13 @@ def test_progress_is_told_after_every_episode():
         EXAMPLES[:1], episodes=3, agent="idle", setup=SETUP, progress=lambda done, total: told.append((done, total))
     )
     assert told == [(1, 3), (2, 3), (3, 3)]
+
+
+def test_several_agents_meet_the_same_worlds():
+    rows = evaluate_agents(EXAMPLES[:2], ("tree", "idle"), episodes=4, reading="gold", setup=SETUP)
+    tree, idle = ([row for row in rows if row.agent == agent] for agent in ("tree", "idle"))
+    assert [(row.example, row.seed) for row in tree] == [(row.example, row.seed) for row in idle]
+    assert [row.outcome == "infeasible" for row in tree] == [row.outcome == "infeasible" for row in idle]
 
 
 def episode(**changes):
