@@ -292,11 +292,15 @@ def _reached(target: Referent, bindings: Bindings, is_ok: Callable[[str], bool])
 
 
 def _is_robot_at(evidence: Evidence, name: str) -> bool:
-    house = evidence.domain.house
+    """Whether the robot is in a room, at a place, with a person, or at the place where a thing is."""
+    house, truth = evidence.domain.house, evidence.truth
     room = name.removesuffix("_floor")
     if room in house.rooms:
-        return evidence.truth.room == room
-    return evidence.truth.is_near(name)
+        return truth.room == room
+    if truth.is_near(name):
+        return True
+    place = truth.place(name) if name in house.things else None
+    return place is not None and place != ROBOT and _is_robot_at(evidence, place)
 
 
 def _room(evidence: Evidence, goal: str) -> str:

@@ -29,6 +29,14 @@ def test_motion_to_a_person_is_done_beside_them():
     assert episode.go("living_room", "user").is_success
 
 
+def test_motion_to_a_thing_is_done_where_it_lies():
+    episode = Episode(HandWorld({"charger": "desk", "ball": "study_floor"}), [1], task(1, "motion", goal="charger"))
+    assert not episode.go("study").is_success
+    assert episode.go("study", "desk").is_success
+    episode = Episode(HandWorld({"ball": "study_floor"}), [1], task(1, "motion", goal="ball"))
+    assert episode.go("study").is_success
+
+
 def test_searching_without_a_place_is_done_only_when_seen():
     episode = Episode(HandWorld({"keys": "desk"}), [1], task(1, "searching", "keys"))
     assert not episode.inspect("desk").is_success
