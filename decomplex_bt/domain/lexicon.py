@@ -26,7 +26,7 @@ class Lexicon(Record):
     """`words.yaml`: verbs in groups of one sense, colours, and the small words around nouns.
 
     `all_words` ask for all of a kind; `anybody_words`, `everybody_words` for people of the house; `here_words` for the
-    place of the one who speaks; `presence_words` say only that something is there. `prepositions` lead a phrase, those
+    place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something is there. `prepositions` lead a phrase, those
     in `beside` mean near or under a thing; `determiners` do not say which one is meant; `measures` count ("a slice of
     bread"); `parts` stand for the whole ("the fridge door").
     """
@@ -40,6 +40,7 @@ class Lexicon(Record):
     everybody_words: tuple[str, ...] = ()
     here_words: tuple[str, ...] = ()
     presence_words: tuple[str, ...] = ()
+    presence_verbs: tuple[str, ...] = ()
     prepositions: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     determiners: tuple[str, ...] = ()

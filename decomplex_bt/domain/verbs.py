@@ -8,10 +8,12 @@ from collections.abc import Iterable, Iterator
 from decomplex_bt.domain.lexicon import Lexicon, VerbSense
 
 _IRREGULAR = {
-    "lit": "light", "shut": "shut", "shutting": "shut", "put": "put", "putting": "put", "set": "set", "setting": "set", "cut": "cut",
-    "cutting": "cut", "froze": "freeze", "frozen": "freeze", "drew": "draw", "drawn": "draw", "swept": "sweep", "is": "be", "are": "be",
-    "'s": "be", "'re": "be", "was": "be", "were": "be", "has": "have", "had": "have", "does": "do", "went": "go", "took": "take",
-    "gave": "give", "brought": "bring", "left": "leave", "found": "find", "told": "tell", "said": "say", "made": "make", "blew": "blow",
+    **dict.fromkeys(("is", "are", "'s", "\u2019s", "'re", "was", "were", "been", "am"), "be"),
+    **dict.fromkeys(("has", "had"), "have"),
+    "lit": "light", "shut": "shut", "shutting": "shut", "put": "put", "putting": "put", "set": "set", "setting": "set",
+    "cut": "cut", "cutting": "cut", "froze": "freeze", "frozen": "freeze", "drew": "draw", "drawn": "draw",
+    "swept": "sweep", "does": "do", "went": "go", "took": "take", "gave": "give", "brought": "bring", "left": "leave",
+    "found": "find", "told": "tell", "said": "say", "made": "make", "blew": "blow",
 }  # fmt: skip
 
 

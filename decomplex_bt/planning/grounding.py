@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.domain.verbs import sense_of
+from decomplex_bt.domain.verbs import lemmas, sense_of
 from decomplex_bt.errors import ImpossibleGoalError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values, holds_things
@@ -67,7 +67,7 @@ class _Grounder:
     # -- one function for each task type ------------------------------------------------------------------------------------
 
     def _motion(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        words = task.value("goal") or task.value("recipient") or task.value("path")
+        words = task.value("goal") or task.value("recipient") or task.value("path") or self._named_direction(task)
         if words is not None:
             return replace(bare, goal=self._place(words, people=True))
         if (left := task.value("source")) is not None:
@@ -76,9 +76,17 @@ class _Grounder:
             f"task {task.id} ({bare.phrase!r}) says how to move but no place to end up; say where to go"
         )
 
+    def _named_direction(self, task: Task) -> str | None:
+        """The direction, where it names a place ("towards the window")."""
+        words = task.value("direction")
+        try:
+            return words if words is not None and read_phrases(words, self.domain) else None
+        except UnknownWordError:
+            return None
+
     def _searching(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
-        objects, inner = self._objects(task, lambda name: name != self.house.user, "be looked for")
+        objects, inner = self._objects(task, lambda name: True, "be looked for")
         fixed = [r for r in objects if all(self._is_fixed(name) for name in r.candidates)]
         if fixed and not places:
             return replace(bare, places=tuple(fixed), objects=tuple(r for r in objects if r not in fixed))
@@ -123,9 +131,11 @@ class _Grounder:
         words, where = task.value("state"), task.value("location")
         if where is not None and self._is_presence(where):
             where, words = None, words or where
-        if words is None and where is None and state is None:
+        asks_presence = words is None or self._is_presence(words)
+        if words is None and where is None and not self._has_presence_verb(task):
+            # a verbless condition is marked on its state: "oven on?"
             words = task.span.of(self.instruction.text)
-        asks_presence = state is None and (words is None or self._is_presence(words))
+            asks_presence = self._is_presence(words)
         places = self._places(task, "location", "source") if where is not None else ()
         if asks_presence:
             objects, inner = self._objects(task, lambda name: True, "be looked for")
@@ -177,7 +187,7 @@ class _Grounder:
         given = {argument.type for argument in task.arguments}
         if task.type in ("bringing", "informing"):
             given.add("recipient")
-        if has_state or task.type == "check_state":
+        if has_state or (task.type == "check_state" and self._says_state(task)):
             given.add("state")
         for group in task_type.required:
             if not given & set(group):
@@ -218,6 +228,16 @@ class _Grounder:
             if not any(span.start <= match.start() < span.end for span in spans):
                 free.append(match[0])
         return free
+
+    def _has_presence_verb(self, task: Task) -> bool:
+        form = task.span.of(self.instruction.text).lower()
+        return any(lemma in self.domain.lexicon.presence_verbs for lemma in lemmas(form))
+
+    def _says_state(self, task: Task) -> bool:
+        """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""
+        word = task.span.of(self.instruction.text)
+        is_state = read_state(word, self.domain.kinds.state_pairs, self.domain) is not None
+        return is_state or self._is_presence(word) or self._has_presence_verb(task)
 
     def _is_presence(self, words: str) -> bool:
         _, rest = split_preposition(words, self.domain)

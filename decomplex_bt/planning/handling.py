@@ -159,7 +159,8 @@ class Handling(Looking):
 
     def _go(self, target: Referent, names: Sequence[str]) -> Pursuit:
         located = [name for name in names if self._is_located(name)]
-        goals = [self._atoms("motion", {"goal": self._standing_for(name)}) for name in located]
+        ends = [end for name in located if (end := self._standing_for(name)) is not None]
+        goals = [self._atoms("motion", {"goal": end}) for end in ends]
         goal = self._first_open(goals)
         if goal is not None:
             return self._ongoing(goal, f"going to {target.phrase}")
@@ -168,16 +169,16 @@ class Handling(Looking):
             return self._look_for_people(target, lost)
         raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
 
-    def _standing_for(self, name: str) -> str:
-        """The room or position one goes to for a name: of a thing its place, of a floor its room."""
+    def _standing_for(self, name: str) -> str | None:
+        """The room or position one goes to for a name: of a thing its place, of a floor its room; None if not known."""
         if name in self.house.things:
             place = self.belief.place_of(name)
-            return self.belief.room if place in (None, ROBOT) else str(place)
+            return self.belief.room if place == ROBOT else place
         return name.removesuffix("_floor") if name.removesuffix("_floor") in self.house.rooms else name
 
     def _was_at(self, name: str) -> bool:
-        name = self._standing_for(name)
-        return self.belief.visited(name) >= self.since
+        place = self._standing_for(name)
+        return place is not None and self.belief.visited(place) >= self.since
 
     def _with_people(
         self, referents: Sequence[Referent], goal_of: Callable[[str], tuple[Atom, ...]], is_done: Callable[[str], bool]
