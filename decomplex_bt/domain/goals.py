@@ -15,7 +15,7 @@ Filled = tuple[str, ...]
 
 
 class GoalTemplate(Record):
-    """What to bring about when a task has these roles. `of`: role to PDDL type; `atoms`: PDDL atoms with roles in braces."""
+    """What to bring about for a task with these roles. `of`: role to PDDL type; `atoms`: with roles in braces."""
 
     of: dict[str, str] = Field(min_length=1)
     atoms: tuple[str, ...] = Field(min_length=1)

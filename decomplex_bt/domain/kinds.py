@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from decomplex_bt.domain.document import Record
 
 Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
-"""`furniture`: fixed, devices and containers included; `fixture`: doors, windows, curtains: opened and closed, fixed."""
+"""`furniture`: fixed, with devices and containers; `fixture`: doors, windows, curtains, opened and closed, fixed."""
 
 
 class StatePair(Record):
@@ -27,8 +27,9 @@ class Kind(Record):
     `surface` / `inside`: things lie on / in it. `heats`, `cools`, `washes`: tags of things it heats when closed and
     switched on, cools when closed, washes when closed and switched on; `rinses`, `fills`, `drains`: tags of things
     cleaned, filled, emptied at it by hand; `wipes`: tags of surfaces a thing of this kind wipes clean when it is in the
-    hand (the interaction `clean` with the surface as target). `tags` are what these name. `places`: kind of place to relative weight, for
-    where an entity of this kind lies at the start of an episode; `absent`: probability that it is nowhere in the house.
+    hand (the interaction `clean` with the surface as target). `tags` are what these name.
+    `places`: kind of place to relative weight, for where an entity of this kind lies at the start of an episode;
+    `absent`: probability that it is nowhere in the house.
     `chance`: state pair to the probability of its positive value. `broken`: probability that a device is broken.
     """
 
@@ -84,7 +85,7 @@ class Kinds(Record):
                 if place not in self.kinds:
                     raise ValueError(f"kind {name!r} lies at the unknown kind of place {place!r}")
                 if not (self.kinds[place].surface or self.kinds[place].inside):
-                    raise ValueError(f"kind {name!r} cannot lie at {place!r}, which is neither a surface nor a container")
+                    raise ValueError(f"kind {name!r} cannot lie at {place!r}: it is neither surface nor container")
         return self
 
     def pair_of(self, value: str) -> str:

@@ -10,7 +10,7 @@ from decomplex_bt.domain.document import Record
 
 
 class VerbSense(Record):
-    """What a verb (with its particle) can mean. `state`: the state it implies ("heat": hot); `tasks`: likeliest first."""
+    """What a verb (with its particle) can mean. `state`: what it implies ("heat": hot); `tasks`: likeliest first."""
 
     tasks: tuple[str, ...] = Field(min_length=1)
     state: str | None = None
@@ -26,9 +26,9 @@ class Lexicon(Record):
     """`words.yaml`: verbs in groups of one sense, colours, and the small words around nouns.
 
     `all_words` ask for all of a kind; `anybody_words`, `everybody_words` for people of the house; `here_words` for the
-    place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something is there. `prepositions` lead a phrase, those
-    in `beside` mean near or under a thing; `determiners` do not say which one is meant; `measures` count ("a slice of
-    bread"); `parts` stand for the whole ("the fridge door").
+    place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something is
+    there. `prepositions` lead a phrase, those in `beside` mean near or under a thing; `determiners` do not say which one is
+    meant; `measures` count ("a slice of bread"); `parts` stand for the whole ("the fridge door").
     """
 
     format: int

@@ -43,7 +43,7 @@ class Domain:
         return self.house.kind(name, self.kinds)
 
     def room_of(self, place: str) -> str | None:
-        """The room in which a piece of furniture, a fixture or a floor is, or the room itself; None for anything else."""
+        """The room of a piece of furniture, a fixture or a floor, or the room itself; None for anything else."""
         if place in self.house.furniture:
             return self.house.furniture[place].room
         room = place.removesuffix("_floor")

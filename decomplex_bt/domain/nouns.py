@@ -1,4 +1,4 @@
-"""The nouns of a house: which entities a word may name, with plurals, and which known word is nearest to an unknown one."""
+"""The nouns of a house: which entities a word may name, with plurals, and which words look like an unknown one."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kinds
 
 _IRREGULAR = {
-    "knives": "knife", "shelves": "shelf", "bookshelves": "bookshelf", "loaves": "loaf", "children": "child", "men": "man",
-    "women": "woman", "people": "person", "scarves": "scarf", "wolves": "wolf", "mice": "mouse", "feet": "foot", "dishes": "dish",
-    "leaves": "leaf", "wives": "wife", "lives": "life",
+    "knives": "knife", "shelves": "shelf", "bookshelves": "bookshelf", "loaves": "loaf", "children": "child",
+    "men": "man", "women": "woman", "people": "person", "scarves": "scarf", "mice": "mouse", "feet": "foot",
+    "dishes": "dish", "leaves": "leaf", "wives": "wife",
 }  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Nouns:
-    """`entities`: word or phrase (lower case, singular or as it is always used) to the entities it names, likeliest first.
+    """`entities`: word or phrase (lower case, singular or as it is always used) to what it names, likeliest first.
 
     The last word of a compound names it too ("machine") where it is no name itself ("towel" is no tea towel).
     """

@@ -11,7 +11,7 @@ _TOKEN = re.compile(r";[^\n]*|[()]|[^\s();]+")
 
 
 def read_sexpr(text: str) -> Sexpr:
-    """The one expression that the text holds; comments are skipped. Raises `ValueError` where parentheses do not match."""
+    """The one expression that the text holds, without comments. Raises `ValueError` where parentheses do not match."""
     tokens = (match[0].lower() for match in _TOKEN.finditer(text) if not match[0].startswith(";"))
     value = _read(tokens, next(tokens, ")"))
     if next(tokens, None) is not None:

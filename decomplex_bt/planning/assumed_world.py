@@ -1,4 +1,4 @@
-"""A symbolic world as it is assumed to be: steps are carried out at once, and it gives percepts. No simulator needed."""
+"""A symbolic world as it is assumed to be: it carries steps out at once and gives percepts, without a simulator."""
 
 from __future__ import annotations
 

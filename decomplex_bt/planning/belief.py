@@ -56,7 +56,7 @@ class Belief:
             setattr(other, name, value.copy() if isinstance(value, dict) else value)
         return other
 
-    # -- what comes in ---------------------------------------------------------------------------------------------------
+    # -- what comes in ------------------------------------------------------------------------------------------------
 
     def update(self, percept: Percept) -> None:
         """Takes in one look at the world."""
@@ -108,7 +108,7 @@ class Belief:
         self._given_up[tuple(goal_atoms)] = (self.tick, reason)
         self.revision += 1
 
-    # -- what is believed --------------------------------------------------------------------------------------------------
+    # -- what is believed ---------------------------------------------------------------------------------------------
 
     @property
     def room(self) -> str:
@@ -217,7 +217,7 @@ class Belief:
                 rows.append(f"{name:22} {where or '':44} {' '.join(states):18} {inspected}".rstrip())
         return "\n".join(rows)
 
-    # -- how a look is taken in --------------------------------------------------------------------------------------------
+    # -- how a look is taken in ---------------------------------------------------------------------------------------
 
     def _see_things(self, percept: Percept) -> bool:
         changed = False

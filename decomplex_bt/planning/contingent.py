@@ -1,4 +1,4 @@
-"""The conditional plan: a plan for every task of a flow, from the state assumed on its branch (DeComplex, section III-E).
+"""The conditional plan: a plan for every task of a flow, from the state assumed on its branch (DeComplex, III-E).
 
 Every task is pursued as it will be at run time, but in a world that is as it is assumed to be: things lie at their
 likeliest places, a condition holds in its `then` branch and does not in its `else` branch, and what earlier tasks have
@@ -76,7 +76,7 @@ class ConditionalPlan:
 def plan_conditionally(
     instruction: GroundInstruction, planner: Planner, *, world: AssumedWorld, belief: Belief | None = None
 ) -> ConditionalPlan:
-    """The conditional plan of an instruction in an assumed world; `belief` (default: nothing was seen yet) is not changed."""
+    """The conditional plan of an instruction in an assumed world (not changed); without `belief` nothing was seen."""
     belief = belief.copy() if belief is not None else Belief(world.domain)
     start = _Branch(instruction, planner, world.copy(), belief, {})
     return ConditionalPlan(instruction.text, start.plan(instruction.flow.nodes))
@@ -117,7 +117,7 @@ class _Branch:
         return TaskPlan(task.number, task.type, task.phrase, steps, "" if has_held else pursuit.reason)
 
 
-# -- what a branch assumes -------------------------------------------------------------------------------------------------
+# -- what a branch assumes --------------------------------------------------------------------------------------------
 
 
 def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: bool) -> None:
@@ -169,7 +169,7 @@ def _assume_impossible(world: AssumedWorld, task: GroundTask) -> None:
     world.broken = world.broken | {name for name in names if name not in world.places}
 
 
-# -- in words ---------------------------------------------------------------------------------------------------------------
+# -- in words ---------------------------------------------------------------------------------------------------------
 
 
 def _lines(nodes: Sequence[PlanNode], pad: str) -> Iterator[str]:

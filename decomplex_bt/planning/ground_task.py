@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decomplex_bt.flow import Flow
 
 HERE = "here"
-"""The state value of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
+"""The state of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +43,9 @@ class GroundTask:
 
     `objects`: what it is about, one referent for each coordinated phrase (empty: searching a place for nothing in
     particular, motion, informing). `places`: where the objects are looked for or taken from (source, location), each
-    candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it ends (place, room or
-    person). `recipient`: who gets or hears it. `state`: the value wanted or checked ("on", "hot", ...), `HERE` for a
-    check of presence. `message`: what is said. `span`: the verb in the text, code points, end exclusive.
+    candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it ends (place,
+    room, person, or thing beside which it ends). `recipient`: who gets or hears it. `state`: the
+    value wanted or checked ("on", "hot", ...), `HERE` for a check of presence. `message`: what is said. `span`: the verb in the text, code points, end exclusive.
     """
 
     number: int

@@ -29,8 +29,8 @@ _PARTICLES = re.compile(r"[a-z']+")
 def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) -> GroundInstruction:
     """The instruction's tasks with every phrase replaced by the entities it may mean.
 
-    Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer; all
-    are `InputError`s that carry the task's number.
+    Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer;
+    all are `InputError`s that carry the task's number.
     """
     grounder = _Grounder(instruction, domain, ask)
     tasks = []
@@ -64,7 +64,7 @@ class _Grounder:
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
         return grounded
 
-    # -- one function for each task type ------------------------------------------------------------------------------------
+    # -- one function for each task type ------------------------------------------------------------------------------
 
     def _motion(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         words = task.value("goal") or task.value("recipient") or task.value("path") or self._named_direction(task)
@@ -179,7 +179,7 @@ class _Grounder:
             message=task.value("message"),
         )
 
-    # -- what is not said ----------------------------------------------------------------------------------------------------
+    # -- what is not said ---------------------------------------------------------------------------------------------
 
     def _complete(self, task: Task, has_state: bool) -> Task:
         """The task with its missing arguments asked for. Raises `MissingArgumentError` where there is no answer."""
@@ -206,7 +206,7 @@ class _Grounder:
     def _user(self) -> Referent:
         return Referent(self.house.user, (self.house.user,))
 
-    # -- states -------------------------------------------------------------------------------------------------------------
+    # -- states -------------------------------------------------------------------------------------------------------
 
     def _verb_state(self, task: Task) -> str | None:
         """The state that the verb, with its particle, implies ("turn … on", "heat"); None if it says none."""
@@ -293,7 +293,7 @@ class _Grounder:
     def _can_become(self, name: str, pair: str, value: str) -> bool:
         return pair in self._states(name) and value in bringable_values(name, pair, self.domain)
 
-    # -- things, places, people ----------------------------------------------------------------------------------------------
+    # -- things, places, people ---------------------------------------------------------------------------------------
 
     def _objects(
         self, task: Task, fits: Callable[[str], bool], ability: str, *, rooms: Iterable[str] = ()
@@ -379,7 +379,7 @@ class _Grounder:
         rooms: frozenset[str] = frozenset(),
         is_place: bool,
     ) -> Referent:
-        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` where nothing does."""
+        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does."""
         entities = tuple(name for name in phrase.entities if fits(name))
         is_plural = not entities
         names = entities or tuple(name for name in phrase.plurals if fits(name))
@@ -408,7 +408,7 @@ class _Grounder:
         return first if first.is_all == referent.is_all else referent
 
     def _in_context(self, names: tuple[str, ...], rooms: frozenset[str], is_all: bool) -> tuple[str, ...]:
-        """Of fixed candidates those in the rooms that are said, else those in the room in question, if there are any."""
+        """Of fixed candidates those in the rooms that are said, else in the room in question, if there are any."""
         if len(names) == 1 or not all(self._is_fixed(name) for name in names):
             return names
         for wanted in (rooms, () if is_all else self.rooms):

@@ -29,7 +29,7 @@ class Handling(Looking):
                     raise NothingLeftError(self._why(f"{referent.phrase!r}: nothing of it is there", self.wheres))
                 self.bindings = self._bind({referent: there})
 
-    # -- handling things ------------------------------------------------------------------------------------------------------
+    # -- handling things ----------------------------------------------------------------------------------------------
 
     def _put(self, task_type: str) -> Pursuit:
         """Placing and bringing: the things end up at the goal, or with the recipient."""
@@ -70,7 +70,7 @@ class Handling(Looking):
         return False
 
     def _landing(self, name: str) -> list[str]:
-        """Where a thing is put for a goal: the place itself, in a room a surface that suits it, beside a thing its place."""
+        """Where a thing is put for a goal: a place itself, in a room a surface that suits, beside a thing its place."""
         if name in self.house.things:
             place = self.belief.place_of(name)
             return [place] if place is not None and place != ROBOT else []
@@ -108,7 +108,7 @@ class Handling(Looking):
         return self._ongoing(goal, self.task.phrase)
 
     def _find_tool(self, is_done: Callable[[str], bool]) -> Pursuit | None:
-        """A search for something to wipe with, where a place is to be cleaned and none is known; None if none is needed."""
+        """A search for something to wipe with, where a place is to be cleaned and none is known; else None."""
         names = [name for referent in self.task.objects for name in self._fitting(referent) if not is_done(name)]
         wiped = [name for name in names if name not in self.house.things]
         tools = wipers_of(wiped[0], self.domain) if wiped and self.task.state == "clean" else ()
@@ -123,7 +123,7 @@ class Handling(Looking):
     def _choose(
         self, referent: Referent, is_done: Callable[[str], bool], task_type: str, roles: Mapping[str, str]
     ) -> tuple[list[str], list[str]]:
-        """Those of a referent's candidates that will do and are located, best first, and those that may still turn up."""
+        """Of a referent's candidates those that will do and are located, best first, and those that may turn up."""
 
         def is_possible(name: str) -> bool:
             return is_done(name) or self._is_possible(self._atoms(task_type, {**roles, "object": name}))
@@ -155,7 +155,7 @@ class Handling(Looking):
         """Of "all" those will do that there are; else as many as are asked for."""
         return bool(picked) if referent.is_all else len(picked) >= self._needed(referent)
 
-    # -- people and places to go to ---------------------------------------------------------------------------------------------
+    # -- people and places to go to -----------------------------------------------------------------------------------
 
     def _go(self, target: Referent, names: Sequence[str]) -> Pursuit:
         located = [name for name in names if self._is_located(name)]

@@ -14,7 +14,7 @@ from decomplex_bt.planning.whereabouts import likely_places, next_place, places_
 class Looking(Standing):
     """How a search or a check stands, and where to look next."""
 
-    # -- searching ----------------------------------------------------------------------------------------------------------
+    # -- searching ----------------------------------------------------------------------------------------------------
 
     def _look_at_places(self) -> Pursuit:
         """A search for nothing in particular: every place the task names is to be inspected."""
@@ -75,7 +75,7 @@ class Looking(Standing):
         doing = f"looking for {what} at the {where}" if what else f"looking at the {where}"
         return self._ongoing(self._inspected_goal(place), doing)
 
-    # -- states -------------------------------------------------------------------------------------------------------------
+    # -- states -------------------------------------------------------------------------------------------------------
 
     def _check_value(self) -> Pursuit:
         """Looks at the objects until what was seen settles whether they have the state."""

@@ -1,4 +1,4 @@
-"""Noun phrases: what an argument's words may name in the house, by nouns, adjectives, numbers and places inside them."""
+"""Noun phrases: what an argument's words may name in the house, by noun, adjectives, number and a place inside."""
 
 from __future__ import annotations
 
@@ -23,9 +23,8 @@ class NounPhrase:
     """What a phrase names.
 
     `entities`: what its noun names as it stands, likeliest first; `plurals`: what its noun is a plural of. `is_all`,
-    `count`: of how many it speaks (`is_all`: "the plates", "all cups", of the plurals also without "all"). `wanted`: state
-    pairs and values that its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the
-    words of its noun alone.
+    `count`: of how many it speaks; `is_definite`: of known ones ("the", "my"). `wanted`: state pairs and values that
+    its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the words of its noun.
     """
 
     text: str

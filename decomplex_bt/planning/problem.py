@@ -129,7 +129,7 @@ class _Scene:
                 elif position not in self.house.doorways and (has_slot or "fill" in self.domain.kind(position).states):
                     yield GroundAction("place", (thing, position))
 
-    # -- what belongs to it ----------------------------------------------------------------------------------------------
+    # -- what belongs to it -------------------------------------------------------------------------------------------
 
     def _of_type(self, names: Iterable[str], of: str) -> list[str]:
         return sorted({name for name in names if self.domain.has_type(name, of)})
@@ -192,7 +192,7 @@ class _Scene:
         free = [index for index, thing in enumerate(tray) if thing is None][: max(0, extra)]
         return sorted([*used, *free])
 
-    # -- what is so ---------------------------------------------------------------------------------------------------------
+    # -- what is so ---------------------------------------------------------------------------------------------------
 
     def _position_atoms(self, name: str) -> Iterator[Atom]:
         doorway = self.house.doorways.get(name)
@@ -243,7 +243,7 @@ class _Scene:
             yield Atom("lies", (thing, place))
 
     def _states(self, name: str, pairs: Iterable[str]) -> Iterator[Atom]:
-        """The state's fluents; what is not known is as it usually is, what is wanted and not known is yet to be done."""
+        """The state's fluents; what is not known is as it usually is, but what is wanted is yet to be done."""
         goals = self.domain.goals
         for pair in pairs:
             value = self.state.value(name, pair)
@@ -259,7 +259,7 @@ class _Scene:
 def _shortest_ways(
     house: House, start: str, ends: Iterable[str], is_blocked: Callable[[str], bool]
 ) -> Iterator[tuple[str, str]]:
-    """The (room, doorway) pairs on a shortest way from `start` to each of `ends`, breadth first in the house's order."""
+    """The (room, doorway) pairs on a shortest way from `start` to each of `ends`, breadth first."""
     came: dict[str, tuple[str, str] | None] = {start: None}
     queue = deque([start])
     doorways = [(name, doorway.rooms) for name, doorway in house.doorways.items() if not is_blocked(name)]

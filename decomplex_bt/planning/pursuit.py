@@ -40,7 +40,7 @@ def pursue(task: GroundTask, belief: Belief, bindings: Bindings, *, since: int) 
 class _Pursuer(Handling):
     """Each method named for a task type says how a task of the type stands (contracts.md, when a task is done)."""
 
-    # -- one for each task type -------------------------------------------------------------------------------------------
+    # -- one for each task type ---------------------------------------------------------------------------------------
 
     def _motion(self) -> Pursuit:
         target = self.task.goal or self.task.recipient

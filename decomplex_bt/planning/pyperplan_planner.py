@@ -31,7 +31,7 @@ CACHE_SIZE = 4096
 
 
 class PyperplanPlanner:
-    """Weighted A* with the FF heuristic over STRIPS, as pyperplan has them; results are cached by the problem's text."""
+    """Weighted A* with the FF heuristic, as pyperplan has them; results are cached by the problem's text."""
 
     def __init__(self, *, max_evaluations: int = MAX_EVALUATIONS) -> None:
         self.max_evaluations = max_evaluations

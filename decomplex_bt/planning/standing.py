@@ -51,7 +51,7 @@ class NothingLeftError(Exception):
 
 
 class Standing:
-    """One task at one moment: what its phrases mean, what was seen of it since it became due, what can still be tried."""
+    """One task at one moment: what its phrases mean, what was seen since it became due, what can still be tried."""
 
     def __init__(self, task: GroundTask, belief: Belief, bindings: Bindings, since: int) -> None:
         self.task, self.belief, self.bindings, self.since = task, belief, bindings, max(since, 0)
@@ -61,7 +61,7 @@ class Standing:
             place for r in task.places for place in places_of(r, belief, for_people=self._asks_people())
         )
 
-    # -- referents ----------------------------------------------------------------------------------------------------------
+    # -- referents ----------------------------------------------------------------------------------------------------
 
     def _meant(self, referent: Referent | None) -> tuple[str, ...]:
         """What a referent may still mean."""
@@ -115,7 +115,7 @@ class Standing:
     def _bind(self, bound: Mapping[Referent, Sequence[str]]) -> Bindings:
         return {**self.bindings, **{referent: tuple(names) for referent, names in bound.items() if names}}
 
-    # -- facts ----------------------------------------------------------------------------------------------------------------
+    # -- facts --------------------------------------------------------------------------------------------------------
 
     def _is_located(self, name: str) -> bool:
         if name in self.house.things:
@@ -159,7 +159,7 @@ class Standing:
             return self.belief.visited(place) >= self.since
         return self.belief.inspected(place) >= self.since
 
-    # -- what comes out -----------------------------------------------------------------------------------------------------
+    # -- what comes out -----------------------------------------------------------------------------------------------
 
     def _goal(self, roles: Mapping[str, str]) -> tuple[Atom, ...]:
         return self._atoms(self.task.type, roles)

@@ -29,7 +29,7 @@ class SymbolicState:
         return cls(belief, belief.room, None, belief.held, belief.tray)
 
     def place_of(self, name: str) -> str | None:
-        """Where a thing lies or who has it, ROBOT when carried, a person's room; assumed if need be, None if nowhere."""
+        """Where a thing lies or who has it, ROBOT if carried, a person's room; assumed if need be, None if nowhere."""
         if name in self.places:
             return self.places[name]
         if name == self.held or name in self.tray:

@@ -11,8 +11,9 @@ from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
 DOMAIN = load_domain()
 COFFEE = (
-    "If [the coffee](1:object) [is](1:check_state) [hot](1:state) [bring](2:bringing) [me](2:recipient) [it](2:object=the coffee), "
-    "otherwise [heat](3:change_state) [it](3:object=the coffee). Then [go](4:motion) [to the study](4:goal)."
+    "If [the coffee](1:object) [is](1:check_state) [hot](1:state) [bring](2:bringing) [me](2:recipient) "
+    "[it](2:object=the coffee), otherwise [heat](3:change_state) [it](3:object=the coffee). "
+    "Then [go](4:motion) [to the study](4:goal)."
 )
 
 
