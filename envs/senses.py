@@ -17,8 +17,7 @@ from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Result
 from decomplex_bt.envs.navigation import Pose
 
 STEADY = 3
-"""Looks in a row that make a sighting sure: a place counts as inspected when it was so in the last three, and a thing
-missed by one look counts as seen while one of the last three had it."""
+"""Observations for which somebody or something out of view counts as seen for the sake of a skill."""
 RECALL = 15.0
 """[s] For so long a floor seen bit by bit counts as inspected, and people seen meanwhile as still there."""
 REMEMBERED = 100
@@ -76,7 +75,6 @@ class Senses:
         self._table = np.zeros((count, len(COLUMNS)))
         self._position = np.full((count, 2), np.nan)
         self._age = np.full(count, REMEMBERED)
-        self._inspected_for = np.zeros(count, int)
         self._signature: tuple[bytes, bytes, tuple[str, ...]] | None = None
         self._recalled: tuple[str, ...] = ()
         self._seen_at = dict.fromkeys(self.people, -math.inf)
@@ -105,7 +103,7 @@ class Senses:
         return None if math.isnan(x) else (float(x), float(y))
 
     def is_seen(self, name: str) -> bool:
-        """Whether one of the last three looks had it."""
+        """Whether one of the last three observations had it."""
         return bool(self._age[self.row[name]] < STEADY)
 
     def distance(self, name: str) -> float:
@@ -148,8 +146,7 @@ class Senses:
         self._position[known] = table[known, _X : _Y + 1]
         self._table[visible] = table[visible]
         inspected = table[:, _INSPECTED] > 0.5
-        self._inspected_for = np.where(inspected, self._inspected_for + 1, 0)
-        recent, sure = self._age < STEADY, self._inspected_for >= STEADY
+        recent, sure = visible, inspected
         self._recalled = self._recall(recent, sure)
         signature = (recent.tobytes() + sure.tobytes(), self._table[recent][:, _REPORTED].tobytes(), self._recalled)
         if signature != self._signature or self._has_moving_person(recent):
@@ -165,9 +162,11 @@ class Senses:
         for name in self.people:
             if recent[self.row[name]]:
                 self._seen_at[name] = self.seconds
-            elif self.seconds - self._seen_at[name] <= RECALL and (room := self.room_of_person(name)) is not None:
-                if sure[self.row[self.house.floor_of(room)]]:
-                    recalled.append(name)
+                continue
+            room = self.room_of_person(name)
+            is_fresh = self.seconds - self._seen_at[name] <= RECALL
+            if is_fresh and room is not None and sure[self.row[self.house.floor_of(room)]]:
+                recalled.append(name)
         return tuple(recalled)
 
     def _has_moving_person(self, recent: NDArray) -> bool:

@@ -42,7 +42,7 @@ class SensingConfig:
     range: float = 5.0
     inside_range: float = 2.0
     field_of_view: float = 200.0
-    every: int = 3
+    every: int = 4
     memory: float = 15.0
     looks: int = 2
 
@@ -161,7 +161,8 @@ class Sensor:
         seen = np.add.reduceat(in_view.view(np.uint8), samples.starts)
         np.greater(seen, 0, out=self.visible[: self._places])
         is_full = (seen == samples.counts) & ~self._shut
-        is_full &= distance[samples.starts] <= self._full_range
+        farthest = np.maximum.reduceat(distance[: len(samples.points)], samples.starts)
+        is_full &= farthest <= self._full_range
         self._full_looks += 1
         self._full_looks *= is_full
         self.inspected = self._full_looks >= self.config.looks
