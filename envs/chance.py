@@ -54,6 +54,7 @@ class Draw:
             broken=np.zeros(rows, dtype=bool),
             home=np.zeros(rows, dtype=bool),
         )
+        self._discs: dict[int, dict[int, Disc]] = {}
 
     def everything(self, rng: Generator) -> None:
         """Draws all of it from the prior, in a fixed order. Raises `InputError` where something finds no spot."""
@@ -93,12 +94,14 @@ class Draw:
         """Lays a thing at a place (`ABSENT`: nowhere), at a free spot; False, and nothing changed, where it is full."""
         start = self.start
         if place == ABSENT:
-            start.place[thing], start.position[thing] = ABSENT, np.nan
+            self._take_up(thing)
             return True
         spot = self._free_spot(thing, place, rng)
         if spot is None:
             return False
+        self._take_up(thing)
         start.place[thing], start.position[thing] = place, spot
+        self._discs.setdefault(place, {})[thing] = (*spot, self.prior.radius[thing])
         return True
 
     def stand(self, person: int, room: int | None, rng: Generator) -> None:
@@ -155,7 +158,12 @@ class Draw:
             elif states[at, POWER] == 1 and any(tag in tags for tag in kinds[at].heats):
                 states[row, TEMPERATURE] = 1
 
-    def _free_spot(self, thing: int, place: int, rng: Generator) -> Floats | None:
+    def _take_up(self, thing: int) -> None:
+        """Takes a thing away from where it lies."""
+        self._discs.get(int(self.start.place[thing]), {}).pop(thing, None)
+        self.start.place[thing], self.start.position[thing] = ABSENT, np.nan
+
+    def _free_spot(self, thing: int, place: int, rng: Generator) -> tuple[float, float] | None:
         radius = self.prior.radius[thing]
         spots = self.spots.lying(place, radius)
         if not len(spots):
@@ -166,16 +174,15 @@ class Draw:
         for _ in range(TRIES):
             x, y = spots[int(rng.random() * len(spots))].tolist()
             if all(hypot(x - ox, y - oy) >= radius + other for ox, oy, other in taken):
-                return np.array((x, y))
+                return x, y
         spots = self.spots.lying(place, radius, taken)
-        return spots[int(rng.random() * len(spots))] if len(spots) else None
+        if not len(spots):
+            return None
+        x, y = spots[int(rng.random() * len(spots))].tolist()
+        return x, y
 
     def _lying_at(self, place: int, besides: int = ABSENT) -> Iterator[Disc]:
-        start = self.start
-        for row in np.flatnonzero(start.place == place).tolist():
-            if row != besides:
-                x, y = start.position[row].tolist()
-                yield x, y, self.prior.radius[row]
+        return (disc for row, disc in self._discs.get(place, {}).items() if row != besides)
 
     def _standing(self) -> Iterator[Disc]:
         for row in np.flatnonzero(self.start.home).tolist():

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from decomplex_bt.envs.household import HouseholdEnv, Observation
 from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.spaces import observation_space
 
 SPEEDS = tuple(round(share / 4, 2) for share in range(-4, 5))
 """The nine speeds, as shares of the highest, that a flat action chooses from."""
@@ -39,8 +40,7 @@ class FlatHouseholdEnv(HouseholdEnv):
         return {key: slice(end - size, end) for (key, size), end in zip(sizes.items(), ends, strict=True)}
 
     def _kept(self) -> list[tuple[str, spaces.Space[Any]]]:
-        inner = super()._make_observation_space()
-        assert isinstance(inner, spaces.Dict)
+        inner = observation_space(self.setting.geometry, self.config.world.tray_slots)
         return [(key, inner[key]) for key in ("robot", "held", "entities", "result", "seconds", "instruction_codes")]
 
     def _make_action_space(self) -> spaces.Space[Any]:

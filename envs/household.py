@@ -4,26 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import hypot, isfinite, pi
+from math import hypot
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from zlib import crc32
 
 import gymnasium as gym
 import numpy as np
-from gymnasium import spaces
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.envs.balance import mix
 from decomplex_bt.envs.chance import Draw
 from decomplex_bt.envs.hands import interact
-from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
+from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.judge import Judge
-from decomplex_bt.envs.options import MAX_CHARACTERS, Options, Request, apply_options, read_options, read_request
+from decomplex_bt.envs.options import Options, Request, apply_options, read_options, read_request
+from decomplex_bt.envs.recording import Recording
 from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import draw_request, setting_of
+from decomplex_bt.envs.spaces import (
+    MAX_SPEED,
+    MAX_TURN_RATE,
+    action_space,
+    encode,
+    observation_space,
+    read_action,
+    shown,
+)
 from decomplex_bt.envs.walking import advance
 from decomplex_bt.envs.world import World, WorldConfig
 from decomplex_bt.envs.world_truth import WorldTruth
@@ -35,12 +42,9 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.rendering.camera import Camera
     from decomplex_bt.envs.verdict import Verdict
 
-CHARSET = "".join(chr(code) for code in (*range(32, 127), *range(160, 256)))
-"""What the observed instruction is made of: printable ASCII and Latin-1."""
 INSTRUCTION_TRIES = 200
 """Corpus examples tried before none is found that can be asked for in this house."""
-CHECK_EVERY = 50
-"""Steps between two checksums of a recorded episode."""
+RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
 
@@ -98,7 +102,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
     temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs),
-    place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every third step, and in any step
+    place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every fourth step, and in any step
     in which something was changed; between looks the table stays. A floor counts as inspected when
     each part of it was in view within the last 15 s; things seen on it in that time are then reported where they were.
 
@@ -170,22 +174,23 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
-        forward, turn, interaction, target = self._read_action(action)
         world = self.world
-        self._recording.append((forward, turn, int(interaction), target))
+        forward, turn, interaction, target = read_action(action, len(self.entities))
         self._result = interact(world, interaction, target)
         if world.walks:
             advance(world)
         x, y = world.robot
         world.drive(forward, turn)
         self._path_length += hypot(world.robot[0] - x, world.robot[1] - y)
-        self._sensor.look()
+        has_looked = self._sensor.look()
+        is_finished = interaction is Interaction.FINISH
+        is_late = world.seconds >= self._max_seconds - 1e-9
         before = self._verdict
-        if self._judging is not None:
+        if self._judging is not None and (has_looked or is_finished or is_late or world.event is not None):
             self._verdict = self._judging.update(world.event)
-        self._note_checksum()
-        terminated = interaction is Interaction.FINISH or (self._verdict is not None and self._verdict.is_over)
-        truncated = not terminated and world.seconds >= self._max_seconds - 1e-9
+        self._recording.note(forward, turn, interaction, target, world)
+        terminated = is_finished or (self._verdict is not None and self._verdict.is_over)
+        truncated = is_late and not terminated
         if self._camera is not None or self.render_mode is not None:
             self._film()
         return self._observe(), self._reward(before, terminated), terminated, truncated, self._inform()
@@ -268,14 +273,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def state_dict(self) -> dict[str, Any]:
         """The running episode as plain values: how it began and every action since."""
         _ = self.world
-        return {
-            "format": 1,
-            "generator": self._generator_state,
-            "request": self._episode_request,
-            "options": self._options,
-            "actions": tuple(self._recording),
-            "checksums": tuple(self._checksums),
-        }
+        return self._recording.to_dict()
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
         """Brings the environment to a recorded moment by doing all of it again, exactly.
@@ -286,13 +284,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._judge = None
         self._begin(state["options"], replayed=state["request"])
         for forward, turn, interaction, target in state["actions"]:
-            self.step({"drive": np.array((forward, turn)), "interact": interaction, "target": target})
-        for index, (mine, recorded) in enumerate(zip(self._checksums, state["checksums"], strict=True)):
-            if mine != recorded:
-                raise InputError(
-                    f"the replay departs from the recording by step {index * CHECK_EVERY}; it was recorded with "
-                    "another version, domain or configuration"
-                )
+            HouseholdEnv.step(self, {"drive": (forward, turn), "interact": interaction, "target": target})
+        self._recording.check(state["checksums"])
 
     def __getstate__(self) -> dict[str, Any]:
         return {
@@ -313,27 +306,21 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self.np_random.bit_generator.state = state["generator"]
             self._np_random_seed = state["seed"]
 
-    def _note_checksum(self) -> None:
-        if len(self._recording) % CHECK_EVERY == 0:
-            world = self.world
-            self._checksums.append(crc32(world.states.tobytes(), crc32(np.nan_to_num(world.position).tobytes())))
-
     # -- beginning ----------------------------------------------------------------------------------------------------
 
     def _begin(self, options: Options, replayed: Request | None = None) -> tuple[Observation, dict[str, Any]]:
-        self._generator_state = self.np_random.bit_generator.state
+        generator = self.np_random.bit_generator.state
         base, mixing, asking, noise = (np.random.default_rng(seed) for seed in self.np_random.integers(2**63, size=4))
         if options.request is not None:
             self._request, self._judge = options.request, None
         self._options = options
         request, judge = self._ask(replayed or self._request, asking)
-        self._episode_request, self._text, self._judging = request, request.text, judge
+        self._text, self._judging = request.text, judge
         self._codes = encode(self._text)
         self._shown_text = shown(self._text)
         self._max_seconds = self.config.max_seconds if options.max_seconds is None else options.max_seconds
         self._reward_kind = options.reward or self.config.reward
-        self._recording: list[tuple[float, float, int, int]] = []
-        self._checksums: list[int] = []
+        self._recording = Recording(generator, request, options)
         self._result = Result.NONE
         self._path_length = 0.0
         self._world = self._draw_world(options, base, mixing, noise)
@@ -343,7 +330,6 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._sensor.look()
         self._verdict = None if judge is None else judge.begin(self._world, self._sensor)
         self._feasibility = {"feasible": None, "infeasible_cause": None} if judge is None else judge.feasibility()
-        self._note_checksum()
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
@@ -388,21 +374,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     # -- a step's parts -----------------------------------------------------------------------------------------------
 
-    def _read_action(self, action: Action) -> tuple[float, float, Interaction, int]:
-        try:
-            forward, turn = (float(value) for value in action["drive"])
-            interaction, target = Interaction(int(action["interact"])), int(action["target"])
-        except (KeyError, TypeError, ValueError) as error:
-            raise InputError(f"no action: {error}; expected a sample of {self.action_space}") from None
-        if not (isfinite(forward) and isfinite(turn) and 0 <= target < len(self.entities)):
-            given = f"drive ({forward}, {turn}), target {target}"
-            raise InputError(f"no action: {given}; expected a sample of {self.action_space}")
-        return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), interaction, target
-
     def _observe(self) -> Observation:
         world = self.world
         x, y = world.robot
-        speed, turn_rate = min(max(world.speed, -2.0), 2.0), min(max(world.turn_rate, -10.0), 10.0)
+        speed, turn_rate = _clip(world.speed, MAX_SPEED), _clip(world.turn_rate, MAX_TURN_RATE)
         heading = float(world.heading[-1])
         return {
             "instruction": self._shown_text,
@@ -410,30 +385,20 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             "robot": np.array((x, y, heading, speed, turn_rate), dtype=np.float32),
             "held": np.array((world.held, *world.tray), dtype=np.int16),
             "entities": self._sensor.table.copy(),
-            "result": int(self._result),
+            "result": self._result.value,
             "seconds": np.array((world.seconds,), dtype=np.float32),
         }
 
     def _inform(self) -> dict[str, Any]:
-        info = {
+        return {
             "instruction": self._text,
             "seconds": self.world.seconds,
             "path_length": self._path_length,
             "events": [] if self.world.event is None else [str(self.world.event)],
-            "result": self._result.name.lower().replace("_", " "),
+            "result": RESULT_NAMES[self._result],
             **self._feasibility,
+            **({"is_success": False} if self._judging is None else self._judging.report()),
         }
-        verdict = self._verdict
-        if verdict is None or self._judging is None:
-            return {**info, "is_success": False}
-        info["judged_by"] = self._judging.judged_by
-        info["is_success"] = verdict.is_success
-        info["goal_conditions_met"] = verdict.met
-        info["goal_conditions_total"] = verdict.total
-        info["branches"] = [branch.to_json() for branch in verdict.branches]
-        info["violations"] = [str(violation) for violation in verdict.violations]
-        info["unsettled"] = verdict.unsettled
-        return info
 
     def _reward(self, before: Verdict | None, terminated: bool) -> float:
         now = self._verdict
@@ -451,46 +416,12 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     # -- spaces -------------------------------------------------------------------------------------------------------
 
-    def _make_action_space(self) -> spaces.Space[Any]:
-        return spaces.Dict(
-            {
-                "drive": spaces.Box(-1.0, 1.0, (2,), np.float32),
-                "interact": spaces.Discrete(len(Interaction)),
-                "target": spaces.Discrete(len(self.entities)),
-            }
-        )
+    def _make_action_space(self) -> gym.Space[Any]:
+        return action_space(self.setting.geometry)
 
-    def _make_observation_space(self) -> spaces.Space[Any]:
-        rows = len(self.entities)
-        x0, y0, x1, y1 = self.setting.geometry.bounds
-        low, high = np.array((x0, y0, -pi, -2.0, -10.0)), np.array((x1, y1, pi, 2.0, 10.0))
-        first, last = np.array((0, min(x0, 0), min(y0, 0), -pi, -1, 0)), np.array((1, x1, y1, pi, rows - 1, 1))
-        least = np.tile(np.append(first, [-1] * len(STATE_PAIRS)), (rows, 1))
-        most = np.tile(np.append(last, [1] * len(STATE_PAIRS)), (rows, 1))
-        assert least.shape == (rows, len(COLUMNS))
-        return spaces.Dict(
-            {
-                "instruction": spaces.Text(MAX_CHARACTERS, min_length=0, charset=CHARSET),
-                "instruction_codes": spaces.Box(0, 255, (MAX_CHARACTERS,), np.uint8),
-                "robot": spaces.Box(low.astype(np.float32), high.astype(np.float32)),
-                "held": spaces.Box(-1, rows - 1, (1 + self.config.world.tray_slots,), np.int16),
-                "entities": spaces.Box(least.astype(np.float32), most.astype(np.float32)),
-                "result": spaces.Discrete(len(Result)),
-                "seconds": spaces.Box(0.0, 1e6, (1,), np.float32),
-            }
-        )
+    def _make_observation_space(self) -> gym.Space[Any]:
+        return observation_space(self.setting.geometry, self.config.world.tray_slots)
 
 
-def shown(text: str) -> str:
-    """The text as it is observed: what is neither printable ASCII nor Latin-1 as "?"."""
-    return "".join(character if character in _CHARACTERS else "?" for character in text)
-
-
-def encode(text: str) -> NDArray[np.uint8]:
-    """The observed text's code points, `(2000,)`, 0 after its end."""
-    codes = np.zeros(MAX_CHARACTERS, dtype=np.uint8)
-    codes[: len(text)] = [ord(character) for character in shown(text)]
-    return codes
-
-
-_CHARACTERS = frozenset(CHARSET)
+def _clip(value: float, most: float) -> float:
+    return min(max(value, -most), most)

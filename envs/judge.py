@@ -48,6 +48,20 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.update(event)
 
+    def report(self) -> dict[str, Any]:
+        """The verdict so far, for an episode's info: a fresh mapping of plain values."""
+        assert self._monitor is not None
+        verdict = self._monitor.verdict
+        return {
+            "judged_by": self.judged_by,
+            "is_success": verdict.is_success,
+            "goal_conditions_met": verdict.met,
+            "goal_conditions_total": verdict.total,
+            "branches": [branch.to_json() for branch in verdict.branches],
+            "violations": [str(violation) for violation in verdict.violations],
+            "unsettled": verdict.unsettled,
+        }
+
     def feasibility(self) -> dict[str, Any]:
         """Whether the instruction can be carried out in this world by one who knows everything, and if not, why."""
         assert self._monitor is not None

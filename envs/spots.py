@@ -17,7 +17,9 @@ DOORWAY_GAP = 0.7  # [m] nothing lies or stands so near to the middle of a doorw
 PERSON_RADIUS = 0.25  # [m]
 ROBOT_RADIUS = 0.22  # [m]
 PASSAGE = ROBOT_RADIUS + 0.06  # [m] clearance of the robot's centre from what it passes
-WAYS_KEPT = 4096  # answers of `leaves_way` that are remembered
+DOORWAY_REACH = 0.35  # [m] so near to its middle the robot is in a doorway
+WAY_PITCH = 0.1  # [m] of the grid on which ways are looked for
+STANDING_STRIDE = 5  # of the spots on a floor, one in so many is looked at as one where a person can stand
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
 Disc = tuple[float, float, float]
@@ -31,7 +33,7 @@ class Spots:
         self.geometry = geometry
         self._floors = frozenset(int(row) for row in geometry.floor_row)
         self._of_place: dict[int, Floats] = {}
-        self._ways: dict[tuple[int, tuple[tuple[float, float], ...]], bool] = {}
+        self._person_spots: dict[int, Floats] = {}
         self._lying: dict[tuple[int, float], Floats] = {}
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
@@ -49,16 +51,16 @@ class Spots:
 
     def standing(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where a person can stand in a room so that the robot still gets everywhere in it."""
+        if room not in self._person_spots:
+            floor = int(self.geometry.floor_row[room])
+            points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + FLOOR_GAP]
+            free = [self._ways[room].are_free([(x, y)]) for x, y in points[::STANDING_STRIDE].tolist()]
+            self._person_spots[room] = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
         return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, taken)
 
     def leaves_way(self, room: int, people: Iterable[tuple[float, float]]) -> bool:
         """Whether the robot still gets everywhere in a room with all these people standing in it."""
-        key = room, tuple(people)
-        if key not in self._ways:
-            if len(self._ways) >= WAYS_KEPT:
-                self._ways.clear()
-            self._ways[key] = self._check_way(*key)
-        return self._ways[key]
+        return self._ways[room].are_free(people)
 
     def robot(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where the robot can stand in a room."""
@@ -124,58 +126,35 @@ class Spots:
         return off
 
     @cached_property
-    def _person_spots(self) -> tuple[Floats, ...]:
-        return tuple(self._spots_for_people(room) for room in range(len(self.geometry.rooms)))
+    def _ways(self) -> tuple[_Ways, ...]:
+        return tuple(_Ways(self, room) for room in range(len(self.geometry.rooms)))
 
-    def _spots_for_people(self, room: int) -> Floats:
-        """Where a person leaves the free space of the room in one piece that touches all that is used in it."""
-        floor = int(self.geometry.floor_row[room])
-        points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + 0.02]
-        x0, y0, x1, y1 = self.geometry.room_rects[room]
-        cells = _grid((x0, y0, x1, y1), 0.1)
-        if not len(points):
-            return points
-        shape = (len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0])), -1)
-        away = np.hypot(cells[:, :1] - points[:, 0], cells[:, 1:] - points[:, 1])
-        # one bit per spot, so that the free space around all spots is flooded at once
-        free = np.packbits(self._passable(cells, room)[:, None] & (away >= PERSON_RADIUS + PASSAGE), axis=1)
-        marks = self._approaches(cells, room)
-        seeds = np.where(marks[0][:, None], free, np.uint8(0))
-        reached = _flood(free.reshape(shape), seeds.reshape(shape)).reshape(free.shape)
-        touched = np.bitwise_and.reduce([np.bitwise_or.reduce(reached[mark], axis=0) for mark in marks])
-        return points[np.unpackbits(touched, count=len(points)).astype(bool)]
 
-    def _check_way(self, room: int, people: tuple[tuple[float, float], ...]) -> bool:
-        cells = _grid((*self.geometry.room_rects[room].tolist(),), 0.1)
-        shape = (len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0])))
-        free = self._passable(cells, room)
+class _Ways:
+    """The ways through one room: whether all that is used in it hangs together when people stand in them."""
+
+    def __init__(self, spots: Spots, room: int) -> None:
+        geometry = spots.geometry
+        x0, y0, x1, y1 = geometry.room_rects[room].tolist()
+        self._cells = cells = _grid((x0, y0, x1, y1), WAY_PITCH)
+        self._shape = len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0]))
+        middles = [np.add(portal.left, portal.right) / 2 for portal in geometry.portals[room]]
+        doorways = [np.hypot(*(cells - middle).T) <= DOORWAY_REACH for middle in middles]
+        self._passable = np.logical_or.reduce([spots._clearance(cells, room) >= PASSAGE, *doorways])
+        used = [
+            _distances(cells, _rect(geometry, name)) <= APPROACH
+            for name, piece in geometry.house.furniture.items()
+            if piece.room == geometry.rooms[room]
+        ]
+        self._marks = np.array([*doorways, *used] or [np.ones(len(cells), dtype=bool)])
+
+    def are_free(self, people: Iterable[tuple[float, float]]) -> bool:
+        """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
+        free = self._passable.copy()
         for x, y in people:
-            free &= np.hypot(cells[:, 0] - x, cells[:, 1] - y) >= PERSON_RADIUS + PASSAGE
-        marks = self._approaches(cells, room)
-        packed = free.astype(np.uint8)
-        reached = _flood(packed.reshape(*shape, 1), (packed * marks[0]).reshape(*shape, 1)).ravel().astype(bool)
-        return all((reached & mark).any() for mark in marks)
-
-    def _passable(self, cells: Floats, room: int) -> NDArray[np.bool_]:
-        """Which cells of a room the robot's centre can be at; those in its doorways can."""
-        passable = self._clearance(cells, room) >= PASSAGE
-        for portal in self.geometry.portals[room]:
-            middle = (np.array(portal.left) + np.array(portal.right)) / 2
-            passable |= np.hypot(*(cells - middle).T) <= 0.35
-        return passable
-
-    def _approaches(self, cells: Floats, room: int) -> list[NDArray[np.bool_]]:
-        """For each doorway and each place of a room, the cells from which it is used; the doorways first."""
-        marks = []
-        for portal in self.geometry.portals[room]:
-            middle = (np.array(portal.left) + np.array(portal.right)) / 2
-            marks.append(np.hypot(*(cells - middle).T) <= 0.35)
-        house, row = self.geometry.house, self.geometry.row
-        for name, piece in house.furniture.items():
-            if piece.room == self.geometry.rooms[room]:
-                x0, y0, x1, y1 = self.geometry.footprints[row[name]]
-                marks.append(_distances(cells, (x0, y0, x1, y1)) <= APPROACH)
-        return marks or [np.ones(len(cells), dtype=bool)]
+            free &= (self._cells[:, 0] - x) ** 2 + (self._cells[:, 1] - y) ** 2 >= (PERSON_RADIUS + PASSAGE) ** 2
+        reached = _flood(free.reshape(self._shape), self._marks[0].reshape(self._shape)).ravel()
+        return bool((self._marks & reached).any(axis=1).all())
 
 
 def _grid(rect: Rect, pitch: float) -> Floats:
@@ -203,14 +182,25 @@ def _distances(points: Floats, rect: Rect) -> Floats:
     return np.hypot(np.maximum(np.maximum(x0 - x, x - x1), 0.0), np.maximum(np.maximum(y0 - y, y - y1), 0.0))
 
 
-def _flood(free: NDArray[np.uint8], seeds: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The free cells that hang together with the seeds, over edges: `(rows, columns, n)`, each bit a map of its own."""
-    reached = seeds & free
-    before = -1
-    while before != (before := int(reached.sum(dtype=np.int64))):
-        for _ in range(4):
-            reached[1:] |= reached[:-1] & free[1:]
-            reached[:-1] |= reached[1:] & free[:-1]
-            reached[:, 1:] |= reached[:, :-1] & free[:, 1:]
-            reached[:, :-1] |= reached[:, 1:] & free[:, :-1]
+def _flood(free: NDArray[np.bool_], seeds: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The free cells that hang together with the seeds, over edges: whole rows and columns of free cells at a time."""
+    rows, columns = _runs(free), _runs(free.T).T
+    reached, count = seeds & free, -1
+    while count != (count := int(np.count_nonzero(reached))):
+        for runs in (rows, columns):
+            is_hit = np.zeros(runs.max() + 1, dtype=bool)
+            is_hit[runs[reached]] = True
+            reached = is_hit[runs] & free
     return reached
+
+
+def _runs(free: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """For each cell a number that the free cells next to each other in a row have in common."""
+    starts = np.ones_like(free)
+    starts[:, 1:] = free[:, 1:] & ~free[:, :-1]
+    return np.cumsum(starts.ravel()).reshape(free.shape)
+
+
+def _rect(geometry: Geometry, place: str) -> Rect:
+    x0, y0, x1, y1 = geometry.footprints[geometry.row[place]].tolist()
+    return x0, y0, x1, y1

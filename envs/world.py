@@ -32,25 +32,15 @@ CONTACT_FRICTION = 0.2  # [-] between bodies
 ROBOT_MASS = 15.0  # [kg]
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
-_FIELDS = (
-    pymunk.batch.BodyFields.BODY_ID
-    | pymunk.batch.BodyFields.POSITION
-    | pymunk.batch.BodyFields.ANGLE
-    | pymunk.batch.BodyFields.VELOCITY
-    | pymunk.batch.BodyFields.ANGULAR_VELOCITY
-)
-_FIELD_COUNT = 6  # x, y, angle, velocity x, y, turn rate
+_FIELDS = pymunk.batch.BodyFields.BODY_ID | pymunk.batch.BodyFields.POSITION
 
 
 class Collision(IntFlag):
-    """Categories of shapes; everything collides with everything, the category tells who is who."""
+    """Categories of what moves; everything collides with everything, and walls and furniture are in all categories."""
 
-    WALL = 1
-    DOOR = 2
-    FURNITURE = 4
-    ROBOT = 8
-    THING = 16
-    PERSON = 32
+    ROBOT = 1
+    THING = 2
+    PERSON = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +102,9 @@ class World:
         self.geometry, self.prior, self.spots, self.config, self.rng = geometry, prior, spots, config, rng
         self.grasp_slip = geometry.house.grasp_slip
         self.place = start.place.copy()
-        self.position = start.position.copy()
+        self._position = start.position.copy()
+        self._is_stale = False
+        self._step_seconds = config.step_seconds
         self.heading = np.zeros(len(geometry.names))
         self.heading[geometry.robot_row] = start.heading
         self.states: NDArray[np.int8] = start.states.copy()
@@ -137,7 +129,7 @@ class World:
 
     @property
     def seconds(self) -> float:
-        return self.steps * self.config.step_seconds
+        return self.steps * self._step_seconds
 
     def drive(self, forward: float, turn: float) -> None:
         """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate."""
@@ -149,6 +141,13 @@ class World:
         self._read()
 
     # -- questions ----------------------------------------------------------------------------------------------------
+
+    @property
+    def position(self) -> Floats:
+        """`(rows, 2)` metres, NaN for what is not in the house."""
+        if self._is_stale:
+            self._read_all()
+        return self._position
 
     @property
     def robot(self) -> tuple[float, float]:
@@ -182,7 +181,7 @@ class World:
             self._drop_body(thing)
         self.place[thing] = holder
         self._carried = self._carried_rows()
-        self._carry()
+        self._is_stale = True
         self.version += 1
 
     def lay(self, thing: int, place: int, spot: tuple[float, float]) -> None:
@@ -206,9 +205,9 @@ class World:
         """Whether nobody and nothing stands where the door's leaf closes."""
         ax, ay, bx, by = self.geometry.leaves[door]
         leaf = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
-        movable = Collision.ROBOT | Collision.THING | Collision.PERSON
+        everything = pymunk.ShapeFilter.ALL_CATEGORIES()
         hits = self.space.shape_query(leaf)
-        return not any(hit.shape is not None and hit.shape.filter.categories & movable for hit in hits)
+        return not any(hit.shape is not None and hit.shape.filter.categories != everything for hit in hits)
 
     def start_walking(self, person: int) -> pymunk.Body:
         """Gives a standing person a body that can be moved; the walk sets its velocity."""
@@ -232,12 +231,10 @@ class World:
         self.space.collision_slop = 0.002  # [m]; the default suits pixels
         static = self.space.static_body
         shapes: list[pymunk.Shape] = [
-            _shaped(pymunk.Segment(static, (ax, ay), (bx, by), WALL_RADIUS), Collision.WALL)
-            for ax, ay, bx, by in geometry.walls
+            pymunk.Segment(static, (ax, ay), (bx, by), WALL_RADIUS) for ax, ay, bx, by in geometry.walls
         ]
         shapes.extend(
-            _shaped(pymunk.Poly(static, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), Collision.FURNITURE)
-            for x0, y0, x1, y1 in geometry.blocks
+            pymunk.Poly(static, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]) for x0, y0, x1, y1 in geometry.blocks
         )
         self.space.add(*shapes)
         self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
@@ -284,6 +281,8 @@ class World:
         self._order = b""
 
     def _drop_body(self, row: int) -> None:
+        if self._is_stale:
+            self._read_all()
         body, parts = self._bodies.pop(row)
         self.space.remove(*parts, body)
         self._order = b""
@@ -299,7 +298,7 @@ class World:
         if is_closed and door not in self._leaf_shapes:
             ax, ay, bx, by = self.geometry.leaves[door]
             shape = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
-            self._leaf_shapes[door] = _shaped(shape, Collision.DOOR)
+            self._leaf_shapes[door] = shape
             self.space.add(shape)
         elif not is_closed and door in self._leaf_shapes:
             self.space.remove(self._leaf_shapes.pop(door))
@@ -314,31 +313,39 @@ class World:
         config, body = self.config, self._robot
         if forward == 0.0 and turn == 0.0 and abs(self.speed) < 1e-3 and abs(self.turn_rate) < 1e-3:
             return
-        most = config.max_acceleration * config.step_seconds
+        most = config.max_acceleration * self._step_seconds
         speed = self.speed + min(max(forward * config.max_speed - self.speed, -most), most)
-        most = config.max_turn_acceleration * config.step_seconds
+        most = config.max_turn_acceleration * self._step_seconds
         turn_rate = self.turn_rate + min(max(turn * config.max_turn_rate - self.turn_rate, -most), most)
-        middle = body.angle + turn_rate * config.step_seconds / 2
+        middle = float(self.heading[-1]) + turn_rate * self._step_seconds / 2
         body.velocity = speed * cos(middle), speed * sin(middle)
         body.angular_velocity = turn_rate
 
     def _read(self) -> None:
+        """Reads where the robot is; the others are read when somebody asks."""
+        body = self._robot
+        x, y = body.position
+        vx, vy = body.velocity
+        angle = (body.angle + pi) % (2 * pi) - pi
+        self._robot_point = (x, y)
+        self.heading[-1] = angle
+        self.speed = vx * cos(angle) + vy * sin(angle)
+        self.turn_rate = body.angular_velocity
+        self._is_stale = True
+
+    def _read_all(self) -> None:
         """Reads all bodies in one go; what is carried goes along."""
+        self._is_stale = False
         buffer = self._buffer
         buffer.clear()
         pymunk.batch.get_space_bodies(self.space, _FIELDS, buffer)
         order = bytes(buffer.int_buf())
         if order != self._order:
             self._map(order)
-        values = np.frombuffer(buffer.float_buf(), dtype=np.float64).reshape(-1, _FIELD_COUNT)
-        moving = values[self._rows_read]
-        self.position[self._body_rows] = moving[:, :2]
-        x, y, angle, vx, vy, turn_rate = moving[self._robot_index].tolist()
-        self._robot_point = (x, y)
-        self.heading[self.geometry.robot_row] = angle = (angle + pi) % (2 * pi) - pi
-        self.speed = vx * cos(angle) + vy * sin(angle)
-        self.turn_rate = turn_rate
-        self._carry()
+        values = np.frombuffer(buffer.float_buf(), dtype=np.float64).reshape(-1, 2)
+        self._position[self._body_rows] = values[self._rows_read]
+        if self._carried.size:
+            self._position[self._carried] = self._position[self.place[self._carried]]
 
     def _map(self, order: bytes) -> None:
         """Works out which row of the table each row of the batch belongs to; the order changes with sleeping."""
@@ -347,7 +354,6 @@ class World:
         rows = [row_of.get(identity, NOTHING) for identity in np.frombuffer(order, dtype=np.uintp).tolist()]
         self._rows_read = np.array([index for index, row in enumerate(rows) if row != NOTHING])
         self._body_rows = np.array([row for row in rows if row != NOTHING])
-        self._robot_index = self._body_rows.tolist().index(self.geometry.robot_row)
         self._loose = self._body_rows[self._body_rows != self.geometry.robot_row]
         self._located = np.empty(0)
 
@@ -357,10 +363,10 @@ class World:
         self.room[geometry.robot_row] = geometry.room_at(*self._robot_point)
         if self._carried.size:
             self.room[self._carried] = self.room[self.place[self._carried]]
-        loose = self._loose
+        position, loose = self.position, self._loose
         if not loose.size or not self._order:
             return
-        at = self.position[loose]
+        at = position[loose]
         if np.array_equal(at, self._located):
             return
         self._located = at
@@ -379,10 +385,6 @@ class World:
         people = np.flatnonzero(self.home)
         self.room[people] = geometry.rooms_at(self.position[people])
         self.locate()
-
-    def _carry(self) -> None:
-        if self._carried.size:
-            self.position[self._carried] = self.position[self.place[self._carried]]
 
     def _carried_rows(self) -> NDArray[np.int64]:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])

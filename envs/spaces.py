@@ -1,0 +1,90 @@
+"""The spaces of the household: what observations and actions are made of, and reading an action."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import isfinite, pi
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from decomplex_bt.envs.geometry import Geometry
+from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
+from decomplex_bt.envs.options import MAX_CHARACTERS
+from decomplex_bt.envs.sensing import HEADING, INSPECTED, PLACE, VISIBLE, X, Y
+from decomplex_bt.errors import InputError
+
+CHARSET = "".join(chr(code) for code in (*range(32, 127), *range(160, 256)))
+"""What the observed instruction is made of: printable ASCII and Latin-1."""
+MAX_SPEED = 2.0  # [m/s] observed speeds are clipped to it; the robot's own is lower, a push may be faster
+MAX_TURN_RATE = 10.0  # [rad/s]
+MAX_SECONDS = 1e6  # [s]
+_CHARACTERS = frozenset(CHARSET)
+_INTERACTIONS = tuple(Interaction)
+
+Drive = tuple[float, float]
+
+
+def action_space(geometry: Geometry) -> spaces.Dict:
+    """`drive`, `interact` and `target`: see `HouseholdEnv`."""
+    return spaces.Dict(
+        {
+            "drive": spaces.Box(-1.0, 1.0, (2,), np.float32),
+            "interact": spaces.Discrete(len(Interaction)),
+            "target": spaces.Discrete(len(geometry.names)),
+        }
+    )
+
+
+def observation_space(geometry: Geometry, tray_slots: int) -> spaces.Dict:
+    """All that is observed, within finite bounds: see `HouseholdEnv`."""
+    rows = len(geometry.names)
+    x0, y0, x1, y1 = geometry.bounds
+    fastest = (MAX_SPEED, MAX_TURN_RATE)
+    low, high = np.array((x0, y0, -pi, -fastest[0], -fastest[1])), np.array((x1, y1, pi, *fastest))
+    least, most = np.full((rows, len(COLUMNS)), -1.0), np.ones((rows, len(COLUMNS)))
+    least[:, [VISIBLE, INSPECTED]] = 0
+    least[:, X], least[:, Y], least[:, HEADING] = min(x0, 0), min(y0, 0), -pi
+    most[:, X], most[:, Y], most[:, HEADING], most[:, PLACE] = max(x1, 0), max(y1, 0), pi, rows - 1
+    assert len(STATE_PAIRS) == len(COLUMNS) - 6
+    return spaces.Dict(
+        {
+            "instruction": spaces.Text(MAX_CHARACTERS, min_length=0, charset=CHARSET),
+            "instruction_codes": spaces.Box(0, 255, (MAX_CHARACTERS,), np.uint8),
+            "robot": spaces.Box(low.astype(np.float32), high.astype(np.float32)),
+            "held": spaces.Box(-1, rows - 1, (1 + tray_slots,), np.int16),
+            "entities": spaces.Box(least.astype(np.float32), most.astype(np.float32)),
+            "result": spaces.Discrete(len(Result)),
+            "seconds": spaces.Box(0.0, MAX_SECONDS, (1,), np.float32),
+        }
+    )
+
+
+def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Interaction, int]:
+    """Forward and turning speed in [-1, 1] (clipped), interaction and target. Raises `InputError` for no action."""
+    try:
+        drive = action["drive"]
+        forward, turn = drive.tolist() if isinstance(drive, np.ndarray) else map(float, drive)
+        interact, target = int(action["interact"]), int(action["target"])
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"no action: {error!r} in {action!r}; expected drive (2 numbers), interact, target") from None
+    if not (isfinite(forward) and isfinite(turn) and 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows):
+        raise InputError(
+            f"no action: {action!r}; expected two finite numbers to drive, interact below {len(_INTERACTIONS)} and "
+            f"target below {rows}"
+        )
+    return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), _INTERACTIONS[interact], target
+
+
+def shown(text: str) -> str:
+    """The text as it is observed: what is neither printable ASCII nor Latin-1 as "?"."""
+    return "".join(character if character in _CHARACTERS else "?" for character in text)
+
+
+def encode(text: str) -> NDArray[np.uint8]:
+    """The observed text's code points, `(2000,)`, 0 after its end."""
+    codes = np.zeros(MAX_CHARACTERS, dtype=np.uint8)
+    codes[: len(text)] = [ord(character) for character in shown(text)]
+    return codes
