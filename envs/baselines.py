@@ -31,7 +31,9 @@ class Policy(Protocol):
     `failures`: why tasks failed, in order, where the policy knows of tasks. `plans`, `replans`: counts of the episode.
     """
 
-    done: bool
+    @property
+    def done(self) -> bool:
+        """Whether it has sent its last action."""
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         """Begins an episode. Raises `InputError` for an instruction that the policy can do nothing with."""

@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice, product
+from typing import Literal
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates, needed
 from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, true_room
-from decomplex_bt.envs.outcomes import Bindings, candidates, name_candidates, needed, outcomes, state_holds
+from decomplex_bt.envs.outcomes import outcomes, state_holds
 from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
@@ -66,8 +68,7 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
     for role, referent in _roles(task):
         among = candidates(referent, bindings)
         if not among:
-            name = referent.candidates[0]
-            return Cause("person out" if name in domain.house.people else "thing nowhere", name, task.number)
+            return _none_of(referent, task, domain, truth)
         why = {name: _obstacle(domain, truth, task, role, name) for name in among}
         able = tuple(name for name in among if why[name] is None)
         if len(able) < max(1, needed(referent, among)):
@@ -75,6 +76,15 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
             return Cause(kind, entity, task.number)
         narrowed[referent] = able
     return narrowed
+
+
+def _none_of(referent: Referent, task: GroundTask, domain: Domain, truth: Truth) -> Cause:
+    """Why nothing is what a phrase means: none is in the house, or none of those that are is as the phrase says."""
+    name = referent.candidates[0]
+    if name in domain.house.people:
+        return Cause("person out", name, task.number)
+    is_described = any(truth.place(other) is not None for other in referent.candidates)
+    return Cause("thing nowhere", referent.phrase if is_described else name, task.number)
 
 
 def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
@@ -188,7 +198,7 @@ def enter(node: Node, truth: bool) -> tuple[tuple[Branch, ...], tuple[Node, ...]
     if not isinstance(node, If):
         return (), ()
     ahead = node.then if truth else node.orelse
-    taken = ("then" if truth else "else") if ahead else None
+    taken: Literal["then", "else"] | None = ("then" if truth else "else") if ahead else None
     return (Branch(node.task, truth, taken),), ahead
 
 

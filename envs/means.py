@@ -7,17 +7,17 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.bindings import Bindings, candidates
 from decomplex_bt.envs.evidence import true_room
 from decomplex_bt.envs.interface import Interaction
-from decomplex_bt.envs.outcomes import Bindings, candidates
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
 
-HANDLES = frozenset(("taking", "placing", "bringing", "change_state"))
-"""Types of tasks for which things are taken into the hand."""
+HANDS_OFF = frozenset(("motion", "searching", "check_state", "following", "informing"))
+"""Types of tasks for which nothing is taken into the hand."""
 _WORKS_ON = ("heats", "cools", "washes", "rinses", "fills", "drains")
 _AT_A_PLACE = frozenset((Interaction.FILL, Interaction.EMPTY, Interaction.CLEAN))
 
@@ -28,7 +28,7 @@ def is_means(event: Event, task: GroundTask, bindings: Bindings, domain: Domain)
     named = set(_names(task.referents(), bindings))
     tools = set(_tools(task, bindings, domain))
     target, does = event.target, event.interaction
-    handles = task.type in HANDLES and (event.thing in things or event.thing in tools)
+    handles = task.type not in HANDS_OFF and (event.thing in things or event.thing in tools)
     if does is Interaction.OPEN:
         return target in named or target in domain.house.doorways or (bool(things) and domain.kind(target).is_container)
     if does in (Interaction.CLOSE, Interaction.SWITCH_ON, Interaction.SWITCH_OFF):

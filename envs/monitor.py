@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import Course, enter, find_cause, plan_course
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
-from decomplex_bt.envs.outcomes import Bindings, candidates, goal_holds, name_candidates, outcomes
+from decomplex_bt.envs.outcomes import goal_holds, outcomes
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node

@@ -9,14 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import product
 
-from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.evidence import Evidence, is_there
-from decomplex_bt.envs.truth import ROBOT, Truth
+from decomplex_bt.envs.bindings import Bindings, candidates, needed
+from decomplex_bt.envs.evidence import Evidence
+from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
-
-Bindings = Mapping[Referent, tuple[str, ...]]
-"""What each phrase may still mean; all of its candidates where it is not named."""
 
 INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
 """First words of a phrase that asks whether there is one, not about a certain one."""
@@ -34,50 +32,12 @@ class Outcome:
     is_final: bool = True
 
 
-def candidates(referent: Referent, bindings: Bindings) -> tuple[str, ...]:
-    """What a referent may still mean."""
-    return bindings.get(referent, referent.candidates)
-
-
-def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings:
-    """The bindings when a task becomes due: phrases not met before mean what fits them now.
-
-    That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
-    meant, at the place that the task names. What fits may be nothing.
-    """
-    named = dict(bindings)
-    for referent in task.referents():
-        if referent not in bindings:
-            named[referent] = tuple(
-                name
-                for name in referent.candidates
-                if _is_somewhere(domain, truth, name)
-                and all(truth.state(name, pair) == value for pair, value in referent.where)
-            )
-            if referent.is_all and referent in task.objects and task.places:
-                wheres = [where for place in task.places for where in place.candidates]
-                named[referent] = tuple(
-                    name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
-                )
-    return named
-
-
-def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:
-    is_movable = name in domain.house.things or name in domain.house.people
-    return not is_movable or truth.place(name) is not None
-
-
-def needed(referent: Referent, among: tuple[str, ...]) -> int:
-    """How many of these candidates a referent asks for."""
-    return len(among) if referent.is_all else min(referent.count, len(among))
-
-
 def outcomes(task: GroundTask, bindings: Bindings, evidence: Evidence, *, is_condition: bool) -> tuple[Outcome, ...]:
     """What the task may count as by now; empty while it is still to be done or found out.
 
     A task that changes the world is never false here: whether it can be done at all is a question of feasibility.
     """
-    return tuple(_ROWS[task.type](task, bindings, evidence, is_condition))
+    return tuple(_ROWS.get(task.type, _by_template)(task, bindings, evidence, is_condition))
 
 
 def goal_holds(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool:
@@ -142,6 +102,40 @@ def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
 def _informing(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
     if task.recipient is not None:
         yield from _reached(task.recipient, bindings, evidence.was_told)
+
+
+def _by_template(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    """A task type of a domain of one's own: done when the atoms of its goal template hold, for any candidates."""
+    named = {"object": task.objects[0] if task.objects else None, "goal": task.goal, "recipient": task.recipient}
+    referents = {role: referent for role, referent in named.items() if referent is not None}
+    options = [candidates(referent, bindings) for referent in referents.values()]
+    for choice in product(*options):
+        roles = dict(zip(referents, choice, strict=True)) | ({"state": task.state} if task.state else {})
+        atoms = evidence.domain.goals.fill(task.type, roles, evidence.domain.has_type)
+        if all(_atom_holds(evidence, *atom) for atom in atoms):
+            bound = {referent: (name,) for referent, name in zip(referents.values(), choice, strict=True)}
+            yield Outcome(True, {**bindings, **bound}, all(len(option) == 1 for option in options))
+
+
+def _atom_holds(evidence: Evidence, predicate: str, first: str = "", second: str = "") -> bool:
+    """Whether a fluent of a goal holds, or came to be since the task became due."""
+    if predicate in ("in-room", "at"):
+        return _is_robot_at(evidence, first)
+    if predicate == "lies":
+        return evidence.truth.place(first) == second
+    if predicate == "has":
+        return evidence.truth.place(second) == first
+    if predicate in ("carried", "holding"):
+        return evidence.was_carried(first)
+    if predicate == "told":
+        return evidence.was_told(first)
+    if predicate == "inspected":
+        return evidence.was_inspected(first)
+    if predicate == "followed":
+        return _is_robot_at(evidence, second) and evidence.is_there(first, second)
+    pairs = evidence.domain.kinds.state_pairs.values()
+    values = {evidence.domain.goals.fluent(value): value for pair in pairs for value in pair.values}
+    return predicate in values and state_holds(evidence, first, values[predicate])
 
 
 # -- tasks that find something out ------------------------------------------------------------------------------------

@@ -26,10 +26,7 @@ def _reachable(domain: Domain) -> frozenset[str]:
     main = np.bincount(pieces[pieces > 0]).argmax()
     names = [*domain.house.places(), *domain.house.doorways]
     reached = {
-        name
-        for name in names
-        for room in plan.rooms_of(name)
-        if (pieces[plan.cells_at(name, room=room)] == main).any()
+        name for name in names for room in plan.rooms_of(name) if (pieces[plan.cells_at(name, room=room)] == main).any()
     }
     house = domain.house
     return frozenset(reached | {room for room in house.rooms if house.floor_of(room) in reached})

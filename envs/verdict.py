@@ -11,7 +11,7 @@ CauseKind = Literal["thing nowhere", "person out", "device broken", "place not r
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """Why a task cannot be done in the true world, whoever tries: `entity` is what it is about."""
+    """Why a task cannot be done in the true world, whoever tries: `entity` is what it is about, or the phrase."""
 
     kind: CauseKind
     entity: str

@@ -59,7 +59,8 @@ class Row:
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> Row:
         """The inverse of `to_json`. Raises `TypeError` for missing or unknown keys."""
-        return cls(**{key: tuple(entry) if isinstance(entry, list) else entry for key, entry in value.items()})
+        entries: dict[str, Any] = {key: tuple(e) if isinstance(e, list) else e for key, e in value.items()}
+        return cls(**entries)
 
 
 def row_lines(rows: Iterable[Row]) -> Iterator[str]:

@@ -82,4 +82,3 @@ def test_random_is_the_same_for_the_same_seed_and_never_finishes(env):
 def test_an_unknown_agent_is_named_with_the_known_ones(env):
     with pytest.raises(InputError, match="'clever'; known: tree, oracle, random, idle"):
         env.unwrapped.policy("clever")
-

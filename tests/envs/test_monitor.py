@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.envs.doubles import Episode, HandWorld, referent, task
+from decomplex_bt.envs.doubles import DOMAIN, Episode, HandWorld, referent, task
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.planning.ground_task import HERE, Referent
 
@@ -336,6 +336,23 @@ def test_all_are_so_only_when_each_was_looked_at():
     assert episode.truths == [(1, True, "then")]
     lit = Episode(HandWorld(states={("kitchen_light", "power"): "on"}), flow, *tasks)
     assert lit.see("kitchen_light").is_success
+
+
+# -- a task type of one's own -----------------------------------------------------------------------------------------
+
+
+def test_a_new_task_type_is_done_when_its_goal_template_holds(monkeypatch):
+    from decomplex_bt.domain.goals import Goals, GoalTemplate
+
+    atoms = "(lies {object} {goal})", "(clean {object})"
+    template = GoalTemplate(of={"object": "thing", "goal": "place"}, atoms=atoms)
+    goals = Goals(format=1, fluents=DOMAIN.goals.fluents, goals={**DOMAIN.goals.goals, "tidying": (template,)})
+    monkeypatch.setitem(DOMAIN.__dict__, "goals", goals)
+    world = HandWorld({"cup_1": "desk"}, {("cup_1", "cleanliness"): "clean"})
+    tasks = task(1, "tidying", "cup_1", goal="cupboard"), task(2, "informing", recipient="user")
+    episode = Episode(world, [1, 2], *tasks)
+    assert not episode.take("cup_1").is_over
+    assert episode.put("cup_1", "cupboard").met == 1
 
 
 # -- flow -------------------------------------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ def test_a_wrong_reading_is_a_failure_of_understanding():
 
 
 def test_a_reading_that_does_not_ground_where_the_gold_one_does_is_one_too():
-    wrong = parse_corpus(CORPUS.replace("[on](1:state)", "on"), DOMAIN.ontology)[0]
+    wrong = parse_corpus(CORPUS.replace("(1:object)", "(1:object=the dragon)"), DOMAIN.ontology)[0]
     assert run_episode(episode(reading=wrong.instruction), SETUP).stage == "understanding"
 
 

@@ -1,0 +1,51 @@
+"""What the phrases of an instruction may still mean, as its tasks are done one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.evidence import is_there
+from decomplex_bt.envs.truth import Truth
+from decomplex_bt.planning.ground_task import GroundTask, Referent
+
+Bindings = Mapping[Referent, tuple[str, ...]]
+"""What each phrase may still mean; all of its candidates where it is not named."""
+
+
+def candidates(referent: Referent, bindings: Bindings) -> tuple[str, ...]:
+    """What a referent may still mean."""
+    return bindings.get(referent, referent.candidates)
+
+
+def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings:
+    """The bindings when a task becomes due: phrases not met before mean what fits them now.
+
+    That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
+    meant, at the place that the task names. What fits may be nothing.
+    """
+    named = dict(bindings)
+    for referent in task.referents():
+        if referent not in bindings:
+            named[referent] = tuple(
+                name
+                for name in referent.candidates
+                if _is_somewhere(domain, truth, name)
+                and all(truth.state(name, pair) == value for pair, value in referent.where)
+            )
+            if referent.is_all and referent in task.objects and task.places:
+                wheres = [where for place in task.places for where in place.candidates]
+                named[referent] = tuple(
+                    name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
+                )
+    return named
+
+
+def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:
+    is_movable = name in domain.house.things or name in domain.house.people
+    return not is_movable or truth.place(name) is not None
+
+
+def needed(referent: Referent, among: tuple[str, ...]) -> int:
+    """How many of these candidates a referent asks for."""
+    return len(among) if referent.is_all else min(referent.count, len(among))
