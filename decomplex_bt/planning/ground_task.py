@@ -42,10 +42,11 @@ class GroundTask:
     """One task of an instruction in the house's names.
 
     `objects`: what it is about, one referent for each coordinated phrase (empty: searching a place for nothing in
-    particular, motion, informing). `places`: where the objects are looked for or taken from (source, location), each
-    candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it ends (place,
-    room, person, or thing beside which it ends). `recipient`: who gets or hears it. `state`: the
-    value wanted or checked ("on", "hot", ...), `HERE` for a check of presence. `message`: what is said. `span`: the verb in the text, code points, end exclusive.
+    particular, motion, informing). `places`: where the objects are looked for or taken from (source, location),
+    each candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it
+    ends (place, room, person, or thing beside which it ends). `recipient`: who gets or hears it. `state`: the value
+    wanted or checked ("on", "hot", ...), `HERE` for a check of presence. `message`: what is said. `span`: the verb
+    in the text, code points, end exclusive.
     """
 
     number: int

@@ -16,7 +16,7 @@ from decomplex_bt.errors import ImpossibleGoalError, MissingArgumentError, Unkno
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values, holds_things
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.phrases import NounPhrase, read_phrases, read_state, split_preposition
+from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_phrases, read_state, split_preposition
 
 __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 
@@ -395,7 +395,9 @@ class _Grounder:
         if is_place or all(self._is_fixed(name) for name in names):
             self._remember(names)
         text = split_preposition(phrase.text, self.domain)[1]
-        referent = Referent(text, names, is_all and len(names) > 1, phrase.count, phrase.wanted)
+        # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
+        where = () if len(names) == 1 and text.split()[0] in DEFINITE else phrase.wanted
+        referent = Referent(text, names, is_all and len(names) > 1, phrase.count, where)
         return self._same(referent) if phrase.is_definite else self._first(referent)
 
     def _first(self, referent: Referent) -> Referent:

@@ -46,8 +46,8 @@ class Handling(Looking):
         found = self._found(has_arrived)
         if found is not None:
             return self._done(found)
-        lost = [name for name in people if not self._is_located(name)]
-        ends = [name for name in (*people, *places) if name not in lost]
+        lost = [name for name in self._meant(target) if not self._is_located(name)]
+        ends = [name for name in (*people, *places) if name not in lost and name not in self.house.things]
         if not ends and lost:
             return self._look_for_people(target, lost)
         if not ends:
@@ -152,8 +152,8 @@ class Handling(Looking):
         return next_place(unknown, self.belief, [p for p in likely_places(unknown, self.belief) if self._is_open(p)])
 
     def _is_enough(self, referent: Referent, picked: Sequence[str]) -> bool:
-        """Of "all" those will do that there are; else as many as are asked for."""
-        return bool(picked) if referent.is_all else len(picked) >= self._needed(referent)
+        """Of "all", and of several, those will do that there are."""
+        return bool(picked) if referent.is_all else len(picked) >= self._needed(referent) > 0
 
     # -- people and places to go to -----------------------------------------------------------------------------------
 

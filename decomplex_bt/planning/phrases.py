@@ -13,7 +13,8 @@ from decomplex_bt.errors import UnknownWordError
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
 _CHOICE = re.compile(r"\s+or\s+")
-_DEFINITE = frozenset("the my our your his her its their these those".split())
+DEFINITE = frozenset("the my our your his her its their these those".split())
+"""First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
 _HEDGES = frozenset(("some", "any", "no", "more", "other", "another"))
 
@@ -209,7 +210,7 @@ def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhra
             return None
         i += length
     is_hedged = any(word in _HEDGES or word in ("a", "an") for word in before)
-    is_definite = any(word in _DEFINITE for word in before) or not is_hedged
+    is_definite = any(word in DEFINITE for word in before) or not is_hedged
 
     def fits(entity: str) -> bool:
         return _has_colour(entity, colours, domain) and (not rooms or domain.room_of(entity) in rooms)

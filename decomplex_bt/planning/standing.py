@@ -68,7 +68,13 @@ class Standing:
         return () if referent is None else self.bindings.get(referent, referent.candidates)
 
     def _needed(self, referent: Referent) -> int:
-        return len(self._meant(referent)) if referent.is_all else min(referent.count, len(self._meant(referent)))
+        """How many of its candidates are needed: of several asked for no more than there can still be."""
+        meant = self._meant(referent)
+        if referent.is_all:
+            return len(meant)
+        if referent.count == 1 or len(meant) == 1:
+            return min(1, len(meant))
+        return min(referent.count, max(1, sum(map(self._counts, meant))))
 
     def _fitting(self, referent: Referent) -> tuple[str, ...]:
         """Candidates that are not known to differ from how the phrase describes them ("the clean mug")."""
@@ -195,7 +201,7 @@ class Standing:
 
     def _why_not(self, referent: Referent, roles: Mapping[str, str]) -> str:
         names = (*self._meant(referent), *roles.values())
-        is_known = any(self._is_located(name) for name in self._meant(referent))
+        is_known = any(self._is_located(name) for name in self._fitting(referent))
         summary = (
             f"no way was found to do it with {referent.phrase!r}"
             if is_known

@@ -55,7 +55,7 @@
   (:action follow
     :parameters (?q - person ?a - room ?b - room)
     :precondition (and (in-room ?a) (at ?q) (within ?q ?a))
-    :effect (and (not (in-room ?a)) (in-room ?b) (followed ?q ?b) (accompanied ?q)))
+    :effect (and (not (in-room ?a)) (in-room ?b) (followed ?q ?b)))
 
   ; as `follow`, wherever the person likes to go
   (:action tag-along

@@ -49,9 +49,10 @@ def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ..
 
 
 def test_state_words_tell_one_from_another() -> None:
-    task = first("[Bring](1:bringing) [me](1:recipient) [the clean red mug](1:object)")
+    task = first("[Bring](1:bringing) [me](1:recipient) [the clean mug](1:object)")
     assert task.objects[0].where == (("cleanliness", "clean"),)
-    assert task.objects[0].candidates == ("mug_1",)
+    assert task.objects[0].candidates == MUGS
+    assert first("[Take](1:taking) [the dirty shirt](1:object)").objects[0].where == ()
     assert task.recipient is not None
     assert task.recipient.candidates == ("user",)
 

@@ -232,3 +232,22 @@ def test_something_to_wipe_with_is_looked_for_first(place: str | None, status: P
     (cleaned,) = run("[Wipe](1:change_state) [the coffee table](1:object)", inside)
     assert cleaned.status is status
     assert (names(inside)[-1] == "(wipe coffee_table rag)") == (place is not None)
+
+
+def test_of_two_asked_for_the_one_there_is_will_do() -> None:
+    inside = world({"cup_2": None})
+    (brought,) = run("[Bring](1:bringing) [me](1:recipient) [two cups](1:object)", inside)
+    assert (brought.status, bound(brought)["two cups"]) == (DONE, ("cup_1",))
+
+
+def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:
+    inside = world({"laptop": "bed"})
+    (put,) = run("[Put](1:placing) [the red book](1:object) [next to the laptop](1:goal)", inside)
+    assert (put.status, inside.places["book_1"]) == (DONE, "bed")
+
+
+def test_somebody_is_followed_wherever_they_go() -> None:
+    inside = world()
+    (followed,) = run("[Follow](1:following) [me](1:object)", inside)
+    assert followed.status is DONE
+    assert names(inside)[-1] == "(tag-along user)"
