@@ -14,7 +14,7 @@ import pygame
 from numpy.typing import NDArray
 from pygame import gfxdraw
 
-from decomplex_bt.envs.geometry import Geometry, Rect
+from decomplex_bt.envs.geometry import WALL_RADIUS, Geometry, Rect
 from decomplex_bt.envs.rendering import style
 from decomplex_bt.envs.rendering.canvas import Canvas
 from decomplex_bt.envs.rendering.caption import draw_caption, draw_speech, spoken
@@ -52,6 +52,7 @@ class Renderer:
         self.interior = Interior(self.layout, self.sprites)
         self._surface = pygame.Surface((width, height), 0, 32)
         self._house_area = pygame.Rect(0, 0, width, self.layout.house_height)
+        self._walls = _lengthened(geometry.wall_lines, WALL_RADIUS)
         self._radii = {name: self._icon_radius(name) for name in geometry.house.things}
         self._sealable = frozenset(
             name
@@ -95,7 +96,7 @@ class Renderer:
             return
         leaves = self.geometry.leaves.items()
         closed = [line for name, line in leaves if scene.states.get((name, "aperture")) == "closed"]
-        lines = np.vstack([self.geometry.wall_lines, np.array(closed)]) if closed else self.geometry.wall_lines
+        lines = np.vstack([self._walls, np.array(closed)]) if closed else self._walls
         pixels = [self.layout.pixel(x, y) for x, y in view_polygon(*scene.robot, *scene.sight, lines).tolist()]
         gfxdraw.filled_polygon(surface, pixels, style.VIEW)
         gfxdraw.aapolygon(surface, pixels, style.VIEW_EDGE)
@@ -192,6 +193,13 @@ class Renderer:
     def _person_name(self, name: str) -> str:
         words = self.geometry.house.people[name].words
         return printable(words[0].capitalize() if words else "you" if name == self.geometry.house.user else name)
+
+
+def _lengthened(lines: NDArray[np.float64], by: float) -> NDArray[np.float64]:
+    """Segments `(n, 4)` with both ends moved outwards: the centre lines of walls end before their round ends do."""
+    along = lines[:, 2:] - lines[:, :2]
+    step = along / np.linalg.norm(along, axis=1, keepdims=True) * by
+    return np.hstack([lines[:, :2] - step, lines[:, 2:] + step])
 
 
 def _spaced(path: tuple[tuple[float, float], ...], step: float) -> Iterator[tuple[float, float]]:

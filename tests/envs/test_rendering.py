@@ -116,6 +116,19 @@ def test_view_stops_at_a_wall() -> None:
     assert np.hypot(*outline.T).max() == pytest.approx(5.0)
 
 
+def test_view_does_not_leak_past_a_closed_door(geometry: Geometry, renderer: Renderer, scene: Scene) -> None:
+    """From the hallway, with both doors closed, no picture element of the bathroom changes with the view."""
+    looking = dataclasses.replace(
+        scene, things={}, people={}, path=(), said="", robot=Pose(5.8, 4.5, -math.pi / 2),
+        states={**scene.states, ("bathroom_door", "aperture"): "closed"},
+    )  # fmt: skip
+    x0, y0, x1, y1 = geometry.house.rooms["bathroom"].rect
+    left, top, right, bottom = (round(v) for v in renderer.layout.box((x0 + 0.1, y0 + 0.1, x1 - 0.1, y1 - 0.1)))
+    seen, blind = renderer.frame(looking), renderer.frame(dataclasses.replace(looking, sight=None))
+    assert not np.array_equal(seen, blind)
+    assert np.array_equal(seen[top:bottom, left:right], blind[top:bottom, left:right])
+
+
 def test_text_map_shows_robot_people_and_caption(geometry: Geometry, scene: Scene) -> None:
     drawn = text_map(geometry, scene)
     assert "→" in drawn or "↗" in drawn

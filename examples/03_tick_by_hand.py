@@ -1,0 +1,45 @@
+"""Ticking by hand, with a look inside: the tree, what each leaf is doing, what the robot believes.
+
+Output:
+
+    → If the tv is on, turn it off, then tell Anna.
+      ? if the tv is on
+        · if: check that the tv is on
+        · then: make the tv off
+        · else: tell Anna
+    check that the tv is on: (move hallway_floor living_room_doorway hallway) (1 of 4): checking the tv
+    check that the tv is on: (pass living_room_doorway hallway living_room) (2 of 4): checking the tv
+    check that the tv is on: (move living_room_doorway tv living_room) (3 of 4): checking the tv
+    make the tv off: (move living_room_floor tv living_room) (1 of 2): turn the tv
+    make the tv off: (switch-off tv) (2 of 2): turn the tv
+    tv: on
+    the remote is believed at: couch
+    success: True
+"""
+
+import gymnasium as gym
+
+import decomplex_bt
+from decomplex_bt.behaviour.export import to_text
+
+env = gym.make("decomplex_bt/Household-v0")
+observation, info = env.reset(seed=2, instruction="If the tv is on, turn it off. Then tell me.")
+agent = decomplex_bt.TreeAgent(env)
+agent.reset(observation, info)
+print(to_text(agent.tree.root))
+
+terminated = truncated = False
+said = ""
+while not (terminated or truncated or agent.done):
+    action = agent.act(observation)
+    leaf = agent.tree.tip()  # the node that decided this tick
+    if leaf is not None and leaf.feedback_message != said:
+        said = leaf.feedback_message
+        print(f"{leaf.name}: {said}")
+    observation, _, terminated, truncated, info = env.step(action)
+
+belief = agent.session.belief  # what was observed and, of what was not seen yet, where it is likeliest
+print(f"tv: {belief.state('tv', 'power')}")
+print(f"the remote is believed at: {belief.place_of('remote')}")
+print(f"success: {info['is_success']}")
+env.close()
