@@ -2,8 +2,8 @@
 
     python benchmarks/env.py [ROUNDS]
 
-`step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it. `reset`: with
-the instruction known, to building the world's `Space`. Each round measures all of them; the medians are printed.
+`step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it. `reset`:
+with the instruction known, to building the world's `Space`. Each round measures all of them; the medians are printed.
 """
 
 from __future__ import annotations

@@ -196,9 +196,9 @@ def _flood(free: NDArray[np.bool_], seeds: NDArray[np.bool_]) -> NDArray[np.bool
 
 def _runs(free: NDArray[np.bool_]) -> NDArray[np.int64]:
     """For each cell a number that the free cells next to each other in a row have in common."""
-    starts = np.ones_like(free)
+    starts = np.ones(free.shape, dtype=bool)
     starts[:, 1:] = free[:, 1:] & ~free[:, :-1]
-    return np.cumsum(starts.ravel()).reshape(free.shape)
+    return np.cumsum(starts.ravel(), dtype=np.int64).reshape(free.shape)
 
 
 def _rect(geometry: Geometry, place: str) -> Rect:

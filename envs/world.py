@@ -18,7 +18,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
-from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Geometry
+from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Floats, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
