@@ -93,7 +93,7 @@ class Looking(Standing):
             left = [name for name in self._fitting(referent) if name not in seen and self._may_be_seen(name)]
             if referent.is_all and (not_so or not left) and seen:
                 if not_so:
-                    return self._false({referent: not_so})
+                    return self._false({})
                 settled[referent] = so
             elif not referent.is_all and len(so) >= self._needed(referent):
                 settled[referent] = so[: self._needed(referent)]

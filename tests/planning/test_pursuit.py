@@ -251,3 +251,12 @@ def test_somebody_is_followed_wherever_they_go() -> None:
     (followed,) = run("[Follow](1:following) [me](1:object)", inside)
     assert followed.status is DONE
     assert names(inside)[-1] == "(tag-along user)"
+
+
+def test_all_stay_all_when_one_of_them_is_not_so() -> None:
+    inside = world({}, {("cup_1", "cleanliness"): "dirty", ("cup_2", "cleanliness"): "dirty"})
+    text = "if [the cups](1:object) [are](1:check_state) [clean](1:state), "
+    text += "else [wash](2:change_state) [them](2:object=the cups)"
+    checked, washed = run(text, inside)
+    assert (checked.truth, washed.status) == (False, DONE)
+    assert {inside.values[f"cup_{i}", "cleanliness"] for i in (1, 2)} == {"clean"}
