@@ -87,7 +87,9 @@ class Draw:
         room = int(np.argmax(rooms)) if rng is None else int(_choose(rooms, rng))
         rng = rng or np.random.default_rng(0)
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
-        self.start.position[row] = _pick(self.spots.robot(room, taken), rng, "the robot", self.geometry.rooms[room])
+        people = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
+        spots = self.spots.robot(room, taken, people)
+        self.start.position[row] = _pick(spots, rng, "the robot", self.geometry.rooms[room])
         self.start.heading = float(rng.uniform(-pi, pi))
 
     def lay(self, thing: int, place: int, rng: Generator) -> bool:

@@ -62,10 +62,11 @@ class Spots:
         """Whether the robot still gets everywhere in a room with all these people standing in it."""
         return self._ways[room].are_free(people)
 
-    def robot(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
-        """`(n, 2)` spots where the robot can stand in a room."""
+    def robot(self, room: int, taken: Iterable[Disc] = (), people: Iterable[tuple[float, float]] = ()) -> Floats:
+        """`(n, 2)` spots where the robot can stand in a room and get everywhere in it, past the people there."""
         points = self._candidates(int(self.geometry.floor_row[room]))
-        return _apart(points[self._floor_clearance[room] >= PASSAGE], PASSAGE, taken)
+        points = _apart(points[self._floor_clearance[room] >= PASSAGE], PASSAGE, taken)
+        return points[self._ways[room].leads_from(points, people)]
 
     def is_free(self, x: float, y: float, radius: float, taken: Iterable[Disc]) -> bool:
         """Whether a thing can be put down here on the floor: off furniture, walls and everything taken."""
@@ -150,11 +151,20 @@ class _Ways:
 
     def are_free(self, people: Iterable[tuple[float, float]]) -> bool:
         """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
+        return bool((self._marks & self._reached(people)).any(axis=1).all())
+
+    def leads_from(self, points: Floats, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
+        """Which of the points hang together with the first doorway."""
+        rows, columns = self._shape
+        low, high = self._cells[0], self._cells[-1]
+        steps = np.rint((points - low) / np.maximum(high - low, 1e-9) * (columns - 1, rows - 1)).astype(np.int64)
+        return self._reached(people)[steps[:, 1] * columns + steps[:, 0]]
+
+    def _reached(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
         free = self._passable.copy()
         for x, y in people:
             free &= (self._cells[:, 0] - x) ** 2 + (self._cells[:, 1] - y) ** 2 >= (PERSON_RADIUS + PASSAGE) ** 2
-        reached = _flood(free.reshape(self._shape), self._marks[0].reshape(self._shape)).ravel()
-        return bool((self._marks & reached).any(axis=1).all())
+        return _flood(free.reshape(self._shape), self._marks[0].reshape(self._shape)).ravel()
 
 
 def _grid(rect: Rect, pitch: float) -> Floats:
