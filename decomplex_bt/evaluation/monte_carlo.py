@@ -21,13 +21,15 @@ import decomplex_bt
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
-from decomplex_bt.evaluation.blame import blame_reading, blame_run
+from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
 from decomplex_bt.evaluation.row import Outcome, Row
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.planner import Planner
 
 AGENTS = ("tree", "oracle", "random", "idle")
 """The policies an environment offers; only "tree" understands text, the others are given the gold flow."""
+READERS = ("tree", "oracle")
+"""Those that go by a reading of the instruction."""
 CHUNK = 5
 """Episodes that a process takes at once; few, so that none is left with the slow ones."""
 Progress = Callable[[int, int], None]
@@ -172,21 +174,21 @@ def run_episodes(
 
 def run_episode(episode: Episode, setup: Setup) -> Row:
     """One episode from reset to verdict, as a row."""
-    env, planner, domain = _bench(setup)
+    env, planner, _ = _bench(setup)
     try:
         observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
     except InputError as error:
         return _row(episode, "ungroundable", cause=("grounding", str(error)))
+    misread = _misreading(episode, setup)
     if episode.reading is None:
-        return _ended(episode, info, ("understanding", episode.problem or "not understood"))
+        return _ended(episode, info, misread)
     make_policy = env.get_wrapper_attr("policy")
     policy = make_policy(episode.agent, reading=episode.reading, planner=planner, seed=episode.seed)
     steps, is_over, truncated = 0, False, False
     try:
         policy.reset(observation, info)
     except InputError as error:
-        found = blame_reading(episode.reading, episode.gold, domain)
-        return _ended(episode, info, found or ("grounding", str(error)))
+        return _ended(episode, info, misread or ("grounding", str(error)))
     try:
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
@@ -194,13 +196,28 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
             is_over = terminated or truncated
     except Exception as error:  # one broken episode must not lose the others
         logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
-        return _ended(episode, info, ("execution", f"broke off: {type(error).__name__}: {error}"), steps=steps)
+        broke: Blame = ("execution", f"broke off: {type(error).__name__}: {error}")
+        return _ended(episode, info, broke, steps=steps, understood=misread is None)
     failures = tuple(failure.to_json() for failure in policy.failures)
     found = None
     if not info["is_success"]:
-        found = blame_reading(episode.reading, episode.gold, domain)
-        found = found or blame_run(failures, info["violations"], is_truncated=truncated)
-    return _ended(episode, info, found, steps=steps, failures=failures, plans=policy.plans, replans=policy.replans)
+        found = misread or blame_run(failures, info["violations"], is_truncated=truncated)
+    counts = {"plans": policy.plans, "replans": policy.replans, "understood": misread is None}
+    return _ended(episode, info, found, steps=steps, failures=failures, **counts)
+
+
+def _misreading(episode: Episode, setup: Setup) -> Blame | None:
+    """What is wrong with the agent's reading; None where nothing is, or where it reads nothing."""
+    if episode.reading is None:
+        return "understanding", episode.problem or "not understood"
+    if episode.source == "gold":
+        return None
+    return _compared(episode.reading, episode.gold, setup)
+
+
+@lru_cache(maxsize=64)
+def _compared(reading: Instruction, gold: Instruction, setup: Setup) -> Blame | None:
+    return blame_reading(reading, gold, load_domain(setup.domain))
 
 
 def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:
@@ -241,7 +258,9 @@ def _clear_away() -> None:
     gc.collect()
 
 
-def _ended(episode: Episode, info: dict[str, Any], found: tuple[Any, str] | None, **counts: Any) -> Row:
+def _ended(
+    episode: Episode, info: dict[str, Any], found: Blame | None, *, understood: bool = False, **counts: Any
+) -> Row:
     """The row of an episode that was begun; `found`: where and why it failed, None for a success."""
     outcome: Outcome = "success" if found is None else "failure"
     if info["feasible"] is False:
@@ -256,6 +275,7 @@ def _ended(episode: Episode, info: dict[str, Any], found: tuple[Any, str] | None
         goals_total=info["goal_conditions_total"],
         branches=tuple(info["branches"]),
         violations=tuple(info["violations"]),
+        understood=understood if episode.agent in READERS else None,
         **counts,
     )
 

@@ -24,8 +24,10 @@ class Row:
     "gold" or "own". `judged_by`: whose flow the judge went by, "gold" or "interpreted"; `flow`: that flow, which also
     set the balance, so that a row and a run with this seed and flow are the same world. `stage`, `cause`: where and why
     it went wrong, None for a success. `steps`: of control. `sim_seconds`, `path_length`: simulated seconds, metres
-    driven. `goals_met`, `goals_total`: tasks and conditions due. `branches`: one mapping (task, truth, taken) for each
-    condition reached, in order. `failures`: those the agent knows of, as `run --json` prints them.
+    driven. `understood`: whether the agent's reading comes to what the gold one does in this house, None for an agent
+    that reads nothing; a wrong reading may still succeed where what it gets wrong never comes due. `goals_met`,
+    `goals_total`: tasks and conditions due. `branches`: one mapping (task, truth, taken) for each condition reached, in
+    order. `failures`: those the agent knows of, as `run --json` prints them.
     """
 
     example: str
@@ -42,6 +44,7 @@ class Row:
     path_length: float = 0.0
     plans: int = 0
     replans: int = 0
+    understood: bool | None = None
     goals_met: int = 0
     goals_total: int = 0
     branches: tuple[Mapping[str, Any], ...] = ()

@@ -32,8 +32,10 @@ class BranchCount:
 class Summary:
     """What rows come to: those of one agent, or of one instruction under one agent (`example`).
 
-    `success` is over the feasible episodes, `infeasible` over those that ground. `steps`, `replans`: medians over the
-    successes, None where there are none. `branches`: of one instruction. `instructions`: one summary for each.
+    `success` is over the feasible episodes, `infeasible` over those that ground. `understood`: readings that come to
+    what the gold ones do, over the episodes of an agent that reads; `lucky`: successes of the others. `steps`,
+    `sim_seconds`, `replans`: medians over the successes, None where there are none. `branches`: of one instruction.
+    `instructions`: one summary for each.
     """
 
     agent: str
@@ -41,6 +43,8 @@ class Summary:
     outcomes: tuple[tuple[str, int], ...]
     success: Proportion
     infeasible: Proportion
+    understood: Proportion
+    lucky: int
     stages: tuple[tuple[str, int], ...]
     steps: float | None
     sim_seconds: float | None
@@ -75,6 +79,8 @@ class Summary:
             "success": self.success.to_json(),
             "infeasible": self.infeasible.to_json(),
             "failures_by_stage": dict(self.stages),
+            "understood": self.understood.to_json(),
+            "lucky_successes": self.lucky,
             "median_steps": self.steps,
             "median_sim_seconds": self.sim_seconds,
             "median_replans": self.replans,
@@ -96,7 +102,7 @@ def summarise(rows: Iterable[Row]) -> tuple[Summary, ...]:
 
 def tabulate(summaries: Sequence[Summary]) -> str:
     """The summaries as a plain table, a line for each agent and instruction, the agents' totals first."""
-    header = ("agent", "instruction", "success over feasible", "infeasible", "steps", "failures")
+    header = ("agent", "instruction", "success over feasible", "understood", "infeasible", "steps", "failures")
     lines = [header, *(_cells(summary) for summary in summaries)]
     lines += [_cells(part) for summary in summaries for part in summary.instructions]
     widths = [max(len(line[column]) for line in lines) for column in range(len(header))]
@@ -118,6 +124,7 @@ def _summary(
     outcomes = Counter(row.outcome for row in rows)
     stages = Counter(row.stage for row in rows if row.stage is not None)
     successes = [row for row in rows if row.outcome == "success"]
+    readings = [row.understood for row in rows if row.understood is not None]
     feasible = outcomes["success"] + outcomes["failure"]
     return Summary(
         agent=agent,
@@ -129,6 +136,8 @@ def _summary(
         steps=_median([row.steps for row in successes]),
         sim_seconds=_median([row.sim_seconds for row in successes]),
         replans=_median([row.replans for row in successes]),
+        understood=Proportion(sum(readings), len(readings)),
+        lucky=sum(row.understood is False for row in successes),
         example=example,
         branches=_branches(rows) if example is not None else (),
         instructions=instructions,
@@ -145,15 +154,19 @@ def _branches(rows: Sequence[Row]) -> tuple[BranchCount, ...]:
 
 def _cells(summary: Summary) -> tuple[str, ...]:
     failures = ", ".join(f"{stage} {count}" for stage, count in summary.stages if count and stage != "infeasible")
-    share = summary.infeasible.value
     return (
         summary.agent,
         summary.example or "all",
         str(summary.success),
-        "-" if share is None else f"{share:.0%}",
+        _percent(summary.understood),
+        _percent(summary.infeasible),
         "-" if summary.steps is None else f"{summary.steps:.0f}",
         failures or "-",
     )
+
+
+def _percent(share: Proportion) -> str:
+    return "-" if share.value is None else f"{share.value:.0%}"
 
 
 def _median(values: Sequence[float]) -> float | None:

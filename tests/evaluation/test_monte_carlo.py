@@ -12,6 +12,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.evaluation.blame import blame_run
 from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, evaluate_agents, plan_episodes, run_episode
+from decomplex_bt.evaluation.summary import summarise
 
 DOMAIN = load_domain("household")
 CORPUS = """
@@ -81,6 +82,8 @@ def test_a_wrong_reading_is_a_failure_of_understanding():
     assert failed
     assert {row.stage for row in failed} == {"understanding"}
     assert "flow: [{'if': 1, 'else': [2]}] instead of" in failed[0].cause
+    assert {row.understood for row in outcomes} == {False}
+    assert summarise(outcomes)[0].lucky == sum(row.outcome == "success" for row in outcomes)
 
 
 def test_a_reading_that_does_not_ground_where_the_gold_one_does_is_one_too():
