@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import LOOKS, ROBOT, Belief
-from decomplex_bt.planning.effects import values_after
 from decomplex_bt.planning.ground_task import GroundTask
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
@@ -16,6 +15,7 @@ from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.problem import belief_problem
 from decomplex_bt.planning.pursuit import Bindings, Pursuit, PursuitStatus, pursue
+from decomplex_bt.planning.schemas import values_after
 
 MAX_PLANS = 300
 """Plans for one task after which something is wrong with the planner or the domain."""
@@ -109,7 +109,7 @@ class AssumedWorld:
         elif name in ("stow", "unstow"):
             slot = int(objects[1].rpartition("_")[2]) - 1
             self.tray[slot], self.held = (objects[0], None) if name == "stow" else (None, objects[0])
-        self.values |= values_after(name, objects)
+        self.values |= values_after(step, self.domain)
         return "ok"
 
     def run(self, task: GroundTask, belief: Belief, planner: Planner, bindings: Bindings) -> Pursuit:

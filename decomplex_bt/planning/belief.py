@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.planning.effects import values_after
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.percept import Percept
 from decomplex_bt.planning.prior import Prior
+from decomplex_bt.planning.schemas import values_after
 
 LOOKS = 2
 """Looks in a row that must agree before a thing that was not seen counts as not there: one look may miss it."""
@@ -89,7 +89,7 @@ class Belief:
             self._noted[atom] = self.tick
         if step.name in ("place", "give") and self._place.get(step.objects[0]) in (None, ROBOT):
             self._place[step.objects[0]] = step.objects[1]
-        for key, value in values_after(step.name, step.objects).items():
+        for key, value in values_after(step, self.domain).items():
             # What has been heated or washed lies behind a closed door: nobody sees it get hot or clean.
             if self._state.get(key) != value:
                 self._state[key] = value

@@ -6,7 +6,8 @@ import pytest
 
 from decomplex_bt.domain.goals import pddl_predicates, pddl_sections
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.planning.effects import values_after
+from decomplex_bt.planning.pddl import GroundAction
+from decomplex_bt.planning.schemas import read_schemas, values_after
 
 DOMAIN = load_domain()
 ACTIONS = {str(action[0]): action for action in pddl_sections(DOMAIN.domain_pddl)[":action"]}
@@ -56,16 +57,11 @@ def test_preconditions_are_positive_and_predicates_declared(name: str) -> None:
     assert all(arity[atom[0]] == len(atom) - 1 for atom in adds | deletes)
 
 
-@pytest.mark.parametrize("name", sorted(ACTIONS))
-def test_values_after_says_what_the_effects_say(name: str) -> None:
-    action = ACTIONS[name]
-    parameters = tuple(word for word in action[action.index(":parameters") + 1] if word.startswith("?"))
-    adds, _ = effects(action)
-    of_fluent = {
-        DOMAIN.goals.fluent(value): (pair, value) for pair, p in DOMAIN.kinds.state_pairs.items() for value in p.values
-    }
-    expected = {(atom[1], of_fluent[atom[0]][0]): of_fluent[atom[0]][1] for atom in adds if atom[0] in of_fluent}
-    assert values_after(name, parameters) == expected
+def test_schemas_and_values_after_say_what_the_effects_say() -> None:
+    assert sorted(read_schemas(DOMAIN.domain_pddl)) == sorted(ACTIONS)
+    heated = values_after(GroundAction("heat", ("soup", "microwave")), DOMAIN)
+    assert heated == {("soup", "temperature"): "hot", ("microwave", "power"): "on"}
+    assert values_after(GroundAction("move", ("desk", "box", "study")), DOMAIN) == {}
 
 
 def test_every_goal_can_be_reached_by_some_action() -> None:
