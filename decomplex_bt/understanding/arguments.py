@@ -36,6 +36,14 @@ class FoundArgument:
     confidence: float
 
 
+@dataclass(frozen=True, slots=True)
+class FoundArguments:
+    """All arguments of a document with the joint probability of all labels."""
+
+    arguments: tuple[FoundArgument, ...]
+    probability: float
+
+
 class ArgumentModel:
     """The trained argument CRF whose labels say the owner."""
 
@@ -44,14 +52,19 @@ class ArgumentModel:
 
     def find(self, observed: Observed, tasks: Mapping[int, str]) -> tuple[FoundArgument, ...]:
         """The arguments of a document, in text order; `tasks` maps token indices to task types."""
+        return self.find_all(observed, tasks).arguments
+
+    def find_all(self, observed: Observed, tasks: Mapping[int, str]) -> FoundArguments:
+        """As `find`, with the joint probability of all labels."""
         if not tasks:
-            return ()
+            return FoundArguments((), 1.0)
         labelling = self._crf.label(argument_features(observed, tasks))
         places = sorted(tasks)
-        return tuple(
+        arguments = tuple(
             FoundArgument(label.rstrip("<>"), _owner(label, tokens, places), tokens, confidence)
             for label, tokens, confidence in _chunks(labelling)
         )
+        return FoundArguments(arguments, labelling.probability)
 
 
 class AssociationArguments:

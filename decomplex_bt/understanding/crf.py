@@ -38,6 +38,22 @@ class Crf:
         marginals = tuple(self._tagger.marginal(label, i) for i, label in enumerate(labels))
         return Labelling(tuple(labels), marginals, self._tagger.probability(labels))
 
+    def uncertain(self, labelling: Labelling, threshold: float) -> dict[int, tuple[tuple[str, float], ...]]:
+        """Of the sequence labelled last: position to all labels above `threshold`, where more than one is."""
+        found: dict[int, tuple[tuple[str, float], ...]] = {}
+        for i, best in enumerate(labelling.marginals):
+            if best >= 1 - threshold:
+                continue
+            marginals = [(label, self._tagger.marginal(label, i)) for label in self.labels]
+            likely = tuple((label, marginal) for label, marginal in marginals if marginal > threshold)
+            if len(likely) > 1:
+                found[i] = likely
+        return found
+
+    def probability(self, labels: Sequence[str]) -> float:
+        """The joint probability of labels for the sequence labelled last."""
+        return float(self._tagger.probability(list(labels)))
+
     def marginal(self, label: str, position: int) -> float:
         """The probability of a label at a position of the sequence labelled last; 0 for a label never seen in training."""
         return float(self._tagger.marginal(label, position)) if label in self.labels else 0.0

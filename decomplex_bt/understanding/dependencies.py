@@ -24,10 +24,12 @@ MODELS = ("roles", "attachments", "orders")
 
 @dataclass(frozen=True, slots=True)
 class FoundFlow:
-    """A control flow with the probability of the labels it was built from."""
+    """A control flow with the labels it was built from and the probabilities of roles, attachments and orders."""
 
     flow: Flow
-    confidence: float
+    arcs: tuple[Arc, ...] = ()
+    clauses: tuple[Clause, ...] = ()
+    probabilities: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
 
 class FlowModel:
@@ -38,13 +40,19 @@ class FlowModel:
 
     def find(self, observed: Observed, tasks: Sequence[MarkedTask]) -> FoundFlow:
         """The control flow of tasks in text order."""
+        if not tasks:
+            return FoundFlow(Flow())
         clauses = clauses_of(observed, tasks)
         roles = self._roles.label(role_features(observed, clauses))
         attachments = self._attachments.label(attachment_features(observed, clauses, roles.labels))
         orders = self._orders.label(order_features(observed, clauses, roles.labels, attachments.labels))
-        arcs = [Arc(*labels) for labels in zip(roles.labels, attachments.labels, orders.labels, strict=True)]
-        confidence = roles.probability * attachments.probability * orders.probability
-        return FoundFlow(flow_of(arcs, polarities_of(clauses)), confidence)
+        arcs = tuple(Arc(*labels) for labels in zip(roles.labels, attachments.labels, orders.labels, strict=True))
+        return FoundFlow(
+            flow_of(arcs, polarities_of(clauses)),
+            arcs,
+            clauses,
+            (roles.probability, attachments.probability, orders.probability),
+        )
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

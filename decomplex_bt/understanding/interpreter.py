@@ -9,17 +9,16 @@ from typing import TypeVar
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
-from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
-from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument
+from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.coreference import ReferenceModel
-from decomplex_bt.understanding.dependencies import FlowModel, MarkedTask
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_models
-from decomplex_bt.understanding.tasks import FoundTask, TaskModel
+from decomplex_bt.understanding.readings import ReadingModel, load_stages, readings_of
+from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
@@ -35,10 +34,9 @@ class Interpreter:
         self.domain = domain
         self._parser = parser
         self._gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
-        self._tasks = TaskModel(models / "tasks.crf")
-        self._arguments = ArgumentModel(models / "arguments.crf")
+        self._stages = load_stages(models)
+        self._readings = ReadingModel(models / "readings.json")
         self._references = ReferenceModel(models / "references.crf", domain.ontology)
-        self._flows = FlowModel(models)
 
     @classmethod
     def load(cls, domain: str | Path | Domain = "household", *, models: Path | None = None) -> Interpreter:
@@ -72,19 +70,14 @@ class Interpreter:
 
     def _understand(self, document: Document) -> Instruction:
         observed = Observed(document, self._gazetteer)
-        found = self._tasks.find(observed)
-        types = {task.token: task.type for task in found}
-        arguments = self._arguments.find(observed, types)
-        marked = [
-            MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments if a.owner == t.token))
-            for t in found
-        ]
-        flow = self._flows.find(observed, marked).flow if marked else Flow()
-        tasks = self._references.resolve(observed, _tasks_of(document, found, arguments), flow)
+        reading, _ = self._readings.best(readings_of(observed, self._stages, self.domain.ontology))
+        tasks = self._references.resolve(
+            observed, _tasks_of(document, reading.tasks, reading.arguments), reading.flow
+        )
         return Instruction(
             text=document.text,
             tasks=tasks,
-            flow=flow,
+            flow=reading.flow,
             missing=tuple(missing_arguments(observed, tasks, self.domain)),
             warnings=tuple(warnings_of(observed, tasks)),
         )

@@ -16,6 +16,7 @@ MANIFEST_FILE = "manifest.json"
 FEATURES_VERSION = 1
 """Raised with every change of features or labels: models of another version do not fit the code."""
 MODEL_NAMES = ("tasks", "arguments", "references", "roles", "attachments", "orders")
+WEIGHTS_FILE = "readings.json"
 LIBRARIES = ("spacy", "python-crfsuite", "sklearn-crfsuite", "numpy")
 
 
@@ -27,7 +28,7 @@ class ModelEntry(Record):
 
 
 class Manifest(Record):
-    """`manifest.json`. `corpus`: SHA-256 over the training voices' files; `libraries`: versions the models were made
+    """`manifest.json`. `weights`: SHA-256 of the weights of readings; `corpus`: SHA-256 over the training voices' files; `libraries`: versions the models were made
     with; `language_model`: the spaCy model whose tags the features came from."""
 
     format: int
@@ -39,6 +40,7 @@ class Manifest(Record):
     language_model: str
     libraries: dict[str, str]
     models: dict[str, ModelEntry]
+    weights: str
 
 
 def write_manifest(
@@ -55,6 +57,7 @@ def write_manifest(
         language_model=language_model,
         libraries={name: version(name) for name in LIBRARIES},
         models={name: _entry(folder / f"{name}.crf") for name in MODEL_NAMES},
+        weights=_sha256(folder / WEIGHTS_FILE),
     )
     (folder / MANIFEST_FILE).write_text(manifest.model_dump_json(indent=1) + "\n", encoding="utf-8")
 
@@ -107,6 +110,9 @@ def _check_files(folder: Path, manifest: Manifest) -> None:
             raise DataFileError(path, "the model is missing; run `decomplex-bt train`")
         if _sha256(path) != entry.sha256:
             raise DataFileError(path, "the model is not the one in the manifest (damaged?); run `decomplex-bt train`")
+    path = folder / WEIGHTS_FILE
+    if not path.is_file() or _sha256(path) != manifest.weights:
+        raise DataFileError(path, "the weights are not those of the manifest (damaged?); run `decomplex-bt train`")
 
 
 def corpus_hash(files: Mapping[str, bytes]) -> str:

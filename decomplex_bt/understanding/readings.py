@@ -1,0 +1,190 @@
+"""Readings: several ways to read an instruction, ranked by how well tasks, arguments and flow go together.
+
+The task CRF is unsure of a token in most instructions, and one wrong task breaks the flow. So its likeliest task sets
+are each read to the end, and a small linear model chooses: it knows what no single stage does, for example that an
+"if" without a condition in its clause, or a condition without anything that makes it one, is probably a misreading.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.errors import DataFileError
+from decomplex_bt.flow import Flow
+from decomplex_bt.understanding.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument
+from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
+
+FEATURES = (
+    "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue", "uncued_condition",
+    "cued_task", "missing_argument", "idle_sentence", "idle_verb", "stranded_else", "bare_task", "checks",
+)  # fmt: skip
+"""What a reading is judged by: the log probabilities of the stages, then counts; see `_features`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to read an instruction. `features` in the order of `FEATURES`."""
+
+    tasks: tuple[FoundTask, ...]
+    arguments: tuple[FoundArgument, ...]
+    flow: Flow
+    features: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """The trained models that a reading goes through."""
+
+    tasks: TaskModel
+    arguments: ArgumentModel
+    flows: FlowModel
+
+
+def load_stages(folder: Path) -> Stages:
+    """The stages from a folder of trained models."""
+    return Stages(TaskModel(folder / "tasks.crf"), ArgumentModel(folder / "arguments.crf"), FlowModel(folder))
+
+
+class ReadingModel:
+    """The trained weights; reads them from a JSON file. Raises `DataFileError` where they do not fit `FEATURES`."""
+
+    def __init__(self, path: Path) -> None:
+        try:
+            stored = json.loads(path.read_text(encoding="utf-8"))
+            self._weights = tuple(float(stored[name]) for name in FEATURES)
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise DataFileError(path, f"no weights of readings ({error!r}); run `decomplex-bt train`") from None
+
+    def best(self, readings: Sequence[Reading]) -> tuple[Reading, float]:
+        """The likeliest of several readings (at least one), with its probability among them."""
+        scores = [sum(w * f for w, f in zip(self._weights, r.features, strict=True)) for r in readings]
+        highest = max(range(len(readings)), key=lambda i: scores[i])
+        return readings[highest], 1.0 / sum(math.exp(score - scores[highest]) for score in scores)
+
+
+def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple[Reading, ...]:
+    """All readings of a document, that of the likeliest tasks first."""
+    return tuple(_read(observed, found, stages, ontology) for found in stages.tasks.alternatives(observed))
+
+
+def train_readings(path: Path, choices: Sequence[tuple[Sequence[Reading], int]]) -> None:
+    """Fits the weights by conditional logit and writes them to `path`.
+
+    `choices`: the readings of an instruction and the index of the right one. They must come from stages that were not
+    trained on the instruction, or the weights would trust the stages too much.
+    """
+    import numpy as np
+    from scipy.optimize import minimize
+
+    tables = [(np.array([r.features for r in readings]), right) for readings, right in choices if len(readings) > 1]
+
+    def loss(weights: np.ndarray) -> tuple[float, np.ndarray]:
+        total, gradient = PENALTY * float(weights @ weights), 2 * PENALTY * weights
+        for table, right in tables:
+            scores = table @ weights
+            scores -= scores.max()
+            chances = np.exp(scores) / np.exp(scores).sum()
+            total -= float(np.log(chances[right]))
+            gradient = gradient + chances @ table - table[right]
+        return total, gradient
+
+    start = np.array([1.0] + [0.0] * (len(FEATURES) - 1))
+    fitted = minimize(loss, start, jac=True, method="L-BFGS-B").x if tables else start
+    path.write_text(
+        json.dumps({name: round(float(w), 6) for name, w in zip(FEATURES, fitted, strict=True)}, indent=1) + "\n",
+        encoding="utf-8",
+    )
+
+
+PENALTY = 0.5
+"""Weight of the squared norm in the loss of `train_readings`."""
+
+
+def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontology) -> Reading:
+    types = {task.token: task.type for task in found.tasks}
+    arguments = stages.arguments.find_all(observed, types)
+    marked = [
+        MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments.arguments if a.owner == t.token))
+        for t in found.tasks
+    ]
+    flow = stages.flows.find(observed, marked)
+    logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
+    return Reading(
+        found.tasks, arguments.arguments, flow.flow, (*logs, *_features(observed, marked, flow, ontology))
+    )
+
+
+def _features(
+    observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, ontology: Ontology
+) -> tuple[float, ...]:
+    """The counts among `FEATURES`, in their order."""
+    document = observed.document
+    places = {task.token for task in tasks}
+    uncovered = shared = 0
+    cued: set[int] = set()
+    for cue in observed.cues:
+        if cue.name not in _OPENING:
+            continue
+        inside = [i for i in _clause_after(observed, cue.last) if i in places]
+        uncovered += not inside
+        shared += len(inside) > 1
+        cued.update(inside[:1])
+    conditions = {t.token for t, arc in zip(tasks, flow.arcs, strict=True) if arc.role in CONDITION_ROLES}
+    checks = {t.token for t in tasks if t.type == "check_state"}
+    uncued = sum(i not in cued and not observed.question[i] and i in checks for i in conditions)
+    sentences = set(document.sentences)
+    idle = len(sentences - {document.sentences[i] for i in places})
+    in_arguments = {i for task in tasks for _, tokens in task.arguments for i in tokens}
+    idle_verbs = sum(
+        token.tag in ("VB", "VBP")
+        and bool(observed.senses[token.i])
+        and token.i not in places
+        and token.i not in in_arguments
+        and token.dep in ("ROOT", "conj", "ccomp", "advcl")
+        for token in document.tokens
+    )
+    opposite = any(arc.attachment.endswith("-") for arc in flow.arcs) or any("fail" in c.far for c in flow.clauses)
+    stranded = any(cue.name in ("else", "fail") for cue in observed.cues) and not opposite and not conditions
+    missing = sum(
+        not {kind for kind, _ in task.arguments} & {"object", "goal", "location", "message", "recipient", "source", "direction"}
+        for task in tasks
+    )
+    lacking = sum(
+        len(ontology.task_types[task.type].required) > 0
+        and not {kind for kind, _ in task.arguments} & set(ontology.task_types[task.type].required[0])
+        for task in tasks
+    )
+    return (
+        float(len(tasks)),
+        float(uncovered),
+        float(shared),
+        float(uncued),
+        float(len(cued - conditions)),
+        float(lacking),
+        float(idle),
+        float(idle_verbs),
+        float(stranded),
+        float(missing),
+        float(len(checks)),
+    )
+
+
+_OPENING = frozenset(("if", "only_if", "unless"))
+_END = frozenset((".", "?", "!", ";", ",", ":"))
+
+
+def _clause_after(observed: Observed, cue: int) -> range:
+    """The tokens after a cue up to the next punctuation mark, or to the next cue that opens a clause."""
+    opening = {c.first for c in observed.cues if c.name in _OPENING}
+    i = cue + 1
+    while i < len(observed.document) and observed.document.tokens[i].text not in _END and i not in opening:
+        i += 1
+    return range(cue + 1, i)
