@@ -28,7 +28,7 @@ PLACE_PRONOUNS = frozenset(("there",))
 REFERRING = frozenset("it that this one another some any".split()) | PLURAL_PRONOUNS | PERSON_PRONOUNS | PLACE_PRONOUNS
 _LEADING = frozenset("the that this these those other another a an each both either of".split())
 _POINTING = frozenset(
-    "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody nobody nothing".split()
+    "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody nobody nothing none here case".split()
 )
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _PERSON_NOUNS = frozenset(
@@ -152,27 +152,52 @@ def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], o
 
 
 def candidates_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[Candidate]:
-    """All noun phrases of the instruction that something may refer to, from left to right; pronouns are none."""
+    """All noun phrases of the instruction that something may refer to, from left to right; pronouns are none.
+
+    A phrase counts whole, without what follows its head ("the mug" of "the mug next to the keyboard"), and by the name
+    of a person in it ("Ruby" of "Ruby's bag").
+    """
     document = observed.document
-    found: list[Candidate] = []
-    taken: set[int] = set()
+    found: dict[tuple[int, int], Candidate] = {}
     for task in tasks:
         for argument in task.arguments:
-            if argument.span is None:
+            if argument.span is None or argument.type in _NOT_REFERENTS:
                 continue
-            tokens = document.indices(argument.span)
-            if argument.type in _NOT_REFERENTS:
+            inner = _stripped(document, document.indices(argument.span))
+            if not inner or _is_referring(document, inner) or _is_pointing(document, inner):
                 continue
-            taken |= set(tokens)
-            inner = _stripped(document, tokens)
-            if inner and not _is_referring(document, inner):
-                found.append(_candidate(document, inner, task, argument.type))
-    found += [
-        Candidate(document.span(chunk.start, chunk.stop - 1).of(document.text), chunk, chunk.stop - 1)
-        for chunk in noun_chunks(document)
-        if not taken & set(chunk)
-    ]
-    yield from sorted(found, key=lambda candidate: (candidate.tokens.start, candidate.tokens.stop))
+            candidate = _candidate(document, inner, task, argument.type)
+            found.setdefault((inner.start, inner.stop), candidate)
+            short = range(inner.start, candidate.head + 1)
+            if len(short) < len(inner):
+                found.setdefault((short.start, short.stop), _candidate(document, short, task, argument.type))
+    taken = {i for start, stop in found for i in range(start, stop)}
+    for chunk in noun_chunks(document):
+        if not taken & set(chunk):
+            found[chunk.start, chunk.stop] = _outside(document, chunk)
+    for name in _names(document):
+        found.setdefault((name.start, name.stop), _outside(document, name))
+    yield from (found[place] for place in sorted(found))
+
+
+def _outside(document: Document, tokens: range) -> Candidate:
+    return Candidate(document.span(tokens.start, tokens.stop - 1).of(document.text), tokens, tokens.stop - 1)
+
+
+def _names(document: Document) -> Iterator[range]:
+    """Runs of proper nouns, titles included."""
+    start: int | None = None
+    for i, token in enumerate((*document.tokens, None)):
+        is_name = token is not None and token.pos == "PROPN" and token.text[:1].isupper()
+        if is_name and start is None:
+            start = i
+        elif not is_name and start is not None:
+            yield range(start, i)
+            start = None
+
+
+def _is_pointing(document: Document, tokens: range) -> bool:
+    return len(tokens) == 1 and document.tokens[tokens.start].lower in _POINTING
 
 
 def noun_chunks(document: Document) -> Iterator[range]:
@@ -221,6 +246,7 @@ def unsaid_arguments(task: Task, ontology: Ontology) -> Iterator[tuple[str, bool
 
 def ranked_features(observed: Observed, gap: Gap, pool: Sequence[Candidate]) -> Iterator[tuple[Candidate, Features]]:
     """Every candidate with its features for a gap; candidates of the gap's own words are left out."""
+    pool = _plausible(observed, gap, pool)
     earlier = [c for c in pool if c.tokens.stop <= gap.position]
     later = [c for c in pool if c.tokens.start > gap.position]
     earlier.sort(key=lambda candidate: -candidate.tokens.stop)
@@ -230,6 +256,17 @@ def ranked_features(observed: Observed, gap: Gap, pool: Sequence[Candidate]) -> 
             kind = _kind(observed, candidate)
             of_kind[kind] = of_kind.get(kind, 0) + 1
             yield candidate, _features(observed, gap, candidate, f"{direction}{min(rank, 4)}", kind, of_kind[kind])
+
+
+def _plausible(observed: Observed, gap: Gap, pool: Sequence[Candidate]) -> Sequence[Candidate]:
+    """Persons alone for "him" and "her", no persons for "it" and "there", where that leaves any candidate."""
+    if gap.word in PERSON_PRONOUNS:
+        kept = [c for c in pool if _kind(observed, c) in ("person", "name")]
+    elif gap.word in ("it", "there"):
+        kept = [c for c in pool if _kind(observed, c) != "person"]
+    else:
+        return pool
+    return kept or pool
 
 
 def _features(observed: Observed, gap: Gap, candidate: Candidate, rank: str, kind: str, kind_rank: int) -> Features:
@@ -368,15 +405,26 @@ def _combined(document: Document, argument: Argument, best: Candidate) -> str:
     head = document.tokens[_head(document, inner)]
     modifiers = [document.tokens[i].text for i in inner if i < head.i]
     if head.lower in ("one", "ones") and any(word.lower() not in _LEADING for word in modifiers):
-        return " ".join([*modifiers, document.tokens[best.head].text])
+        return " ".join([*modifiers, _noun(document, best, is_plural=head.lower == "ones")])
     if (
         head.lower in ("one", "other")
         and modifiers
         and modifiers[0].lower() in ("the", "another")
         and ("other" in (m.lower() for m in modifiers) or head.lower == "other")
     ):
-        return f"the other {document.tokens[best.head].text}"
+        return f"the other {_noun(document, best, is_plural=False)}"
     return best.text
+
+
+def _noun(document: Document, candidate: Candidate, *, is_plural: bool) -> str:
+    """The head noun of a candidate with its compound ("baking tray"), in the singular unless `is_plural`."""
+    head = document.tokens[candidate.head]
+    compound = [
+        document.tokens[i].text
+        for i in range(candidate.tokens.start, candidate.head)
+        if document.tokens[i].dep == "compound" and document.tokens[i].head == candidate.head
+    ]
+    return " ".join([*compound, head.text if is_plural or head.tag not in ("NNS", "NNPS") else head.lemma])
 
 
 def _first_mentions(flow: Flow) -> dict[int, int]:
