@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import hypot, pi
+from math import pi
 
 import numpy as np
 from numpy.random import Generator
@@ -17,7 +17,7 @@ from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Spots
 from decomplex_bt.errors import InputError
 
 TRIES = 12
-"""Spots tried at a place before all are looked at, and places tried before a thing counts as not placeable."""
+"""Places tried before a thing counts as not placeable, and spots before people stand in each other's way."""
 POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
 
 
@@ -120,6 +120,9 @@ class Draw:
             spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
             if not company or self.spots.leaves_way(room, [*company, (float(spot[0]), float(spot[1]))]):
                 break
+        else:  # in good company few spots are left: look at them all
+            good = [at for at in spots.tolist() if self.spots.leaves_way(room, [*company, (at[0], at[1])])]
+            spot = np.array(good[int(rng.random() * len(good))]) if good else spot
         start.position[person] = spot
         start.home[person] = True
 
@@ -162,26 +165,16 @@ class Draw:
 
     def _take_up(self, thing: int) -> None:
         """Takes a thing away from where it lies."""
-        self._discs.get(int(self.start.place[thing]), {}).pop(thing, None)
-        self.start.place[thing], self.start.position[thing] = ABSENT, np.nan
+        at = int(self.start.place[thing])
+        if at != ABSENT:
+            del self._discs[at][thing]
+            self.start.place[thing], self.start.position[thing] = ABSENT, np.nan
 
     def _free_spot(self, thing: int, place: int, rng: Generator) -> tuple[float, float] | None:
-        radius = self.prior.radius[thing]
-        spots = self.spots.lying(place, radius)
-        if not len(spots):
-            return None
         taken = list(self._lying_at(place, besides=thing))
-        if place in self.geometry.floor_row:
+        if self.spots.is_floor(place):
             taken.extend(self._standing())
-        for _ in range(TRIES):
-            x, y = spots[int(rng.random() * len(spots))].tolist()
-            if all(hypot(x - ox, y - oy) >= radius + other for ox, oy, other in taken):
-                return x, y
-        spots = self.spots.lying(place, radius, taken)
-        if not len(spots):
-            return None
-        x, y = spots[int(rng.random() * len(spots))].tolist()
-        return x, y
+        return self.spots.draw_lying(place, self.prior.radius[thing], taken, rng)
 
     def _lying_at(self, place: int, besides: int = ABSENT) -> Iterator[Disc]:
         return (disc for row, disc in self._discs.get(place, {}).items() if row != besides)

@@ -1,8 +1,7 @@
 """Sensing: what the robot sees of the world, as the entity table of an observation.
 
 It sees what is within `range` and its field of view, behind no wall and no closed door; furniture hides nothing but
-what is in a closed container, and into an open one it looks from `inside_range`. Rooms are rectangles, so a point in
-the robot's own room is in sight, and one in another room where it lies in the wedge that the open doorways leave.
+what is in a closed container, and into an open one it looks from `inside_range`.
 """
 
 from __future__ import annotations
@@ -17,17 +16,15 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE
-from decomplex_bt.envs.geometry import Geometry, Portal
+from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS
+from decomplex_bt.envs.wedges import in_sight
 from decomplex_bt.envs.world import World
 
 VISIBLE, X, Y, HEADING, PLACE, INSPECTED = range(6)
 FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 INSET = 0.04  # [m] the sample points of furniture lie so far within its footprint
 FLOOR_SAMPLES = 1.2  # [m] at most between the sample points of a floor
-
-Wedge = tuple[float, float, float, float]
-"""Directions of its right and left edge (x, y, x, y) as seen from the robot; less than half a turn wide."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,9 +58,9 @@ class Sensor:
         self._places = geometry.place_count
         self._movable = slice(geometry.place_count, geometry.robot_row)
         count = geometry.robot_row - geometry.place_count
-        self._x, self._y = (np.concatenate([samples.points[:, axis], np.zeros(count)]) for axis in (0, 1))
+        self._points = np.concatenate([samples.points, np.zeros(count)])
         self._room = np.concatenate([samples.room, np.zeros(count, dtype=np.int64)])
-        self._limit = np.full(len(self._x), config.range)
+        self._limit = np.full(len(self._points), config.range)
         self._full_range = np.where(samples.is_inside, config.inside_range, config.range)
         self._full_range[~world.prior.holds] = -1
         self._seen_floor = np.full(len(samples.points) - samples.floor_start, -np.inf)
@@ -113,48 +110,22 @@ class Sensor:
 
     def _in_view(self) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
         """For each sample point and each thing and person whether it is in view, and its distance."""
-        world = self.world
+        world, geometry = self.world, self.world.geometry
         count = len(self._samples.points)
-        self._x[count:], self._y[count:] = world.position[self._movable].T
+        self._points[count:] = world.position.view(np.complex128)[self._movable, 0]
         self._room[count:] = world.room[self._movable]
-        x, y = world.robot
-        heading = float(world.heading[world.geometry.robot_row])
-        dx, dy = self._x - x, self._y - y
-        distance = np.sqrt(dx * dx + dy * dy)
+        eye, heading = complex(*world.robot), float(world.heading[geometry.robot_row])
+        directions = self._points - eye
+        distance = np.abs(directions)
         in_view = distance <= self._limit
         if self.config.field_of_view < 360:
-            in_view &= dx * cos(heading) + dy * sin(heading) >= self._cosine * distance
-        robot_room = int(world.room[world.geometry.robot_row])
-        beyond = np.flatnonzero(in_view & (self._room != robot_room))
+            in_view &= (directions * complex(cos(heading), -sin(heading))).real >= self._cosine * distance
+        room = int(world.room[geometry.robot_row])
+        beyond = np.flatnonzero(in_view & (self._room != room))
         if beyond.size:
-            in_view[beyond] = self._in_sight(beyond, dx[beyond], dy[beyond])
+            leaves = world.closed_leaves()
+            in_view[beyond] = in_sight(geometry, room, eye, leaves, self._room[beyond], directions[beyond])
         return in_view, distance
-
-    def _in_sight(
-        self, points: NDArray[np.int64], dx: NDArray[np.float64], dy: NDArray[np.float64]
-    ) -> NDArray[np.bool_]:
-        """Which points in other rooms the open doorways leave in sight."""
-        world = self.world
-        rooms = self._room[points]
-        in_sight = np.zeros(len(points), dtype=bool)
-        for wedges in self._wedges(int(world.room[world.geometry.robot_row]), *world.robot):
-            right_x, right_y, left_x, left_y = wedges[rooms].T
-            in_sight |= (right_x * dy - right_y * dx >= 0) & (dx * left_y - dy * left_x >= 0)
-        return in_sight
-
-    def _wedges(self, room: int, x: float, y: float) -> list[NDArray[np.float64]]:
-        """What is seen of the other rooms: layers of `(rooms, 4)` wedges; several where two ways lead there."""
-        closed = self.world.closed_leaves()
-        layers: list[NDArray[np.float64]] = []
-        taken: dict[int, int] = {}
-        for beyond, wedge in _through(self.world.geometry, room, (x, y), None, (room,), closed):
-            layer = taken.get(beyond, 0)
-            taken[beyond] = layer + 1
-            if layer == len(layers):
-                # nothing compares with NaN: a room without a wedge is out of sight
-                layers.append(np.full((len(self.world.geometry.rooms), 4), np.nan))
-            layers[layer][beyond] = wedge
-        return layers
 
     def _see_places(self, in_view: NDArray[np.bool_], distance: NDArray[np.float64]) -> None:
         world, samples = self.world, self._samples
@@ -210,19 +181,19 @@ class Sensor:
 class _Samples:
     """What sensing needs of a house, made once: points that stand for the fixed places, and an empty table.
 
-    `points` `(n, 2)`, `room` `(n,)`; those of a place are `counts[place]` from `starts[place]`, the floors' last, from
-    `floor_start`. `known` is the table of one who sees nothing.
+    `points` `(n,)` complex, x + iy, and `room` `(n,)`; those of a place are `counts[place]` from
+    `starts[place]`, the floors' last, from `floor_start`. `known` is the table of one who sees nothing.
     """
 
     def __init__(self, geometry: Geometry) -> None:
-        points: list[tuple[float, float]] = []
+        points: list[complex] = []
         rooms: list[int] = []
         starts: list[int] = []
         for place, name in enumerate(geometry.names[: geometry.place_count]):
             starts.append(len(points))
             for room, point in _samples(geometry, place, name):
                 rooms.append(room)
-                points.append(point)
+                points.append(complex(*point))
         self.points, self.room, self.starts = np.array(points), np.array(rooms), np.array(starts)
         self.counts = np.diff([*starts, len(points)]).astype(np.uint8)
         self.floors = slice(geometry.place_count - len(geometry.rooms), geometry.place_count)
@@ -257,39 +228,3 @@ def _samples(geometry: Geometry, place: int, name: str) -> Iterator[tuple[int, t
     for x in (x0 + INSET, x1 - INSET):
         for y in (y0 + INSET, y1 - INSET):
             yield room, (x, y)
-
-
-def _through(
-    geometry: Geometry,
-    room: int,
-    eye: tuple[float, float],
-    wedge: Wedge | None,
-    path: tuple[int, ...],
-    closed: tuple[str, ...],
-) -> Iterator[tuple[int, Wedge]]:
-    """The rooms seen through open doorways of `room`, each with its wedge; deeper ones through nearer ones."""
-    for portal in geometry.portals[room]:
-        if portal.beyond in path or portal.leaf in closed:
-            continue
-        narrowed = _narrowed(portal, eye, wedge)
-        if narrowed is not None:
-            yield portal.beyond, narrowed
-            yield from _through(geometry, portal.beyond, eye, narrowed, (*path, portal.beyond), closed)
-
-
-def _narrowed(portal: Portal, eye: tuple[float, float], wedge: Wedge | None) -> Wedge | None:
-    """The part of a wedge that goes through an opening; None where nothing of it does."""
-    x, y = eye
-    right_x, right_y = portal.right[0] - x, portal.right[1] - y
-    left_x, left_y = portal.left[0] - x, portal.left[1] - y
-    if wedge is not None:
-        wedge_rx, wedge_ry, wedge_lx, wedge_ly = wedge
-        if wedge_rx * left_y - wedge_ry * left_x <= 0 or right_x * wedge_ly - right_y * wedge_lx <= 0:
-            return None
-        if wedge_rx * right_y - wedge_ry * right_x < 0:
-            right_x, right_y = wedge_rx, wedge_ry
-        if left_x * wedge_ly - left_y * wedge_lx < 0:
-            left_x, left_y = wedge_lx, wedge_ly
-    if right_x * left_y - right_y * left_x < 0:
-        return None
-    return right_x, right_y, left_x, left_y

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
+from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
@@ -19,6 +20,7 @@ ROBOT_RADIUS = 0.22  # [m]
 PASSAGE = ROBOT_RADIUS + 0.06  # [m] clearance of the robot's centre from what it passes
 DOORWAY_REACH = 0.35  # [m] so near to its middle the robot is in a doorway
 WAY_PITCH = 0.1  # [m] of the grid on which ways are looked for
+TRIES = 12  # spots tried at random before all are looked at
 STANDING_STRIDE = 5  # of the spots on a floor, one in so many is looked at as one where a person can stand
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
@@ -35,19 +37,38 @@ class Spots:
         self._of_place: dict[int, Floats] = {}
         self._person_spots: dict[int, Floats] = {}
         self._lying: dict[tuple[int, float], Floats] = {}
+        self._listed: dict[tuple[int, float], list[list[float]]] = {}
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots at which a thing of this radius can lie on or in a place, none on another; may be empty."""
         key = (place, radius)
         if key not in self._lying:
             points = self._candidates(place)
-            if place in self._floors:
+            if self.is_floor(place):
                 room = int(self.geometry.place_room[place])
                 fits = self._floor_clearance[room] >= radius + FLOOR_GAP
             else:
                 fits = self._fits(points, place, radius)
             self._lying[key] = points[fits]
         return _apart(self._lying[key], radius, taken)
+
+    def draw_lying(
+        self, place: int, radius: float, taken: Sequence[Disc], rng: Generator
+    ) -> tuple[float, float] | None:
+        """One of the spots of `lying`, each as likely; None where there is none. Tries some before it looks at all."""
+        key = (place, radius)
+        if key not in self._listed:
+            self._listed[key] = self.lying(place, radius).tolist()
+        spots = self._listed[key]
+        for _ in range(TRIES if spots else 0):
+            x, y = spots[int(rng.random() * len(spots))]
+            if all((x - ox) ** 2 + (y - oy) ** 2 >= (radius + other) ** 2 for ox, oy, other in taken):
+                return x, y
+        left = self.lying(place, radius, taken).tolist()
+        return tuple(left[int(rng.random() * len(left))]) if left else None
+
+    def is_floor(self, place: int) -> bool:
+        return place in self._floors
 
     def standing(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots where a person can stand in a room so that the robot still gets everywhere in it."""
@@ -77,7 +98,7 @@ class Spots:
     def _candidates(self, place: int) -> Floats:
         if place not in self._of_place:
             x0, y0, x1, y1 = self.geometry.footprints[place]
-            pitch = FLOOR_PITCH if place in self._floors else LYING_PITCH
+            pitch = FLOOR_PITCH if self.is_floor(place) else LYING_PITCH
             self._of_place[place] = _grid((x0, y0, x1, y1), pitch)
         return self._of_place[place]
 
@@ -161,6 +182,14 @@ class _Ways:
         return self._reached(people)[steps[:, 1] * columns + steps[:, 0]]
 
     def _reached(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
+        people = tuple(people)
+        return self._flooded(people) if people else self._reached_alone
+
+    @cached_property
+    def _reached_alone(self) -> NDArray[np.bool_]:
+        return self._flooded(())
+
+    def _flooded(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
         free = self._passable.copy()
         for x, y in people:
             free &= (self._cells[:, 0] - x) ** 2 + (self._cells[:, 1] - y) ** 2 >= (PERSON_RADIUS + PASSAGE) ** 2
