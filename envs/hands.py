@@ -139,7 +139,13 @@ def _stow(world: World) -> Result:
 
 
 def _nearest_spot(world: World, place: int) -> Point | None:
-    spots = world.spots.lying(place, world.prior.radius[world.held], world.discs_at(place))
+    """The free spot nearest to the robot; where all are taken, the nearest of all: things are piled up."""
+    radius = world.prior.radius[world.held]
+    spots = world.spots.lying(place, radius, world.discs_at(place))
+    if not len(spots):
+        spots = world.spots.lying(place, radius)
+    if not len(spots):
+        spots = world.spots.lying(place, 0.0)
     if not len(spots):
         return None
     x, y = world.robot
