@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
-from decomplex_bt.envs.feasibility import Course, enter, find_cause, plan_course
+from decomplex_bt.envs.feasibility import FINDING_OUT, Course, enter, find_cause, plan_course
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
 from decomplex_bt.envs.outcomes import goal_holds, outcomes
-from decomplex_bt.envs.truth import Truth
+from decomplex_bt.envs.truth import Moment, Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
@@ -36,7 +36,8 @@ class Reading:
     """One consistent reading of the instruction, and how far it has come.
 
     `agenda`: what is still to come, the task due now first. `since`: the step at which that one became due, `room`
-    where the robot was. `is_impossible`: the true world does not allow it. `tried`: the outcomes it was taken for in
+    where the robot was. `is_impossible`: the true world does not allow it. `moment`: the world as it was then, by which
+    a condition is judged that finds something out. `tried`: the outcomes it was taken for in
     other readings.
     """
 
@@ -47,6 +48,7 @@ class Reading:
     met: tuple[int, ...] = ()
     branches: tuple[Branch, ...] = ()
     is_impossible: bool = False
+    moment: Moment | None = None
     tried: frozenset[tuple[bool, tuple[tuple[str, ...], ...]]] = frozenset()
 
     @property
@@ -102,13 +104,21 @@ class Monitor:
     def _make_due(self, reading: Reading) -> Reading:
         """The reading with its next task become due: whether the true world allows it is settled here."""
         since = self.record.step
-        reading = replace(reading, since=since, room=self.truth.room, is_impossible=False, tried=frozenset())
+        room = self.truth.room
+        reading = replace(reading, since=since, room=room, is_impossible=False, moment=None, tried=frozenset())
         if reading.due is None:
             return reading
         task = self.instruction.task(reading.due.task)
         bindings = name_candidates(task, reading.bindings, self.domain, self.truth)
         cause = find_cause(task, bindings, self.domain, self.truth)
-        return replace(reading, bindings=bindings, is_impossible=cause is not None)
+        moment = self._moment(task, bindings) if isinstance(reading.due, If) else None
+        return replace(reading, bindings=bindings, is_impossible=cause is not None, moment=moment)
+
+    def _moment(self, task: GroundTask, bindings: Bindings) -> Moment | None:
+        if task.type not in FINDING_OUT:
+            return None
+        names = (name for referent in task.referents() for name in candidates(referent, bindings))
+        return Moment(self.domain, self.truth, names)
 
     def _advance(self) -> None:
         """Follows every reading as far as it goes; a reading that is carried out in full ends the episode."""
@@ -177,7 +187,7 @@ class Monitor:
         return follower
 
     def _evidence(self, reading: Reading) -> Evidence:
-        return Evidence(self.domain, self.truth, self.record, reading.since)
+        return Evidence(self.domain, reading.moment or self.truth, self.record, reading.since)
 
     def _look(self, reading: Reading) -> None:
         """Takes down what bears on the task due."""

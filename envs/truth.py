@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterable
 from typing import Protocol
+
+from decomplex_bt.domain.loader import Domain
 
 ROBOT = "robot"
 """The place of what is in the gripper or on the tray."""
@@ -36,3 +38,47 @@ class Truth(Protocol):
 
     def is_inspected(self, place: str) -> bool:
         """Whether the whole contents of a place are in the robot's view now."""
+
+
+class Moment:
+    """The true world as it goes on, but with the places and states of some entities as they are at this moment.
+
+    A condition is judged by it: what the robot has found is what was there, not what it has put there itself.
+    """
+
+    def __init__(self, domain: Domain, truth: Truth, names: Iterable[str]) -> None:
+        house = domain.house
+        self._truth = truth
+        self._places: dict[str, str | None] = {}
+        self._states: dict[tuple[str, str], str | None] = {}
+        for name in names:
+            if name in house.things or name in house.people:
+                self._places[name] = truth.place(name)
+            if name in house.things or name in house.places():
+                self._states.update({(name, pair): truth.state(name, pair) for pair in domain.kind(name).states})
+
+    @property
+    def room(self) -> str:
+        return self._truth.room
+
+    def view(self) -> Hashable:
+        return self._truth.view()
+
+    def is_near(self, name: str) -> bool:
+        return self._truth.is_near(name)
+
+    def place(self, name: str) -> str | None:
+        return self._places[name] if name in self._places else self._truth.place(name)
+
+    def state(self, name: str, pair: str) -> str | None:
+        key = (name, pair)
+        return self._states[key] if key in self._states else self._truth.state(name, pair)
+
+    def is_broken(self, name: str) -> bool:
+        return self._truth.is_broken(name)
+
+    def is_seen(self, name: str) -> bool:
+        return self._truth.is_seen(name)
+
+    def is_inspected(self, place: str) -> bool:
+        return self._truth.is_inspected(place)

@@ -202,6 +202,23 @@ def test_a_thing_a_look_has_missed_is_no_proof_of_absence():
     assert episode.truths == [(1, None, None)]
 
 
+def test_what_the_robot_has_put_there_itself_is_not_found():
+    episode = Episode(HandWorld({"pen_1": "robot"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
+    episode.put("pen_1", "desk")
+    episode.see("pen_1")
+    episode.inspect("desk")
+    assert episode.truths == [(1, False, "else")]
+
+
+def test_what_the_robot_has_made_so_itself_is_not_observed():
+    flow = [{"if": 1, "then": [2]}]
+    tasks = task(1, "check_state", "tv", state="on"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld(), flow, *tasks)
+    episode.do(Interaction.SWITCH_ON, "tv")
+    episode.see("tv")
+    assert episode.truths == [(1, False, None)]
+
+
 def test_the_phrase_is_narrowed_to_what_was_found():
     episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "couch"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
     episode.see("pen_1")
