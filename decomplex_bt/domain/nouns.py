@@ -55,11 +55,19 @@ class Nouns:
         return self.entities.get(phrase, ()), tuple(dict.fromkeys(plurals))
 
     def nearest(self, phrase: str, among: Iterable[str] = (), *, limit: int = 3) -> tuple[str, ...]:
-        """The known words (only those naming one of `among`, if given) that look most like the phrase, best first."""
+        """The known words (only those naming one of `among`, if given) that look most like the phrase, best first.
+
+        Where none looks like it at all, the least unlike ones: a stranger to the house sees what there is.
+        """
         allowed = frozenset(among)
         words = [word for word, entities in self.entities.items() if not allowed or allowed & set(entities)]
-        matches = process.extract(phrase, words, scorer=fuzz.ratio, score_cutoff=62, limit=limit)
-        return tuple(match[0] for match in matches)
+        matches = process.extract(phrase, words, scorer=fuzz.ratio, limit=limit)
+        alike = [word for word, score, _ in matches if score >= ALIKE]
+        return tuple(alike or (word for word, _, _ in matches))
+
+
+ALIKE = 62
+"""The likeness [0 to 100] from which a word may be a misspelling of another."""
 
 
 def singulars(phrase: str) -> tuple[str, ...]:

@@ -69,4 +69,8 @@ def test_singulars_of_what_is_no_plural_are_none() -> None:
 
 def test_the_nearest_word_to_a_slip_of_the_pen() -> None:
     assert DOMAIN.nouns.nearest("fridg")[0] == "fridge"
-    assert DOMAIN.nouns.nearest("xqzzy") == ()
+    assert DOMAIN.nouns.nearest("fridg") == ("fridge",)
+
+
+def test_a_word_like_none_still_shows_what_there_is() -> None:
+    assert len(DOMAIN.nouns.nearest("xqzzy")) == 3
