@@ -107,24 +107,39 @@ class Draw:
         return True
 
     def stand(self, person: int, room: int | None, rng: Generator) -> None:
-        """Stands a person in a room (None: out of the house). Raises `InputError` where there is no spot for them."""
+        """Stands a person in a room (None: out of the house), so that the robot still gets everywhere.
+
+        Where the room is too crowded for that they stand in another. Raises `InputError` where there is no spot at all.
+        """
         start = self.start
         start.home[person] = False
         start.position[person] = np.nan
         if room is None:
             return
+        others = [other for other in range(len(self.geometry.rooms)) if other != room]
+        for candidate in (room, *others):
+            spot = self._spot_in_company(candidate, rng)
+            if spot is not None:
+                break
+        else:
+            taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
+            spots = self.spots.standing(room, taken)
+            spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+        start.position[person] = spot
+        start.home[person] = True
+
+    def _spot_in_company(self, room: int, rng: Generator) -> Floats | None:
+        """A spot that leaves the robot its ways through a room, with those who stand there already; None if none does."""
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
         spots = self.spots.standing(room, taken)
         company = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
-        for _ in range(TRIES):
-            spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+        for _ in range(TRIES if len(spots) else 0):
+            spot: Floats = spots[int(rng.random() * len(spots))]
             if not company or self.spots.leaves_way(room, [*company, (float(spot[0]), float(spot[1]))]):
-                break
-        else:  # in good company few spots are left: look at them all
-            good = [at for at in spots.tolist() if self.spots.leaves_way(room, [*company, (at[0], at[1])])]
-            spot = np.array(good[int(rng.random() * len(good))]) if good else spot
-        start.position[person] = spot
-        start.home[person] = True
+                return spot
+        # in large company few spots are left: look at them all
+        good = [at for at in spots.tolist() if self.spots.leaves_way(room, [*company, (at[0], at[1])])]
+        return np.array(good[int(rng.random() * len(good))]) if good else None
 
     def _things(self, rng: Generator) -> None:
         prior = self.prior

@@ -14,7 +14,7 @@ from numpy.random import Generator
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.envs.balance import mix
-from decomplex_bt.envs.chance import Draw
+from decomplex_bt.envs.chance import Draw, Start
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.judge import Judge
@@ -310,7 +310,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _begin(self, options: Options, replayed: Request | None = None) -> tuple[Observation, dict[str, Any]]:
         generator = self.np_random.bit_generator.state
-        base, mixing, asking, noise = (np.random.default_rng(seed) for seed in self.np_random.integers(2**63, size=4))
+        base, mixing, asking, noise, whims = map(np.random.default_rng, self.np_random.integers(2**63, size=5))
         if options.request is not None:
             self._request, self._judge = options.request, None
         self._options = options
@@ -323,7 +323,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._recording = Recording(generator, request, options)
         self._result = Result.NONE
         self._path_length = 0.0
-        self._world = self._draw_world(options, base, mixing, noise)
+        start = self._draw_start(options, base, mixing)
+        setting = self.setting
+        self._world = World(
+            setting.geometry, setting.prior, setting.spots, start, config=self.config.world, rng=noise, whims=whims
+        )
         self._sensor = Sensor(self._world, self.config.sensing, noise)
         if not options.noise or not options.chance:
             self._world.grasp_slip = self._sensor.missed_detection = 0.0
@@ -358,9 +362,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         reading = Interpreter.load(self.domain).interpret(request.text)
         return Judge(reading, self.domain, judged_by="interpreted")
 
-    def _draw_world(self, options: Options, base: Generator, mixing: Generator, noise: Generator) -> World:
-        setting = self.setting
-        draw = Draw(setting.prior, setting.spots)
+    def _draw_start(self, options: Options, base: Generator, mixing: Generator) -> Start:
+        draw = Draw(self.setting.prior, self.setting.spots)
         if options.chance:
             draw.everything(base)
         else:
@@ -370,7 +373,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             mix(draw, self._judging.tests, balance, mixing)
         apply_options(options, draw, mixing)
         draw.robot(base if options.chance else None)
-        return World(setting.geometry, setting.prior, setting.spots, draw.start, noise, self.config.world)
+        return draw.start
 
     # -- a step's parts -----------------------------------------------------------------------------------------------
 

@@ -93,13 +93,22 @@ class World:
     Arrays by row of the entity table: `position` `(rows, 2)`, `heading` `(rows,)`, `place` (row of the place a thing
     lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
-    changes that are no motion.
+    changes that are no motion. `rng` is for slips, `whims` for where people go who may go wherever they like.
     """
 
     def __init__(
-        self, geometry: Geometry, prior: Prior, spots: Spots, start: Start, rng: Generator, config: WorldConfig
+        self,
+        geometry: Geometry,
+        prior: Prior,
+        spots: Spots,
+        start: Start,
+        *,
+        config: WorldConfig,
+        rng: Generator,
+        whims: Generator,
     ) -> None:
-        self.geometry, self.prior, self.spots, self.config, self.rng = geometry, prior, spots, config, rng
+        self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config
+        self.rng, self.whims = rng, whims
         self.grasp_slip = geometry.house.grasp_slip
         self.place = start.place.copy()
         self._position = start.position.copy()

@@ -1,0 +1,68 @@
+"""The geometry of a house follows from its file."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+import pytest
+
+from decomplex_bt.domain.house import Doorway
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.geometry import Geometry
+from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.wedges import in_sight
+from decomplex_bt.errors import InputError
+
+DOMAIN = load_domain("household")
+GEOMETRY = setting_of(DOMAIN).geometry
+
+
+def test_walls_stand_around_rooms_but_not_in_doorways():
+    assert GEOMETRY.is_free_line((2.2, 5.0), (2.2, 5.6), ())
+    assert not GEOMETRY.is_free_line((1.0, 5.0), (1.0, 5.6), ())
+    assert not GEOMETRY.is_free_line((4.2, 8.0), (4.6, 8.0), ())
+
+
+def test_a_closed_leaf_blocks_a_line():
+    through = (3.2, 3.5), (3.2, 4.3)
+    assert GEOMETRY.is_free_line(*through, ())
+    assert not GEOMETRY.is_free_line(*through, ("bedroom_door",))
+
+
+def test_rooms_of_points():
+    points = np.array([(1.0, 8.0), (11.0, 1.0), (6.0, 4.6)])
+    rooms = [GEOMETRY.rooms[room] for room in GEOMETRY.rooms_at(points)]
+    assert rooms == ["kitchen", "study", "hallway"]
+    assert [GEOMETRY.rooms[GEOMETRY.room_at(x, y)] for x, y in points] == rooms
+
+
+def test_a_doorway_in_no_wall_is_an_error_that_names_it():
+    doorways = {**DOMAIN.house.doorways, "hole": Doorway(rooms=("kitchen", "study"), centre=(3.0, 7.0))}
+    with pytest.raises(InputError, match="doorways.hole"):
+        Geometry(DOMAIN.house.model_copy(update={"doorways": doorways}), DOMAIN.kinds)
+
+
+def test_what_is_in_sight_is_what_no_wall_stands_before():
+    rng = np.random.default_rng(0)
+    jambs = [(line[0], line[1]) for line in GEOMETRY.openings.values()]
+    jambs += [(line[2], line[3]) for line in GEOMETRY.openings.values()]
+    seen_through = 0
+    for _ in range(60):
+        eye = rng.uniform((0.1, 0.1), (11.9, 8.9))
+        points = rng.uniform((0.1, 0.1), (11.9, 8.9), (60, 2))
+        room, rooms = GEOMETRY.room_at(*eye), GEOMETRY.rooms_at(points)
+        directions = (points - eye) @ (1, 1j)
+        leaves = ("bathroom_door",)
+        sight = in_sight(GEOMETRY, room, complex(*eye), leaves, rooms, directions)
+        for point, other, seen in zip(points, rooms, sight, strict=True):
+            if other == room or min(distance_to_line(jamb, eye, point) for jamb in jambs) < 0.12:
+                continue
+            assert seen == GEOMETRY.is_free_line(tuple(eye), tuple(point), leaves)
+            seen_through += seen
+    assert seen_through > 50
+
+
+def distance_to_line(point, start, end):
+    along = np.clip(np.dot(np.subtract(point, start), end - start) / np.dot(end - start, end - start), 0, 1)
+    return hypot(*(start + along * (end - start) - point))
