@@ -129,7 +129,7 @@ class Draw:
         start.home[person] = True
 
     def _spot_in_company(self, room: int, rng: Generator) -> Floats | None:
-        """A spot that leaves the robot its ways through a room, with those who stand there already; None if none does."""
+        """A spot that leaves the robot its ways through a room, past those who stand there already; None if none."""
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
         spots = self.spots.standing(room, taken)
         company = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
