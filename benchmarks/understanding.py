@@ -45,7 +45,9 @@ def main() -> None:
     texts = [e.instruction.text for e in read_split(domain.folder / "corpus", domain.ontology, "test")][:100]
     interpreter, nlp = Interpreter.load(domain), Parser()._nlp
 
-    ratio, took = median_ratio(lambda: [interpreter.interpret(t) for t in texts], lambda: [nlp(t) for t in texts], rounds)
+    ratio, took = median_ratio(
+        lambda: [interpreter.interpret(t) for t in texts], lambda: [nlp(t) for t in texts], rounds
+    )
     print(f"one instruction: {1000 * took / len(texts):.2f} ms, {ratio:.2f} times bare spaCy")
     ratio, took = median_ratio(
         lambda: [interpreter.interpret(t) for t in texts], lambda: list(interpreter.interpret_batch(texts)), rounds

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -116,7 +116,9 @@ def read_split(folder: Path, ontology: Ontology, *splits: Split) -> tuple[Exampl
     return tuple(example for name in names for example in read_corpus(folder / f"{name}.yaml", ontology))
 
 
-_MARK = re.compile(r"(?<!\\)\[(?P<surface>(?:\\.|[^\[\]\\])*)\]\((?P<task>\d+):(?P<label>[a-z_]+)(?:=(?P<referent>(?:\\.|[^)\\])+))?\)")
+_MARK = re.compile(
+    r"(?<!\\)\[(?P<surface>(?:\\.|[^\[\]\\])*)\]\((?P<task>\d+):(?P<label>[a-z_]+)(?:=(?P<referent>(?:\\.|[^)\\])+))?\)"
+)
 _ESCAPE = re.compile(r"\\([\[\]()\\])")
 
 
@@ -204,7 +206,8 @@ def _append(parts: list[str], text: str) -> int:
 def _unmarked(text: str) -> str:
     stray = re.search(r"(?<!\\)[\[\]]", text)
     if stray:
-        raise InputError(f"stray {stray[0]!r} near {text[max(0, stray.start() - 10) : stray.start() + 20]!r}; write \\[ or \\] for a plain bracket")
+        near = text[max(0, stray.start() - 10) : stray.start() + 20]
+        raise InputError(f"stray {stray[0]!r} near {near!r}; write \\[ or \\] for a plain bracket")
     return _ESCAPE.sub(r"\1", text)
 
 
@@ -217,10 +220,13 @@ def _check_tasks(tasks: Mapping[int, Task], text: str) -> None:
     for expected, task in enumerate(in_order, start=1):
         if task.id != expected:
             raise InputError(
-                f"tasks are numbered from 1 in order of appearance; {task.span.of(text)!r} is number {expected}, not {task.id}"
+                f"tasks are numbered from 1 in order of appearance; {task.span.of(text)!r} is number {expected}, "
+                f"not {task.id}"
             )
         if re.search(r"\s", task.span.of(text)):
-            raise InputError(f"task {task.id} marks {task.span.of(text)!r}; a task is one token, the verb that carries it")
+            raise InputError(
+                f"task {task.id} marks {task.span.of(text)!r}; a task is one token, the verb that carries it"
+            )
 
 
 def _implied(values: Mapping[str, str], ontology: Ontology, number: int) -> Iterator[Argument]:
@@ -241,7 +247,10 @@ def lint(examples: Sequence[Example], ontology: Ontology) -> Iterator[tuple[Exam
         for task in instruction.tasks:
             for argument in task.arguments:
                 if argument.span and argument.value.lower() in PRONOUNS:
-                    yield example, f"task {task.id}: {argument.type} {argument.value!r} is a pronoun without a referent (=)"
+                    yield (
+                        example,
+                        f"task {task.id}: {argument.type} {argument.value!r} is a pronoun without a referent (=)",
+                    )
             task_type = ontology.task_types[task.type]
             for argument in task.arguments:
                 if argument.type not in task_type.arguments:
@@ -251,4 +260,7 @@ def lint(examples: Sequence[Example], ontology: Ontology) -> Iterator[tuple[Exam
                 has |= {"state"}
             for group in task_type.required:
                 if not has & set(group):
-                    yield example, f"task {task.id} ({task.type}) has no {' or '.join(group)}, neither marked nor implied"
+                    yield (
+                        example,
+                        f"task {task.id} ({task.type}) has no {' or '.join(group)}, neither marked nor implied",
+                    )

@@ -124,8 +124,8 @@ class Flow:
             for number in node.tasks:
                 if number in placed:
                     raise InputError(
-                        f"flow: task {number} occurs twice; a task occurs once (write {{same: [{number}]}} to repeat it "
-                        "in another branch)"
+                        f"flow: task {number} occurs twice; a task occurs once (write {{same: [{number}]}} to repeat "
+                        "it in another branch)"
                     )
                 placed[number] = path
         for number, path in repeats:
@@ -157,7 +157,9 @@ def _read_node(entry: Any) -> Node:
     if isinstance(entry, int) and not isinstance(entry, bool):
         return Do((_read_number(entry),))
     if not isinstance(entry, Mapping):
-        raise InputError(f"flow: an entry is a task number, {{same: [...]}} or {{if: ..., then: ..., else: ...}}, got {entry!r}")
+        raise InputError(
+            f"flow: an entry is a task number, {{same: [...]}} or {{if: ..., then: ..., else: ...}}, got {entry!r}"
+        )
     keys = set(entry)
     if keys == {"same"}:
         numbers = _read_numbers(entry["same"])

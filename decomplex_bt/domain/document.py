@@ -51,7 +51,7 @@ def read_yaml(path: Path) -> Any:
 def load_yaml(text: str, path: str | Path) -> Any:
     """As `read_yaml`, from text; `path` serves for messages."""
     try:
-        return yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
+        return yaml.load(text, Loader=_Loader)  # a SafeLoader
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + 1 if error.problem_mark else None
         raise DataFileError(path, f"not valid YAML: {error.problem}", line=line) from None

@@ -23,7 +23,8 @@ class Room(Record):
 
 
 class Doorway(Record):
-    """An opening in the wall between two rooms; with a `kind` (bedroom door, ...) it has a leaf that opens and closes."""
+    """An opening in the wall between two rooms; with a `kind` (bedroom door, ...) it has a leaf that opens and
+    closes."""
 
     rooms: tuple[str, str]
     centre: tuple[float, float]

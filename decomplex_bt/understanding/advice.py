@@ -52,7 +52,8 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
 
 
 def _forbids(observed: Observed, i: int) -> bool:
-    """Whether a prohibition ("don't", "do not", "never" with a bare verb) starts at token `i`, at the start of a clause."""
+    """Whether a prohibition ("don't", "do not", "never" with a bare verb) starts at token `i`, at the start of a
+    clause."""
     tokens = observed.document.tokens
     at_start = (
         i == 0

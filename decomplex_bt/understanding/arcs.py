@@ -38,7 +38,7 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Polarity:
-    """Of one task as a condition: whether its clause is negated, and a state it tests (for antonym mentions), if any."""
+    """Of one task as a condition: whether its clause is negated, and a state it tests (for antonyms), if any."""
 
     is_negated: bool = False
     state: str | None = None
@@ -76,7 +76,7 @@ def arcs_of(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | Non
 
 
 def is_flipped(mention: int, first: int, polarities: Sequence[Polarity]) -> bool:
-    """Whether a mention as stated is, by grammar, the opposite of its first mention without the first one's negation."""
+    """Whether a mention as stated is by grammar the opposite of its first mention without that one's negation."""
     flipped = polarities[mention].is_negated
     if mention != first and polarities[mention].is_opposite_of(polarities[first]):
         flipped = not flipped
@@ -151,7 +151,8 @@ class _Builder:
         return _side(self.flips[token] != self.arcs[i].attachment.endswith("-"))
 
     def _repeat_of(self, i: int) -> int | None:
-        """The earlier plain task that task `i` mentions again: as many plain tasks back as the attachment's rank says."""
+        """The earlier plain task that task `i` mentions again: as many plain tasks back as the attachment's rank
+        says."""
         earlier = [j for j in range(i - 1, -1, -1) if self.arcs[j].role == "task"]
         attachment = self.arcs[i].attachment
         rank = int(attachment[1]) if attachment != TOP else 1

@@ -1,15 +1,15 @@
 """Argument identification: BIO labels over the argument types, each argument with the task that owns it.
-
-The default model says the owner in the label itself: `B-object<` belongs to the nearest task to the left, `I-state>` to
-the nearest to the right, doubled (`<<`) to the second nearest. The paper's model (DeComplex, section III-B) has plain BIO
-labels and a feature that associates each token with a task; which task, it finds by trying every split between two
-tasks. That search, and its two baselines, are `AssociationArguments`.
+ The default model says the owner in the label itself: `B-object<` belongs to the nearest task to the left, `I-state>`
+to the nearest to the right, doubled (`<<`) to the second nearest. The paper's model (DeComplex, section III-B) has
+plain BIO labels and a feature that associates each token with a task; which task, it finds by trying every split
+between two tasks. That search, and its two baselines, are `AssociationArguments`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Literal
 
@@ -96,7 +96,7 @@ class AssociationArguments:
     ) -> tuple[list[int], Labelling]:
         """Between each two tasks tries every split point and keeps the labelling of highest joint probability."""
         places = sorted(tasks)
-        for left, right in zip(places, places[1:], strict=False):
+        for left, right in pairwise(places):
             for split in range(left + 1, right):
                 trial = [*association]
                 trial[split:right] = [right] * (right - split)
@@ -187,8 +187,8 @@ def gold_tasks(document: Document, instruction: Instruction) -> dict[int, str]:
 def _associated(
     base: Sequence[Features], tasks: Mapping[int, str], association: Sequence[int] | None
 ) -> list[Features]:
-    """The base features with the paper's g (section III-B): at a task its own place is marked, elsewhere the type of the
-    task that the token is associated with."""
+    """The base features with the paper's g (section III-B): at a task its own place is marked, elsewhere the type of
+    the task that the token is associated with."""
     if association is None:
         return list(base)
     return [

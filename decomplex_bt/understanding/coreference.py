@@ -39,8 +39,8 @@ _PERSON_NOUNS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A noun phrase something may refer to. `tokens`: where it stands; `head`: its head noun's index; `owner`: the number
-    of the task whose argument it is, 0 for none; `type`: the argument's type or "outside"."""
+    """A noun phrase something may refer to. `tokens`: where it stands; `head`: its head noun's index; `owner`: the
+    number of the task whose argument it is, 0 for none; `type`: the argument's type or "outside"."""
 
     text: str
     tokens: range

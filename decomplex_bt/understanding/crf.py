@@ -55,7 +55,8 @@ class Crf:
         return float(self._tagger.probability(list(labels)))
 
     def marginal(self, label: str, position: int) -> float:
-        """The probability of a label at a position of the sequence labelled last; 0 for a label never seen in training."""
+        """The probability of a label at a position of the sequence labelled last; 0 for a label never seen in
+        training."""
         return float(self._tagger.marginal(label, position)) if label in self.labels else 0.0
 
 

@@ -56,7 +56,8 @@ class FlowModel:
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:
-    """Trains the three models on annotated documents, given their gold tasks and arguments, and writes them to `folder`.
+    """Trains the three models on annotated documents, given their gold tasks and arguments, and writes them to
+    `folder`.
 
     Gives the number of instructions left out because no labels can say their flow.
     """

@@ -23,7 +23,7 @@ class LanguageModelError(DecomplexError):
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A token with its tags and its place in the dependency parse; `head` is the index of its head, itself at a root."""
+    """A token with its tags and its place in the parse; `head` is the index of its head, itself at a root."""
 
     i: int
     start: int
@@ -148,7 +148,8 @@ def _load_pipeline() -> Any:
         _check_pipeline(nlp.meta["name"], nlp.meta["version"], nlp.pipe_names, expected_name=name)
         return nlp
     raise LanguageModelError(
-        f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x (it is a dependency of this package)"
+        f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "
+        "(it is a dependency of this package)"
     )
 
 

@@ -38,7 +38,8 @@ class Observed:
 
     @cached_property
     def nearest_cue(self) -> tuple[tuple[str, int], ...]:
-        """For every token the last cue that is no part of it to its left within the sentence, with the distance capped at 6."""
+        """For every token the last cue that is no part of it to its left within the sentence, with the distance
+        capped at 6."""
         result: list[tuple[str, int]] = []
         last: Cue | None = None
         starting = {cue.first: cue for cue in self.cues if cue.name in _MARKING}
@@ -51,7 +52,8 @@ class Observed:
 
     @cached_property
     def verbs_since_cue(self) -> tuple[str, ...]:
-        """For every token the last governing cue before it in the sentence, with how many verbs stand between (at most 3)."""
+        """For every token the last governing cue before it in the sentence, with how many verbs stand between (at
+        most 3)."""
         governing = {cue.last: cue.name for cue in self.cues if cue.name in _CLAUSE_OPENING}
         result: list[str] = []
         cue, verbs = "none", 0
@@ -67,8 +69,9 @@ class Observed:
 
     @cached_property
     def reported(self) -> tuple[str, ...]:
-        """For every token how it lies to the last verb of telling in its sentence: the word that opens what is told ("that",
-        "to", "if", ...), how many verbs came since, and whether a comma or "and" stands between; "none" where there is no such verb."""
+        """For every token how it lies to the last verb of telling in its sentence: the word that opens what is told
+        ("that", "to", "if", ...), how many verbs came since, and whether a comma or "and" stands between; "none" where
+        there is no such verb."""
         result: list[str] = []
         state, opening, verbs, broken = "none", "", 0, ""
         for token in self.document.tokens:

@@ -12,8 +12,8 @@ from decomplex_bt.understanding.document import Document
 
 @dataclass(frozen=True)
 class Gazetteer:
-    """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing", "furniture",
-    "room", ...); `states`: words of state."""
+    """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing",
+    "furniture", "room", ...); `states`: words of state."""
 
     verbs: Mapping[str, tuple[str, ...]]
     nouns: Mapping[str, str]
@@ -30,7 +30,7 @@ class Gazetteer:
         return cls({verb: sense.tasks for verb, sense in lexicon.verbs.items()}, nouns, frozenset(states))
 
     def senses(self, document: Document, i: int) -> tuple[str, ...]:
-        """The task types of a token as a verb, with the particle that belongs to it, if that makes a verb of its own."""
+        """The task types of a token as a verb, with its particle, where that makes a verb of its own."""
         token = document.tokens[i]
         for lemma in dict.fromkeys((token.lemma, token.lower)):
             particle = self.particle(document, i)

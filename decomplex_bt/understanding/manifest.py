@@ -28,8 +28,9 @@ class ModelEntry(Record):
 
 
 class Manifest(Record):
-    """`manifest.json`. `weights`: SHA-256 of the weights of readings; `corpus`: SHA-256 over the training voices' files; `libraries`: versions the models were made
-    with; `language_model`: the spaCy model whose tags the features came from."""
+    """`manifest.json`. `weights`: SHA-256 of the weights of readings; `corpus`: SHA-256 over the training voices'
+    files; `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features
+    came from."""
 
     format: int
     features_version: int

@@ -33,7 +33,8 @@ def without_apostrophes(text: str, i: int) -> str:
 
 
 def edited(instruction: Instruction, edit: Edit) -> Instruction:
-    """The instruction with every character edited and the spans moved along. Values that quote the text change with it."""
+    """The instruction with every character edited and the spans moved along. Values that quote the text change with
+    it."""
     parts = [edit(instruction.text, i) for i in range(len(instruction.text))]
     position, offsets = 0, []
     for part in parts:

@@ -23,8 +23,9 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
-    "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue", "uncued_condition",
-    "cued_task", "missing_argument", "idle_sentence", "idle_verb", "stranded_else", "bare_task", "checks",
+    "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
+    "uncued_condition", "cued_task", "missing_argument", "idle_sentence", "idle_verb", "stranded_else",
+    "bare_task", "checks",
 )  # fmt: skip
 """What a reading is judged by: the log probabilities of the stages, then counts; see `_features`."""
 
@@ -154,7 +155,7 @@ def _features(
     opposite = any(arc.attachment.endswith("-") for arc in flow.arcs) or any("fail" in c.far for c in flow.clauses)
     stranded = any(cue.name in ("else", "fail") for cue in observed.cues) and not opposite and not conditions
     missing = sum(
-        not {kind for kind, _ in task.arguments} & {"object", "goal", "location", "message", "recipient", "source", "direction"}
+        not {kind for kind, _ in task.arguments} & _WHAT_AND_WHERE
         for task in tasks
     )
     lacking = sum(
@@ -178,6 +179,7 @@ def _features(
 
 
 _OPENING = frozenset(("if", "only_if", "unless"))
+_WHAT_AND_WHERE = frozenset(("object", "goal", "location", "message", "recipient", "source", "direction"))
 _END = frozenset((".", "?", "!", ";", ",", ":"))
 
 

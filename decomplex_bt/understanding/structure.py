@@ -12,8 +12,9 @@ from decomplex_bt.understanding.features import Observed
 
 _PRONOUNS = frozenset("it they them that this those these one there he she".split())
 _SIGNALS = (
-    "if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "then", "after_that", "before", "before_that", "after", "until",
-    "first", "last", "either", "also", "while", "but", "or", "and", "not", "instead", "depending", "whether", "even_if",
+    "if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "then", "after_that", "before",
+    "before_that", "after", "until", "first", "last", "either", "also", "while", "but", "or", "and", "not",
+    "instead", "depending", "whether", "even_if",
 )  # fmt: skip
 
 
@@ -206,8 +207,8 @@ _CLOSING = frozenset(("else", "fail", "so"))
 
 
 def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
-    """Which cues stand anywhere ahead and behind: without any, nothing is a condition; and how the task joins the clause
-    before it ("if A and B")."""
+    """Which cues stand anywhere ahead and behind: without any, nothing is a condition; and how the task joins the
+    clause before it ("if A and B")."""
     clause = clauses[k]
     ahead = {cue for other in clauses[k + 1 :] for cue in (*other.far, *other.near)} | set(clause.behind)
     own = {*clause.far, *clause.near}
@@ -222,7 +223,8 @@ def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
         if k + distance < len(clauses):
             signals = {*clauses[k + distance].far, *clauses[k + distance].near} & _STRONG
             pronoun = "own" if clauses[k + distance].objects else "pro"
-            item[f"ahead{distance}"] = f"{'+'.join(sorted(signals))}.{clauses[k + distance].task.type}.{pronoun}.{clause.task.type}"
+            kinds = f"{clauses[k + distance].task.type}.{pronoun}.{clause.task.type}"
+            item[f"ahead{distance}"] = f"{'+'.join(sorted(signals))}.{kinds}"
     if k and clauses[k - 1].sentence == clause.sentence:
         before = clauses[k - 1]
         joint = "or" if "or" in clause.near else "and" if "and" in clause.near else "none"
@@ -233,7 +235,8 @@ def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
 
 
 def _resemblance_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
-    """How a task resembles earlier ones: a mention speaks of the same thing, often by pronoun or with the opposite state."""
+    """How a task resembles earlier ones: a mention speaks of the same thing, often by pronoun or with the opposite
+    state."""
     clause = clauses[k]
     item: Features = {}
     for j in range(k - 1, -1, -1):
@@ -261,10 +264,12 @@ _TURNS = ("either_way", "else", "fail", "so", "after_that", "last", "then", "ins
 
 
 def _shape(clauses: Sequence[Clause], j: int) -> str:
-    """How the clause of condition `j` lies in its sentence: what comes before its cue and what after its end. A condition
-    that opens its sentence governs what follows, one that closes it what came before."""
+    """How the clause of condition `j` lies in its sentence: what comes before its cue and what after its end. A
+    condition that opens its sentence governs what follows, one that closes it what came before."""
     clause = clauses[j]
-    opens = clause.boundary if clause.boundary != "none" else "and" if "and" in clause.near else "but" if "but" in clause.near else "none"
+    opens = clause.boundary
+    if opens == "none":
+        opens = next((word for word in ("and", "but") if word in clause.near), "none")
     if j == 0 or clauses[j - 1].sentence != clause.sentence:
         opens = "start"
     if j + 1 == len(clauses):
@@ -277,8 +282,8 @@ def _shape(clauses: Sequence[Clause], j: int) -> str:
 
 
 def _last_turn(clauses: Sequence[Clause], j: int, k: int) -> tuple[str, int]:
-    """The last cue after condition `j` that turns the talk (otherwise, either way, after that, ...), up to task `k`, with
-    the number of tasks since it."""
+    """The last cue after condition `j` that turns the talk (otherwise, either way, after that, ...), up to task `k`,
+    with the number of tasks since it."""
     for m in range(k, j, -1):
         own = (*clauses[m].far, *clauses[m].near)
         for name in _TURNS:

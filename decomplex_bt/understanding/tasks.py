@@ -45,7 +45,8 @@ class TaskModel:
         self._crf = Crf(path)
 
     def alternatives(self, observed: Observed) -> tuple[FoundTasks, ...]:
-        """The likeliest task sets, best first, at most `MAX_ALTERNATIVES`: all ways to label the least certain tokens."""
+        """The likeliest task sets, best first, at most `MAX_ALTERNATIVES`: all ways to label the least certain
+        tokens."""
         labelling = self._crf.label(task_features(observed))
         uncertain = self._crf.uncertain(labelling, UNCERTAIN)
         places = sorted(uncertain, key=lambda i: (labelling.marginals[i], i))[:MAX_UNCERTAIN_TOKENS]

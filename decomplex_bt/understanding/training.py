@@ -131,7 +131,7 @@ def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
 
 
 def _choices(data: Corpus, domain: Domain, progress: Progress) -> Iterator[tuple[tuple[Reading, ...], int]]:
-    """For every instruction its readings by stages that never saw its voice, with the right one, if it is among them."""
+    """For every instruction that can be read right, its readings by stages that never saw its voice, and which is."""
     held_out = _folds(data.voices)
     for fold in range(max(held_out) + 1):
         progress(f"readings {fold + 1}/{max(held_out) + 1}")

@@ -6,10 +6,10 @@ from decomplex_bt.understanding.document import Document, Token
 
 
 def document(*words: str) -> Document:
-    """A document of words such as "bring/VB/ROOT/0": text, tag, dependency and head; all but the text may be left out."""
+    """A document of words such as "bring/VB/ROOT/0": text, tag, dependency and head, or the text alone."""
     tokens, text = [], ""
     for i, word in enumerate(words):
-        surface, tag, dep, head = (*word.split("/"), "NN", "dep", str(i))[:4] if "/" in word else (word, "NN", "dep", str(i))
+        surface, tag, dep, head = word.split("/") if "/" in word else (word, "NN", "dep", str(i))
         text += (" " if text else "") + surface
         pos = {"V": "VERB", "N": "NOUN", "D": "DET", "I": "ADP", "J": "ADJ", "P": "PRON"}.get(tag[0], "X")
         tokens.append(

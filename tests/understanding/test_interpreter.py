@@ -51,8 +51,9 @@ def test_a_sentence_becomes_tasks_arguments_and_flow(interpreter):
 
 @pytest.mark.parametrize(
     "text",
-    ["?!", "🤖🤖", "Ferme la fenêtre, s'il te plaît", "if", "if if if unless otherwise", "x" * MAX_CHARACTERS, "a\u0301 \u202e]([1:x",
-     "Bring me\na cup\n\nand\tgo", "((((((", "bring bring bring it it", " leading and trailing "],
+    ["?!", "🤖🤖", "Ferme la fenêtre, s'il te plaît", "if", "if if if unless otherwise", "x" * MAX_CHARACTERS,
+     "a\u0301 \u202e]([1:x", "Bring me\na cup\n\nand\tgo", "((((((", "bring bring bring it it",
+     " leading and trailing "],
 )  # fmt: skip
 def test_any_text_gives_a_valid_instruction(interpreter, ontology, text):
     instruction = interpreter.interpret(text)
