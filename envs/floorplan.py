@@ -42,11 +42,15 @@ _FIELDS_KEPT = 256
 
 @dataclass(frozen=True, slots=True)
 class Disc:
-    """A round obstacle that is not on the map: a person, a thing on the floor. Metres."""
+    """A round obstacle that is not on the map: a person, a thing on the floor. Metres.
+
+    `gives_way`: it can be pushed aside where there is no way around it.
+    """
 
     x: float
     y: float
     radius: float
+    gives_way: bool = False
 
 
 @dataclass(frozen=True)

@@ -109,14 +109,20 @@ class Driver:
         way = self.floorplan.way(pose.point, self.goal, closed=closed)
         self._minded = ()
         if way is not None and _blocking(way.points, obstacles, self.floorplan.inflation, math.inf):
-            near = [o for o in obstacles if math.hypot(o.x - pose.x, o.y - pose.y) > o.radius + 0.05]
-            around = self.floorplan.way(pose.point, self.goal, closed=closed, obstacles=near)
             self._minded = tuple(obstacles)
-            way = around or way
+            way = self._way_around(pose, closed, obstacles) or way
         if way is None:
             return "no way there" if not closed else f"no way there with {', '.join(sorted(closed))} closed"
         self._way, self._rest = way, list(way.points)
         return ""
+
+    def _way_around(self, pose: Pose, closed: frozenset[str], obstacles: Sequence[Disc]) -> Way | None:
+        """A way clear of all obstacles, else one clear of those that do not give way."""
+        firm = [disc for disc in obstacles if not disc.gives_way]
+        around = self.floorplan.way(pose.point, self.goal, closed=closed, obstacles=obstacles)
+        if around is None and firm and len(firm) < len(obstacles):
+            around = self.floorplan.way(pose.point, self.goal, closed=closed, obstacles=firm)
+        return around
 
     def _is_obstructed(self, pose: Pose, obstacles: Sequence[Disc]) -> bool:
         """Whether something new stands in the way ahead."""

@@ -134,7 +134,7 @@ class Senses:
         for name in self._on_floors:
             if name != besides:
                 x, y = self._position[self.row[name]]
-                discs.append(Disc(float(x), float(y), self._radius[name]))
+                discs.append(Disc(float(x), float(y), self._radius[name], gives_way=True))
         return discs
 
     # -- decoding -----------------------------------------------------------------------------------------------------
