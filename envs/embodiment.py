@@ -70,6 +70,7 @@ class HouseholdEmbodiment:
             near=senses.near,
             result=_result_text(senses.result),
             seconds=senses.seconds,
+            unseen=senses.unseen,
         )
 
     def skill(self, step: GroundAction) -> Skill:

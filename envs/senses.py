@@ -71,6 +71,7 @@ class Senses:
         self.places: Places = MappingProxyType({})
         self.states: States = MappingProxyType({})
         self.inspected: frozenset[str] = frozenset()
+        self.unseen: frozenset[str] = frozenset()
         self.near: frozenset[str] = frozenset()
         self._table = np.zeros((count, len(COLUMNS)))
         self._position = np.full((count, 2), np.nan)
@@ -198,8 +199,10 @@ class Senses:
                         self._door_states[name] = states[name, pair]
         for name in self._recalled:
             places[name] = self.room_of_person(name) or ""
+        self.unseen = frozenset[str]()
         if self.house.user not in places and (room := self.room_of_person(self.house.user)) is not None:
             places[self.house.user] = room  # the user's place is always known
+            self.unseen = frozenset((self.house.user,))
         self._on_floors = on_floors
         self.places, self.states = _kept(self.places, places), _kept(self.states, states)
         self.inspected = frozenset(names[index] for index in sure.tolist())

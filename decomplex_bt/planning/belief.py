@@ -226,7 +226,8 @@ class Belief:
             if known.get(name) != place:
                 known[name] = place
                 changed = True
-            self._seen[name] = tick
+            if name not in percept.unseen:
+                self._seen[name] = tick
             self._misses.pop(name, None)
         for thing in (percept.held, *percept.tray):
             if thing is not None:

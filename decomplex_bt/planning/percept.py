@@ -12,10 +12,11 @@ class Percept:
 
     `room`: the robot's room. `held`: the thing in the gripper. `tray`: the things on the tray, by slot, None where free.
     `places`: each entity seen now, to the place it lies on or in, the person who has it, "robot", or (for a person) the
-    room. `states`: (entity, state pair) seen now, to the value ("open", "hot", ...). `inspected`: places whose whole
-    contents are in view now, so that what is not seen there is not there. `near`: names of all places, doorways and
-    people within the 1 m (1.5 m for people) in which the robot counts as being at them. `result`: what came of the last
-    interaction ("" if there was none, "ok", or the reason why it did nothing). `seconds`: simulated time.
+    room; also those in `unseen`, whose place is known without seeing them. `states`: (entity, state pair) seen now, to
+    the value ("open", "hot", ...). `inspected`: places whose whole contents are in view now, so that what is not seen
+    there is not there. `near`: names of all places, doorways and people within the 1 m (1.5 m for people) in which the
+    robot counts as being at them. `result`: what came of the last interaction ("" if there was none, "ok", or the
+    reason why it did nothing). `seconds`: simulated time.
     """
 
     room: str
@@ -27,3 +28,4 @@ class Percept:
     near: frozenset[str] = frozenset()
     result: str = ""
     seconds: float = 0.0
+    unseen: frozenset[str] = frozenset()

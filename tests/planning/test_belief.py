@@ -95,3 +95,11 @@ def test_it_prints_as_a_table() -> None:
     assert "holding pen_1" in text
     assert "pencil" in text
     assert "? desk 0.40" in text
+
+
+def test_somebody_whose_place_is_known_was_not_therefore_seen() -> None:
+    belief = look(Belief(DOMAIN), Percept(room="study", places={"user": "kitchen"}, unseen=frozenset({"user"})))
+    assert belief.place_of("user") == "kitchen"
+    assert belief.seen("user") < 0
+    belief.update(Percept(room="kitchen", places={"user": "kitchen"}))
+    assert belief.seen("user") == belief.tick
