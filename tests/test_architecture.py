@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -96,6 +97,17 @@ def test_no_imports_in_a_circle() -> None:
             del graph[module]
     circles = {module: sorted(imported & graph.keys()) for module, imported in graph.items()}
     assert not circles, f"these import one another: {circles}"
+
+
+def test_every_package_is_in_the_wheel() -> None:
+    root = Path(__file__).parent.parent
+    listed = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]["packages"]
+    folders = {
+        "decomplex_bt." * (top != "decomplex_bt") + ".".join(path.parent.relative_to(root).parts)
+        for top in ("decomplex_bt", "envs", "domains")
+        for path in (root / top).rglob("__init__.py")
+    }
+    assert sorted(listed) == sorted(folders)
 
 
 def test_only_understanding_imports_spacy() -> None:

@@ -39,6 +39,9 @@ class Display(Protocol):
     def end(self, episode: Episode) -> None:
         """Shows the verdict."""
 
+    def close(self) -> None:
+        """Gives the terminal back, however the episode ended."""
+
 
 class Silence:
     """Shows nothing (`--json`)."""
@@ -50,6 +53,9 @@ class Silence:
         """Nothing."""
 
     def end(self, episode: Episode) -> None:
+        """Nothing."""
+
+    def close(self) -> None:
         """Nothing."""
 
 
@@ -74,6 +80,9 @@ class PlainLines:
         print("\nbehaviour tree at the end:")
         print(_indented(to_text(episode.agent.tree.root, show_status=True).splitlines()))
         print(f"\n{episode.verdict}", flush=True)
+
+    def close(self) -> None:
+        """Nothing to give back."""
 
 
 class LiveDisplay:
@@ -113,6 +122,9 @@ class LiveDisplay:
         self._console.print(self._picture(episode))
         self._console.print(Text(episode.verdict, style=OUTCOME_COLOURS[episode.outcome]))
 
+    def close(self) -> None:
+        self._live.stop()
+
     def _picture(self, episode: Episode) -> Group:
         from rich.console import Group
         from rich.panel import Panel
@@ -128,22 +140,29 @@ class LiveDisplay:
 
 def happenings(episode: Episode, moment: Moment) -> Iterator[str]:
     """A line for each task that begins or ends, each step of a plan, each condition with what was observed there."""
-    clock = f"{moment.seconds:7.1f} s"
-    leaves = [(entry, leaf) for entry in moment.entries if (leaf := episode.leaf_at(entry["node"])) is not None]
-    for entry, leaf in leaves:
+    judged = {id(node.condition): node for node in moment.judged}
+    for entry in moment.entries:
+        leaf = episode.leaf_at(entry["node"])
+        if leaf is None:
+            continue
+        clock = f"{entry['sim_seconds']:7.1f} s"
         if entry["event"] in ("finished", "interrupted"):
-            outcome = entry["feedback"] or entry["event"]
-            yield f"{clock} {SIGNS[Status(entry['status'].upper())]} {leaf.name}: {outcome}"
-    for node in moment.judged:
-        seen = episode.findings(node)
-        truth = {True: "yes", False: "no", None: "cannot be decided"}[node.truth]
-        branch = f", so {node.taken}" if node.taken else ", nothing to do" if node.truth is not None else ""
-        yield f"{clock} ? {node.name}: {truth}{branch}{f' ({seen})' if seen else ''}"
-    for entry, leaf in leaves:
+            yield f"{clock} {SIGNS[Status(entry['status'].upper())]} {leaf.name}: {entry['feedback'] or entry['event']}"
+            if id(leaf) in judged:
+                yield f"{clock} ? {_judgement(episode, judged[id(leaf)])}"
+            continue
         if entry["event"] == "started":
             yield f"{clock} {SIGNS[Status.RUNNING]} {leaf.name}"
-        if entry["event"] in ("started", "changed") and entry["feedback"]:
+        if entry["feedback"]:
             yield f"{clock}     {entry['feedback'].removesuffix(f': {leaf.task.phrase}')}"
+
+
+def _judgement(episode: Episode, node: IfThenElse) -> str:
+    """A condition's outcome, the branch it leads to, and what was observed."""
+    seen = episode.findings(node)
+    truth = {True: "yes", False: "no", None: "cannot be decided"}[node.truth]
+    branch = f", so {node.taken}" if node.taken else ", nothing to do" if node.truth is not None else ""
+    return f"{node.name}: {truth}{branch}{f' ({seen})' if seen else ''}"
 
 
 def _rich_tree(node: Behaviour, role: str) -> Tree:

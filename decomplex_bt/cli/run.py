@@ -54,9 +54,9 @@ def run(
     reading = read(text, domain_of(domain), may_ask=not is_json)
     render_mode = "human" if window else "rgb_array" if film else None
     env = gym.make(ENVIRONMENT, domain=reading.domain, render_mode=render_mode, disable_env_checker=True)
+    display = _display(is_json, speed)
     try:
         episode = Episode(env, reading, seed, has_pictures=render_mode is not None)
-        display = _display(is_json, speed)
         display.begin(episode)
         for moment in episode.play():
             display.show(episode, moment)
@@ -70,6 +70,7 @@ def run(
             print_json(episode.to_json())
         return 0 if episode.outcome == "success" else 1
     finally:
+        display.close()
         env.close()
 
 

@@ -1,7 +1,7 @@
 """The renderer: scenes of one house as pictures of one size, quick because all that stays is drawn once.
 
-From the bottom up: the interior (redrawn when a state changes), the path driven, the view cone, things, people, the
-robot, what is pointed out, speech, and the caption.
+From the bottom up: the interior and the things in it (redrawn when one of them changes), the path driven, the view
+cone, people, the robot, what is pointed out, speech, and the caption.
 """
 
 from __future__ import annotations
@@ -51,6 +51,8 @@ class Renderer:
         self.sprites = SpriteBook(self.layout.scale)
         self.interior = Interior(self.layout, self.sprites)
         self._surface = pygame.Surface((width, height), 0, 32)
+        self._still = pygame.Surface((width, height), 0, 32)
+        self._still_key: object = None
         self._house_area = pygame.Rect(0, 0, width, self.layout.house_height)
         self._walls = _lengthened(geometry.wall_lines, WALL_RADIUS)
         self._radii = {name: self._icon_radius(name) for name in geometry.house.things}
@@ -69,11 +71,10 @@ class Renderer:
     def draw(self, scene: Scene) -> pygame.Surface:
         """The scene on the renderer's own surface, which the next call draws over."""
         surface = self._surface
-        surface.blit(self.interior.surface(scene.states), (0, 0))
+        surface.blit(self._still_life(scene), (0, 0))
         surface.set_clip(self._house_area)
         self._draw_path(surface, scene.path)
         self._draw_view(surface, scene)
-        self._draw_things(surface, scene)
         self._draw_people(surface, scene)
         self._draw_robot(surface, scene)
         self._point_out(surface, scene)
@@ -81,6 +82,15 @@ class Renderer:
         draw_speech(surface, self.layout, scene)
         draw_caption(surface, self.layout, scene)
         return surface
+
+    def _still_life(self, scene: Scene) -> pygame.Surface:
+        """The interior with all that lies in it; drawn anew when something there has changed."""
+        key = scene.states, scene.things, scene.places
+        if key != self._still_key:
+            self._still.blit(self.interior.surface(scene.states), (0, 0))
+            self._draw_things(self._still, scene)
+            self._still_key = key
+        return self._still
 
     def _draw_path(self, surface: pygame.Surface, path: tuple[tuple[float, float], ...]) -> None:
         radius = max(1.2, 0.024 * self.layout.scale)

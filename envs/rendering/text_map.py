@@ -32,12 +32,12 @@ def text_map(geometry: Geometry, scene: Scene, *, has_caption: bool = True) -> s
         if piece.part_of is None and geometry.house.kind(name, geometry.kinds).category == "furniture":
             width = max(2, round(piece.size[0] / CELL[0]))
             put(piece.centre[0] - width * CELL[0] / 2, piece.centre[1], piece.kind[:width])
+    for pose in scene.things.values():
+        put(pose.x, pose.y, "*")
     for wall in geometry.walls:
         _draw_line(put, wall, "█")
     for name, leaf in geometry.leaves.items():
         _draw_line(put, leaf, "▒" if scene.states.get((name, "aperture")) == "closed" else "·")
-    for pose in scene.things.values():
-        put(pose.x, pose.y, "*")
     for name, pose in scene.people.items():
         put(pose.x, pose.y, "@" + name[:1])
     robot = scene.robot

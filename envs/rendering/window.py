@@ -4,16 +4,26 @@ from __future__ import annotations
 
 import pygame
 
+from decomplex_bt.errors import InputError
+
 FRAMES_PER_SECOND = 30
 TITLE = "decomplex-bt"
 
 
 class Window:
-    """Shows pictures of one size (pixels), at most `FRAMES_PER_SECOND` a second; closing it hides it for good."""
+    """Shows pictures of one size (pixels), at most `FRAMES_PER_SECOND` a second; closing it hides it for good.
+
+    Raises `InputError` where there is no screen.
+    """
 
     def __init__(self, size: tuple[int, int]) -> None:
-        pygame.display.init()
-        self._screen: pygame.Surface | None = pygame.display.set_mode(size)
+        try:
+            pygame.display.init()
+            self._screen: pygame.Surface | None = pygame.display.set_mode(size)
+        except pygame.error as error:
+            raise InputError(
+                f"no window can be opened here: {error}; film instead (rgb_array), or set SDL_VIDEODRIVER=dummy"
+            ) from None
         pygame.display.set_caption(TITLE)
         self._clock = pygame.time.Clock()
 

@@ -11,12 +11,14 @@ import pytest
 
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.geometry import Geometry
-from decomplex_bt.envs.rendering import Pose, Scene
+from decomplex_bt.envs.rendering import Camera, Pose, Scene
 from decomplex_bt.envs.rendering.figures import ICONS
 from decomplex_bt.envs.rendering.lettering import printable, shorten, text_size, wrap
 from decomplex_bt.envs.rendering.renderer import Renderer
 from decomplex_bt.envs.rendering.sight import view_polygon
 from decomplex_bt.envs.rendering.text_map import text_map
+from decomplex_bt.envs.rendering.window import Window
+from decomplex_bt.errors import InputError
 
 
 @pytest.fixture(scope="module")
@@ -134,6 +136,21 @@ def test_text_map_shows_robot_people_and_caption(geometry: Geometry, scene: Scen
     assert "→" in drawn or "↗" in drawn
     assert "@u" in drawn
     assert drawn.endswith("0.0 s · look for the cup")
+
+
+def test_window_works_without_a_screen(geometry: Geometry, scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    camera = Camera(geometry, size=(200, 180))
+    assert camera.show(scene, "human") is None
+    assert camera.show(scene, "human") is None
+    camera.close()
+    camera.close()
+
+
+def test_window_without_a_driver_is_a_clear_error(geometry: Geometry, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "nonesuch")
+    with pytest.raises(InputError, match="no window"):
+        Window((200, 180))
 
 
 def test_captions_survive_any_text() -> None:
