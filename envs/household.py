@@ -186,8 +186,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         is_finished = interaction is Interaction.FINISH
         is_late = world.seconds >= self._max_seconds - 1e-9
         before = self._verdict
-        if self._judging is not None and (has_looked or is_finished or is_late or world.event is not None):
-            self._verdict = self._judging.update(world.event)
+        judging = self._judging
+        has_news = has_looked or is_finished or is_late or world.event is not None
+        if judging is not None and (has_news or judging.minds_position):
+            self._verdict = judging.update(world.event)
         self._recording.note(forward, turn, interaction, target, world)
         terminated = is_finished or (self._verdict is not None and self._verdict.is_over)
         truncated = is_late and not terminated

@@ -48,6 +48,12 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.update(event)
 
+    @property
+    def minds_position(self) -> bool:
+        """Whether the task due is done by being somewhere, so that every step counts, looked or not."""
+        assert self._monitor is not None
+        return self._monitor.minds_position
+
     def report(self) -> dict[str, Any]:
         """The verdict so far, for an episode's info: a fresh mapping of plain values."""
         assert self._monitor is not None

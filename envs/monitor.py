@@ -70,7 +70,7 @@ class Monitor:
         self._violations: tuple[Violation, ...] = ()
         self._has_asked = False
         self._view: Hashable = None
-        self._minds_position = True
+        self.minds_position = True
         self._room = truth.room
         self._holds = self._goals_that_hold()
         self.verdict = self._judge()
@@ -97,7 +97,7 @@ class Monitor:
     def _is_still(self) -> bool:
         """Whether nothing has come into view that the judge could go by, since it last looked closely."""
         before, self._view = self._view, self.truth.view()
-        return self._view == before and not self._has_asked and not self._minds_position
+        return self._view == before and not self._has_asked and not self.minds_position
 
     # -- readings -----------------------------------------------------------------------------------------------------
 
@@ -134,7 +134,7 @@ class Monitor:
             if stays is not None:
                 waiting.append(stays)
         self.readings = tuple(_without_twins(waiting))[:MOST_READINGS]
-        self._minds_position = any(
+        self.minds_position = any(
             self.instruction.task(reading.due.task).type in _ON_REACHING
             for reading in self.readings
             if reading.due is not None

@@ -229,6 +229,7 @@ class World:
     def stop_walking(self, person: int) -> None:
         self._drop_body(person)
         self._stand(person)
+        self.room[person] = self.geometry.room_at(*self.position[person].tolist())
 
     # -- building -----------------------------------------------------------------------------------------------------
 

@@ -208,9 +208,8 @@ def test_without_chance_all_seeds_have_the_same_house():
 def test_success_ends_the_episode_and_pays():
     env = HouseholdEnv(GO)
     env.reset(seed=0, options={"chance": False})
+    assert env.step(REST)[1] == 0.0
     env.world._robot.position = (2.2, 6.0)
-    rewards = [env.step(REST)[1] for _ in range(env.config.sensing.every - 1)]
-    assert rewards == [0.0] * len(rewards), "the judge looks when the robot does"
     _, reward, terminated, truncated, info = env.step(REST)
     assert (reward, terminated, truncated, info["is_success"]) == (1.0, True, False, True)
 
