@@ -6,7 +6,6 @@ Output:
 
     tree: 100.0% [83.9%, 100.0%] (20/20); found open 10 times, closed 10 times
     oracle: 100.0% [83.9%, 100.0%] (20/20); found open 10 times, closed 10 times
-    random: 25.0% [11.2%, 46.9%] (5/20); found open 6 times, closed 5 times
 """
 
 from decomplex_bt.corpus import parse_corpus
