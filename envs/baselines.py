@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from decomplex_bt.envs.interface import Interaction
+from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X, Y
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.errors import InputError
 from decomplex_bt.planning.pddl import GroundAction
-from decomplex_bt.planning.percept import Percept
 
 if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from decomplex_bt.instruction import Instruction
     from decomplex_bt.planning.planner import Planner
 
-_LOOKS = 3
+_LOOKS = 4
 """Looks at the truth that a belief takes in before it believes that what is not there is not there."""
 
 
@@ -109,13 +109,11 @@ class OraclePolicy(TreePolicy):
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         super().reset(observation, info)
-        truth = self._env.truth()
-        belief = self.agent.session.belief
-        percept = perceive_all(self._env.domain, truth)
+        session = self.agent.session
         for _ in range(_LOOKS):
-            belief.update(percept)
-        for step in _refused(self._env.domain, truth):
-            belief.failed(step, "broken")
+            session.belief.update(session.embodiment.perceive(see_all(self._env, observation)))
+        for step in _refused(self._env.domain, self._env.truth()):
+            session.belief.failed(step, "broken")
 
 
 class RandomPolicy:
@@ -166,21 +164,20 @@ POLICIES: dict[str, Callable[[HouseholdEnv, Instruction | None, Planner | None, 
 }
 
 
-def perceive_all(domain: Domain, truth: Truth) -> Percept:
-    """What one would perceive who sees the whole house at once, into every container."""
-    house = domain.house
-    movable = (*house.things, *house.people)
-    fixed = house.places()
-    here = [name for name in movable if truth.place(name) is not None]
-    states = {
-        (name, pair): value
-        for name in (*fixed, *(name for name in house.things if name in here))
-        for pair in domain.kind(name).states
-        if (value := truth.state(name, pair)) is not None
-    }
-    holding = frozenset(name for name in fixed if domain.kind(name).surface or domain.kind(name).inside)
-    places = {name: place for name in here if (place := truth.place(name)) is not None}
-    return Percept(room=truth.room, places=places, states=states, inspected=holding)
+def see_all(env: HouseholdEnv, observation: Mapping[str, Any]) -> dict[str, Any]:
+    """The observation of one who sees the whole house at once, into every container."""
+    world, table = env.world, np.array(observation["entities"])
+    places, rows = world.geometry.place_count, len(env.entities)
+    is_here = np.ones(rows, dtype=bool)
+    is_here[places:] = ~np.isnan(world.position[places:]).any(axis=1)
+    here = np.flatnonzero(is_here)
+    movable = here[here >= places]
+    table[here, VISIBLE] = 1
+    table[movable, X : Y + 1] = world.position[movable]
+    table[here, PLACE] = world.place[here]
+    table[here, FIRST_STATE:] = world.states[here]
+    table[:places, INSPECTED] = world.prior.holds
+    return {**observation, "entities": table}
 
 
 def _refused(domain: Domain, truth: Truth) -> list[GroundAction]:

@@ -199,10 +199,11 @@ class Senses:
                         self._door_states[name] = states[name, pair]
         for name in self._recalled:
             places[name] = self.room_of_person(name) or ""
-        self.unseen = frozenset[str]()
+        unseen = set(self._recalled)
         if self.house.user not in places and (room := self.room_of_person(self.house.user)) is not None:
             places[self.house.user] = room  # the user's place is always known
-            self.unseen = frozenset((self.house.user,))
+            unseen.add(self.house.user)
+        self.unseen = frozenset(unseen)
         self._on_floors = on_floors
         self.places, self.states = _kept(self.places, places), _kept(self.states, states)
         self.inspected = frozenset(names[index] for index in sure.tolist())

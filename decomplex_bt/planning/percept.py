@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 class Percept:
     """One look at the world.
 
-    `room`: the robot's room. `held`: the thing in the gripper. `tray`: the things on the tray, by slot, None where free.
+    `room`: the robot's room. `held`: the thing in the gripper. `tray`: the things on it by slot, None where free.
     `places`: each entity seen now, to the place it lies on or in, the person who has it, "robot", or (for a person) the
     room; also those in `unseen`, whose place is known without seeing them. `states`: (entity, state pair) seen now, to
     the value ("open", "hot", ...). `inspected`: places whose whole contents are in view now, so that what is not seen
