@@ -130,7 +130,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     v0: first version.
     """
 
-    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}  # noqa: RUF012
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
 
     def __init__(
         self,
@@ -202,8 +202,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self.render_mode is None:
             gym.logger.warn("render() needs a render mode; give gym.make one, as in render_mode='rgb_array'")
             return None
-        verdict = "success" if self._verdict is not None and self._verdict.is_success else ""
-        scene = self.camera.scene(self.world, instruction=self._text, verdict=verdict)
+        scene = self.camera.scene(self.world, instruction=self._text, **self._captions())
         return self.camera.show(scene, self.render_mode)  # type: ignore[arg-type]
 
     def close(self) -> None:
@@ -413,6 +412,13 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             met = before.met if before is not None else 0
             return (now.met - met) / now.total if now.total else float(now.is_success and terminated)
         return float(now.is_success and terminated)
+
+    def _captions(self) -> dict[str, str]:
+        """What a picture says besides the instruction: the verdict, or the task that is due."""
+        verdict, judge = self._verdict, self._judging
+        if verdict is None or judge is None or verdict.is_success or verdict.unsettled is None:
+            return {"verdict": "success"} if verdict is not None and verdict.is_success else {}
+        return {"due": f"due: {judge.reading.phrase(verdict.unsettled)}"}
 
     def _film(self) -> None:
         self.camera.note(self.world)

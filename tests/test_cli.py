@@ -112,6 +112,18 @@ def test_run_tells_the_story_and_films_it(tmp_path: Path, capsys: pytest.Capture
         assert picture.n_frames > 2
 
 
+def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("decomplex_bt.cli.film.find_spec", lambda name: None)
+    assert main(["run", "Go to the kitchen.", "--record", "film.mp4"]) == 2
+    assert "decomplex-bt[video]" in capsys.readouterr().err
+
+
+def test_video_is_written(tmp_path: Path) -> None:
+    pytest.importorskip("imageio_ffmpeg")
+    main(["run", "Go to the kitchen, then go to the bedroom.", "--record", str(tmp_path / "film.mp4")])
+    assert (tmp_path / "film.mp4").stat().st_size > 1000
+
+
 BAD = {
     "empty": ["run", ""],
     "only spaces": ["run", "   "],

@@ -60,8 +60,8 @@ class Camera:
             self._said = self.message or _words(event.goal, event.target)
             self._said_until = world.seconds + SPEECH_SECONDS
 
-    def scene(self, world: World, *, instruction: str = "", verdict: str = "") -> Scene:
-        """What there is to see now, hidden things included."""
+    def scene(self, world: World, *, instruction: str = "", verdict: str = "", due: str = "") -> Scene:
+        """What there is to see now, hidden things included; `due` stands in where no caller said what is being done."""
         geometry = self.geometry
         names, position, place = geometry.names, world.position.tolist(), world.place.tolist()
         robot_row, first_person = geometry.robot_row, geometry.people_rows[0]
@@ -84,7 +84,7 @@ class Camera:
             sight=self.sight,
             pointed_out=self.pointed_out,
             instruction=instruction,
-            doing=self.doing,
+            doing=self.doing or due,
             verdict=verdict,
             said=self._said if world.seconds <= self._said_until else "",
             seconds=world.seconds,
