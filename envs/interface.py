@@ -57,15 +57,15 @@ ROBOT_FIELDS = ("x", "y", "heading", "speed", "turn_rate")
 OBSERVATION_KEYS = ("instruction", "instruction_codes", "robot", "held", "entities", "result", "seconds")
 """Keys of an observation.
 
-`instruction`: str, printable ASCII and Latin-1, anything else as "?". `instruction_codes`: `(2000,)` uint8, its code points, 0 after
-its end. `robot`: `(5,)` float32, see `ROBOT_FIELDS`. `held`: `(1 + tray slots,)` int16, the rows of the things in the gripper (first)
-and in the tray's slots, -1 where free. `entities`: `(rows, columns)` float32, see `COLUMNS`. `result`: int, the `Result` of the last
-action's interaction. `seconds`: `(1,)` float32, simulated time.
+`instruction`: str, printable ASCII and Latin-1, anything else as "?". `instruction_codes`: `(2000,)` uint8, its code
+points, 0 after its end. `robot`: `(5,)` float32, see `ROBOT_FIELDS`. `held`: `(1 + tray slots,)` int16, the rows of
+the things in the gripper (first) and in the tray's slots, -1 where free. `entities`: `(rows, columns)` float32, see
+`COLUMNS`. `result`: int, the `Result` of the last action's interaction. `seconds`: `(1,)` float32, simulated time.
 
-Targets of an interaction: PICK, a thing (on a place, on the floor, on the tray, or with a person); PLACE, a place, or the row of
-"robot": onto the tray; OPEN, CLOSE, SWITCH_ON, SWITCH_OFF, a place; FILL, EMPTY, CLEAN, the place at which it is done with the thing
-in the hand (EMPTY at a trash can with an empty hand empties the can; CLEAN at a place that can be wiped, with a rag in the hand, wipes
-that place); HAND_OVER, a person; SAY, a person: speaks to them; SAY, a place (the floor of a room stands for the room): asks the
-nearest person within 1.5 m to lead the way there; SAY, "robot": asks them to lead the way wherever they like. NONE and FINISH
-have no target (any row will do).
+Targets of an interaction: PICK, a thing (on a place, on the floor, on the tray, or with a person); PLACE, a place, or
+the row of "robot": onto the tray; OPEN, CLOSE, SWITCH_ON, SWITCH_OFF, a place; FILL, EMPTY, CLEAN, the place at which
+it is done with the thing in the hand (EMPTY at a trash can with an empty hand empties the can; CLEAN at a place that
+can be wiped, with a rag in the hand, wipes that place); HAND_OVER, a person; SAY, a person: speaks to them; SAY, a
+place (the floor of a room stands for the room): asks the nearest person within 1.5 m to lead the way there; SAY,
+"robot": asks them to lead the way wherever they like. NONE and FINISH have no target (any row will do).
 """

@@ -39,7 +39,7 @@ def test_rooms_of_points():
 
 def test_a_doorway_in_no_wall_is_an_error_that_names_it():
     doorways = {**DOMAIN.house.doorways, "hole": Doorway(rooms=("kitchen", "study"), centre=(3.0, 7.0))}
-    with pytest.raises(InputError, match="doorways.hole"):
+    with pytest.raises(InputError, match=r"doorways\.hole"):
         Geometry(DOMAIN.house.model_copy(update={"doorways": doorways}), DOMAIN.kinds)
 
 
