@@ -112,6 +112,8 @@ class OraclePolicy(TreePolicy):
         session = self.agent.session
         for _ in range(_LOOKS):
             session.belief.update(session.embodiment.perceive(see_all(self._env, observation)))
+        for _ in range(_LOOKS):  # what was seen through walls is out of sight again
+            session.belief.update(session.embodiment.perceive(dict(observation)))
         for step in _refused(self._env.domain, self._env.truth()):
             session.belief.failed(step, "broken")
 
