@@ -9,6 +9,7 @@ import ast
 import os
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -34,7 +35,7 @@ def test_example_prints_what_it_says(path: Path, tmp_path: Path) -> None:
     if os.environ.get("UPDATE_EXAMPLES"):
         path.write_text(source.replace(docstring, f"{before}{mark}\n{_indented(done.stdout)}", 1), encoding="utf-8")
         return
-    assert _plain(done.stdout) == _plain(said)
+    assert _lines(done.stdout) == _lines(textwrap.dedent(said))
     assert len(source.splitlines()) < 80
     code = source.replace(docstring, "")
     assert len(code.splitlines()) < 60
@@ -44,6 +45,5 @@ def _indented(text: str) -> str:
     return "".join(f"    {line}\n" if line.strip() else "\n" for line in text.splitlines())
 
 
-def _plain(text: str) -> list[str]:
-    lines = [line.removeprefix("    ").rstrip() for line in text.strip("\n").splitlines()]
-    return [line for line in lines if line]
+def _lines(text: str) -> list[str]:
+    return [line.rstrip() for line in text.splitlines() if line.strip()]
