@@ -109,8 +109,8 @@ class HouseholdEmbodiment:
             "target": 0 if target is None else self.senses.row[target],
         }
 
-    def driver(self, goal: Cells) -> Driver:
-        return Driver(self.floorplan, goal, self.config.limits)
+    def driver(self, goal: Cells, *, second_best: Cells | None = None) -> Driver:
+        return Driver(self.floorplan, goal, self.config.limits, second_best=second_best)
 
 
 def _result_text(result: Result) -> str:

@@ -138,6 +138,11 @@ class Floorplan:
                 return np.flatnonzero(region & (distance <= max(0.42, distance[region].min() + 0.06))).astype(np.int32)
         return np.empty(0, np.int32)
 
+    def cells_within(self, place: str, reach: float, *, room: str) -> Cells:
+        """All free cells of `room` within `reach` metres of a place's footprint, on whatever side."""
+        near = _rect_distances(self.footprint(place), self.cell_x, self.cell_y) <= reach
+        return np.flatnonzero(self.free & self._in_room(room) & near).astype(np.int32)
+
     def cells_around(self, x: float, y: float, *, nearest: float, farthest: float, room: str | None) -> Cells:
         """The free cells of `room` (None: any) between two distances from a point."""
         distance = np.hypot(self.cell_x - x, self.cell_y - y)

@@ -67,11 +67,15 @@ class Course:
 
 
 class Driver:
-    """One drive to the nearest of some goal cells. Ask it once per control step; it holds the way and its troubles."""
+    """One drive to the nearest of some goal cells. Ask it once per control step; it holds the way and its troubles.
 
-    def __init__(self, floorplan: Floorplan, goal: Cells, limits: Limits) -> None:
+    `second_best`: cells that will do where somebody stands in the way to all the others.
+    """
+
+    def __init__(self, floorplan: Floorplan, goal: Cells, limits: Limits, *, second_best: Cells | None = None) -> None:
         self.floorplan = floorplan
         self.goal = goal
+        self.second_best = second_best
         self.limits = limits
         self._way: Way | None = None
         self._rest: list[Point] = []
@@ -119,10 +123,13 @@ class Driver:
     def _way_around(self, pose: Pose, closed: frozenset[str], obstacles: Sequence[Disc]) -> Way | None:
         """A way clear of all obstacles, else one clear of those that do not give way."""
         firm = [disc for disc in obstacles if not disc.gives_way]
-        around = self.floorplan.way(pose.point, self.goal, closed=closed, obstacles=obstacles)
-        if around is None and firm and len(firm) < len(obstacles):
-            around = self.floorplan.way(pose.point, self.goal, closed=closed, obstacles=firm)
-        return around
+        for goal in (self.goal, self.second_best):
+            for discs in (obstacles, firm) if goal is not None else ():
+                assert goal is not None
+                around = self.floorplan.way(pose.point, goal, closed=closed, obstacles=discs)
+                if around is not None and (discs or not obstacles):
+                    return around
+        return None
 
     def _is_obstructed(self, pose: Pose, obstacles: Sequence[Disc]) -> bool:
         """Whether something new stands in the way ahead."""

@@ -31,6 +31,8 @@ MAX_SPOTS = 8
 """From how many spots a place is looked at before it counts as impossible to inspect."""
 CONFIDENT_REACH = 0.12
 """[m] The robot stops this much nearer than its reach."""
+REACH_MARGIN = 0.07
+"""[m] Where there is no better place to stand, the robot stops this much nearer than its reach."""
 FOLLOW_SECONDS = 120.0
 """[s] How long a person is followed at most."""
 FOLLOW_GAP = 0.9
@@ -126,7 +128,8 @@ def _approach(body: HouseholdEmbodiment, target: str, room: str | None = None, *
             near_enough = senses.room == use_from and senses.distance(target) <= stop
             return near_enough and not is_closer and _is_in_front(body, target, cells)
 
-        yield from _drive(body, cells, is_there, towards=say_name(target))
+        anywhere = body.floorplan.cells_within(target, body.config.reach - REACH_MARGIN, room=use_from)
+        yield from _drive(body, cells, is_there, towards=say_name(target), second_best=anywhere)
     elif target.removesuffix("_floor") not in house.rooms:
         raise SkillError(f"{say_name(target)} is nowhere to drive to")
     elif senses.room != target.removesuffix("_floor"):
@@ -186,13 +189,17 @@ def _drive(
     *,
     towards: str,
     besides: str | None = None,
+    second_best: Cells | None = None,
 ) -> Script:
-    """Drives to the nearest of some cells, or until `is_there`. `besides`: what is no obstacle now."""
+    """Drives to the nearest of some cells, or until `is_there`.
+
+    `besides`: what is no obstacle now. `second_best`: cells that will do where people keep the robot from the others.
+    """
     if is_there():
         return
     if not cells.size:
         raise SkillError(f"there is nowhere to stand at {towards}")
-    driver = body.driver(cells)
+    driver = body.driver(cells, second_best=second_best)
     senses = body.senses
     while not is_there():
         course = driver.steer(
