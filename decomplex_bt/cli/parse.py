@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
+from decomplex_bt.cli.options import DomainOption, Format, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, track, use_utf8
 from decomplex_bt.errors import InputError
 
@@ -26,7 +26,10 @@ LONGEST_LINE = 4 * 2_000 + 4
 
 def parse(
     source: SourceArgument = "-",
-    format: FormatOption = Format.text,
+    format: Annotated[
+        Format | None,
+        typer.Option("--format", "-f", help="How the result is printed.", show_default="text on a terminal, else json"),
+    ] = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
@@ -36,6 +39,7 @@ def parse(
     status is 2.
     """
     use_utf8()
+    layout = chosen(format or (Format.text if sys.stdout.isatty() else Format.json), json)
     from decomplex_bt.understanding.interpreter import Interpreter
 
     with _open(source) as stream:
@@ -44,7 +48,7 @@ def parse(
         is_typed = stream.isatty()
         understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)
         for number, instruction in enumerate(track(understood, total=None, label="parsing")):
-            _print(instruction, chosen(format, json), is_first=number == 0)
+            _print(instruction, layout, is_first=number == 0)
     return 2 if lines.has_errors else 0
 
 
