@@ -73,6 +73,16 @@ def test_parse_reads_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert capsys.readouterr().out.count("[1]") == 2
 
 
+def test_a_corpus_is_scored_with_intervals(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    corpus = "- id: a\n  text: '[Close](1:change_state) [the door](1:object).'\n  flow: [1]\n"
+    (tmp_path / "a.yaml").write_text(corpus, encoding="utf-8")
+    assert main(["corpus", "score", str(tmp_path / "a.yaml"), "--json"]) == 0
+    scores = json.loads(capsys.readouterr().out)
+    assert scores["all"]["instructions"] == 1
+    assert scores["all"]["flow_exact"] == {"count": 1, "total": 1, "value": 1.0, "interval": [0.2065, 1.0]}
+    assert "complex" not in scores
+
+
 def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None:
     text = "If the tv is on, turn it off."
     starts = {"text": "→ If", "ascii": "-> If", "json": '{"type"', "dot": "digraph", "xml": "<?xml"}

@@ -1,16 +1,26 @@
-"""`decomplex-bt corpus`: annotated instructions, checked and counted."""
+"""`decomplex-bt corpus`: annotated instructions, checked, counted and held against what is understood of them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
-from decomplex_bt.cli.output import print_json, use_utf8
+from decomplex_bt.cli.output import print_json, track, use_utf8
 
-app = typer.Typer(help="Check and count annotated instructions.", no_args_is_help=True, rich_markup_mode=None)
+if TYPE_CHECKING:
+    from decomplex_bt.corpus import Example
+    from decomplex_bt.evaluation.metrics import LanguageScores
+    from decomplex_bt.instruction import Instruction
+
+app = typer.Typer(
+    help="Check and count annotated instructions; score how they are understood.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
 PathArgument = Annotated[Path, typer.Argument(metavar="PATH", help="A corpus file, or a folder of them.")]
 
 
@@ -62,3 +72,60 @@ def stats(
     else:
         print(statistics)
     return 0
+
+
+@app.command()
+def score(
+    path: PathArgument,
+    format: FormatOption = Format.text,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
+    models: Annotated[
+        Path | None, typer.Option("--models", help="A folder of trained models; default: the domain's own.")
+    ] = None,
+) -> int:
+    """Understand every instruction of a corpus and score it against the annotation, simple and complex ones apart.
+
+    Only voices that the models were not trained on say how strangers are understood; `corpus stats` shows the splits.
+    """
+    use_utf8()
+    from decomplex_bt.corpus import read_corpus
+    from decomplex_bt.domain.loader import load_domain
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+    loaded = load_domain(domain_of(domain))
+    examples = read_corpus(path, loaded.ontology)
+    interpreter = Interpreter.load(loaded, models=models)
+    texts = [example.instruction.text for example in examples]
+    readings = list(track(interpreter.interpret_batch(texts), total=len(texts), label="understanding"))
+    scores = _scores_by_complexity(examples, readings)
+    if chosen(format, json) is Format.json:
+        print_json({name: {"instructions": n, **part.to_json()} for name, (n, part) in scores.items()})
+        return 0
+    for name, (n, part) in scores.items():
+        print(f"{name}: {n} instructions")
+        print(f"  F1: tasks {part.tasks.overall.value:.3f}, arguments {part.arguments.overall.value:.3f}, "
+              f"dependencies {part.dependencies.overall.value:.3f}")  # fmt: skip
+        print(f"  control flow exactly right: {part.flow}; and all argument values: {part.strict}")
+        print(f"  ordering error rate: {part.oer:.3f}")
+    return 0
+
+
+def _scores_by_complexity(
+    examples: Sequence[Example], readings: Sequence[Instruction]
+) -> dict[str, tuple[int, LanguageScores]]:
+    """Number and scores of all instructions, of simple, complex and long ones; empty groups are left out."""
+    from decomplex_bt.evaluation import metrics
+
+    pairs = [(reading, example.instruction) for example, reading in zip(examples, readings, strict=True)]
+    groups = {
+        "all": pairs,
+        "one task or none": [pair for pair in pairs if len(pair[1].tasks) < 2],
+        "complex": [pair for pair in pairs if len(pair[1].tasks) >= 2],
+        "above five tasks": [pair for pair in pairs if len(pair[1].tasks) > 5],
+    }
+    return {
+        name: (len(group), metrics.score([found for found, _ in group], [wanted for _, wanted in group]))
+        for name, group in groups.items()
+        if group
+    }
