@@ -38,6 +38,7 @@ REACHABLE = 0.78
 THRESHOLD = 0.15
 """[m] So near to a room's border nobody stops: it would not be clear which room they are in."""
 _FIELDS_KEPT = 256
+_COUNTED = np.arange(2000, dtype=float)
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,13 +213,13 @@ class Floorplan:
     def is_clear(self, start: Point, end: Point, free: Mask) -> bool:
         """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
         length = math.hypot(end[0] - start[0], end[1] - start[1])
-        count = int(length / (RESOLUTION / 2)) + 1
-        steps = np.arange(1, count + 1) / count
-        columns = ((start[0] - self.x0 + steps * (end[0] - start[0])) / RESOLUTION).astype(np.intp)
-        rows = ((start[1] - self.y0 + steps * (end[1] - start[1])) / RESOLUTION).astype(np.intp)
-        np.clip(columns, 0, self.columns - 1, out=columns)
-        np.clip(rows, 0, self.rows - 1, out=rows)
-        return bool(free[rows * self.columns + columns].all())
+        count = min(int(length / (RESOLUTION / 2)) + 1, len(_COUNTED) - 1)
+        steps = _COUNTED[1 : count + 1] / count
+        first = (start[0] - self.x0) / RESOLUTION, (start[1] - self.y0) / RESOLUTION
+        columns = (first[0] + steps * ((end[0] - start[0]) / RESOLUTION)).astype(np.int32)
+        rows = (first[1] + steps * ((end[1] - start[1]) / RESOLUTION)).astype(np.int32)
+        cells = rows * self.columns + columns
+        return bool(free.take(cells, mode="clip").all())
 
     def _mask(self, closed: frozenset[str], obstacles: Iterable[Disc]) -> Mask:
         if not closed and not obstacles:

@@ -11,6 +11,8 @@ from decomplex_bt.envs.floorplan import Cells, Disc, Floorplan, Point, Way
 
 LOOK_AHEAD = 1.6
 """[m] How far along its way the robot minds what is not on the map."""
+CHECK_EVERY = 0.15
+"""[m] So often it is looked whether a corner can be cut by now."""
 ARRIVED = 0.08
 """[m] Distance to the end of the way that counts as being there."""
 PATIENCE = 1.5
@@ -80,6 +82,7 @@ class Driver:
         self._way: Way | None = None
         self._rest: list[Point] = []
         self._minded: tuple[Disc, ...] = ()
+        self._checked: Point | None = None
         self._anchor: Point | None = None
         self._anchor_heading = 0.0
         self._idle = 0.0
@@ -141,6 +144,7 @@ class Driver:
         rest = self._rest
         while len(rest) > 1 and self._can_skip(pose, rest):
             rest.pop(0)
+            self._checked = None
         target = rest[0]
         gap = math.hypot(target[0] - pose.x, target[1] - pose.y)
         if len(rest) == 1 and gap <= ARRIVED:
@@ -151,6 +155,9 @@ class Driver:
         assert self._way is not None
         if math.hypot(rest[0][0] - pose.x, rest[0][1] - pose.y) < 0.05:
             return True
+        if self._checked is not None and math.dist(self._checked, pose.point) < CHECK_EVERY:
+            return False
+        self._checked = pose.point
         return self.floorplan.is_clear(pose.point, rest[1], self._way.free)
 
     def _towards(self, pose: Pose, target: Point, gap: float, *, is_last: bool) -> tuple[float, float]:

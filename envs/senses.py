@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kinds
-from decomplex_bt.envs.floorplan import Disc, Floorplan
+from decomplex_bt.envs.floorplan import Disc, Floorplan, rect_distance
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Result
 from decomplex_bt.envs.navigation import Pose
 
-STEADY = 3
-"""Observations for which somebody or something out of view counts as seen for the sake of a skill."""
+STEADY = 0.3
+"""[s] For so long somebody or something out of view still counts as seen for the sake of a skill."""
 RECALL = 15.0
 """[s] For so long a floor seen bit by bit counts as inspected, and people seen meanwhile as still there."""
-REMEMBERED = 100
-"""Looks for which a person out of view is still reckoned with as an obstacle where they were."""
+REMEMBERED = 10.0
+"""[s] For so long a person out of view is still reckoned with as an obstacle where they were."""
 NEAR_PLACE = 1.0
 """[m] Within this distance of its footprint, and in its room, the robot is at a place."""
 NEAR_PERSON = 1.5
@@ -54,8 +54,15 @@ class Senses:
             if pair in kinds.state_pairs
             for flag in (0, 1)
         }
-        self._fixed = (*house.furniture, *house.doorways)
-        self._fixed_rects = np.array([floorplan.footprint(name) for name in self._fixed], dtype=float).reshape(-1, 4)
+        self._fixed = {
+            room: [
+                (name, floorplan.footprint(name))
+                for name in (*house.furniture, *house.doorways)
+                if room in floorplan.rooms_of(name)
+            ]
+            for room in house.rooms
+        }
+        self._people_rows = [self.row[name] for name in house.people]
         self._radius = {name: house.kind(name, kinds).radius for name in house.things}
         self.clear()
 
@@ -73,22 +80,22 @@ class Senses:
         self.inspected: frozenset[str] = frozenset()
         self.unseen: frozenset[str] = frozenset()
         self.near: frozenset[str] = frozenset()
-        self._table = np.zeros((count, len(COLUMNS)))
+        self._near: list[str] = []
         self._position = np.full((count, 2), np.nan)
-        self._age = np.full(count, REMEMBERED)
+        self._data = b""
+        self._visible = np.zeros(count, dtype=bool)
+        self._seen_at = np.full(count, -math.inf)
         self._signature: tuple[bytes, bytes, tuple[str, ...]] | None = None
         self._recalled: tuple[str, ...] = ()
-        self._seen_at = dict.fromkeys(self.people, -math.inf)
-        self._near_signature: bytes | None = None
         self._door_states: dict[str, str] = {}
         self._on_floors: list[str] = []
 
     def take(self, observation: Mapping[str, Any]) -> None:
         """Takes one observation in. Call it once per observation, in order."""
-        x, y, heading, speed, turn_rate = (float(value) for value in observation["robot"])
+        x, y, heading, speed, turn_rate = observation["robot"].tolist()
         self.pose = Pose(x, y, heading, speed, turn_rate)
         self.room = self.floorplan.room_at(x, y) or self.room
-        held, *tray = (int(row) for row in observation["held"])
+        held, *tray = observation["held"].tolist()
         self.held = self.names[held] if held >= 0 else None
         self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
         self.result = Result(int(observation["result"]))
@@ -100,12 +107,12 @@ class Senses:
 
     def position(self, name: str) -> tuple[float, float] | None:
         """Where an entity was seen last (m); None if never."""
-        x, y = self._position[self.row[name]]
-        return None if math.isnan(x) else (float(x), float(y))
+        x, y = self._position[self.row[name]].tolist()
+        return None if math.isnan(x) else (x, y)
 
     def is_seen(self, name: str) -> bool:
-        """Whether one of the last three observations had it."""
-        return bool(self._age[self.row[name]] < STEADY)
+        """Whether it is in view, or was a moment ago."""
+        return self._was_seen(self.row[name], STEADY)
 
     def distance(self, name: str) -> float:
         """Metres from the robot's centre to a place's footprint, or to the centre of a thing or person as last seen."""
@@ -129,60 +136,62 @@ class Senses:
         """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
         discs = []
         for name in self.people:
-            if name != besides and self._age[self.row[name]] < REMEMBERED:
-                x, y = self._position[self.row[name]]
-                discs.append(Disc(float(x), float(y), _PERSON_RADIUS))
+            if name != besides and self._was_seen(self.row[name], REMEMBERED):
+                x, y = self._position[self.row[name]].tolist()
+                discs.append(Disc(x, y, _PERSON_RADIUS))
         for name in self._on_floors:
             if name != besides:
-                x, y = self._position[self.row[name]]
-                discs.append(Disc(float(x), float(y), self._radius[name], gives_way=True))
+                x, y = self._position[self.row[name]].tolist()
+                discs.append(Disc(x, y, self._radius[name], gives_way=True))
         return discs
+
+    def _was_seen(self, row: int, within: float) -> bool:
+        return bool(self._visible[row]) or self.seconds - self._seen_at[row] < within
 
     # -- decoding -----------------------------------------------------------------------------------------------------
 
     def _take_table(self, table: NDArray) -> None:
-        visible = table[:, _VISIBLE] > 0.5
-        self._age = np.where(visible, 0, self._age + 1)
+        data = table.tobytes()
+        if data == self._data:  # between two looks the table stays as it is
+            return
+        self._data = data
+        self._seen_at[self._visible] = self.seconds
+        self._visible = visible = table[:, _VISIBLE] > 0.5
         known = visible | ((table[:, _X] != 0) | (table[:, _Y] != 0))
         self._position[known] = table[known, _X : _Y + 1]
-        self._table[visible] = table[visible]
         inspected = table[:, _INSPECTED] > 0.5
-        recent, sure = visible, inspected
-        self._recalled = self._recall(recent, sure)
-        signature = (recent.tobytes() + sure.tobytes(), self._table[recent][:, _REPORTED].tobytes(), self._recalled)
-        if signature != self._signature or self._has_moving_person(recent):
+        self._recalled = self._recall(visible, inspected)
+        signature = visible.tobytes() + inspected.tobytes(), table[:, _REPORTED].tobytes(), self._recalled
+        if signature != self._signature or self._has_moving_person(visible):
             self._signature = signature
-            self._report(np.flatnonzero(recent), np.flatnonzero(sure))
+            self._report(table, np.flatnonzero(visible), np.flatnonzero(inspected))
 
-    def _recall(self, recent: NDArray, sure: NDArray) -> tuple[str, ...]:
+    def _recall(self, visible: NDArray, inspected: NDArray) -> tuple[str, ...]:
         """The people out of view who are taken to be where they were: in a room whose floor counts as inspected.
 
         It counts so for what was seen of it in the last seconds, and so must they.
         """
         recalled = []
-        for name in self.people:
-            if recent[self.row[name]]:
-                self._seen_at[name] = self.seconds
-                continue
-            room = self.room_of_person(name)
-            is_fresh = self.seconds - self._seen_at[name] <= RECALL
-            if is_fresh and room is not None and sure[self.row[self.house.floor_of(room)]]:
-                recalled.append(name)
+        for name, row in zip(self.people, self._people_rows, strict=True):
+            if not visible[row] and self.seconds - self._seen_at[row] <= RECALL:
+                room = self.room_of_person(name)
+                if room is not None and inspected[self.row[self.house.floor_of(room)]]:
+                    recalled.append(name)
         return tuple(recalled)
 
-    def _has_moving_person(self, recent: NDArray) -> bool:
+    def _has_moving_person(self, visible: NDArray) -> bool:
         """Whether a person in view has walked into another room since the last report."""
         return any(
-            (recent[self.row[name]] or name == self.house.user) and self.places.get(name) != self.room_of_person(name)
+            (visible[self.row[name]] or name == self.house.user) and self.places.get(name) != self.room_of_person(name)
             for name in self.people
         )
 
-    def _report(self, recent: NDArray, sure: NDArray) -> None:
+    def _report(self, table: NDArray, visible: NDArray, inspected: NDArray) -> None:
         places: dict[str, str] = {}
         states: dict[tuple[str, str], str] = {}
         names = self.names
         on_floors = []
-        for index, row in zip(recent.tolist(), self._table[recent].tolist(), strict=True):
+        for index, row in zip(visible.tolist(), table[visible].tolist(), strict=True):
             name = names[index]
             at = int(row[_PLACE])
             if at >= 0:
@@ -206,30 +215,20 @@ class Senses:
         self.unseen = frozenset(unseen)
         self._on_floors = on_floors
         self.places, self.states = _kept(self.places, places), _kept(self.states, states)
-        self.inspected = frozenset(names[index] for index in sure.tolist())
+        self.inspected = frozenset(names[index] for index in inspected.tolist())
 
     def _take_near(self) -> None:
         x, y = self.pose.point
-        rects = self._fixed_rects
-        across = np.maximum(np.maximum(rects[:, 0] - x, x - rects[:, 2]), 0)
-        along = np.maximum(np.maximum(rects[:, 1] - y, y - rects[:, 3]), 0)
-        close = across * across + along * along <= NEAR_PLACE**2
-        rows = [self.row[name] for name in self.people]
-        gaps = np.hypot(self._position[rows, 0] - x, self._position[rows, 1] - y)
-        with_people = (gaps <= NEAR_PERSON) & (self._age[rows] < STEADY)
-        signature = close.tobytes() + with_people.tobytes() + self.room.encode()
-        if signature == self._near_signature:
-            return
-        self._near_signature = signature
-        near = [
-            name
-            for name, is_close in zip(self._fixed, close.tolist(), strict=True)
-            if is_close and self.room in self.floorplan.rooms_of(name)
-        ]
-        near += [name for name, is_close in zip(self.people, with_people.tolist(), strict=True) if is_close]
+        near = [name for name, rect in self._fixed.get(self.room, ()) if rect_distance(rect, x, y) <= NEAR_PLACE]
+        for name, row in zip(self.people, self._people_rows, strict=True):
+            if self._was_seen(row, STEADY):
+                px, py = self._position[row].tolist()
+                if math.hypot(px - x, py - y) <= NEAR_PERSON:
+                    near.append(name)
         if self.room:
             near.append(self.house.floor_of(self.room))
-        self.near = frozenset(near)
+        if near != self._near:
+            self._near, self.near = near, frozenset(near)
 
 
 def _kept(old: Mapping, new: dict) -> Mapping:
