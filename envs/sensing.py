@@ -24,6 +24,7 @@ from decomplex_bt.envs.world import World
 VISIBLE, X, Y, HEADING, PLACE, INSPECTED = range(6)
 FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 INSET = 0.04  # [m] the sample points of furniture lie so far within its footprint
+FLOOR_INSET = 0.1  # [m] the sample points of a floor lie so far within its room
 FLOOR_SAMPLES = 1.2  # [m] at most between the sample points of a floor
 
 
@@ -221,9 +222,10 @@ def _samples(geometry: Geometry, place: int, name: str) -> Iterator[tuple[int, t
         return
     if place in geometry.floor_row:
         columns, rows = (ceil((high - low) / FLOOR_SAMPLES) for low, high in ((x0, x1), (y0, y1)))
-        for column in range(columns):
-            for row in range(rows):
-                yield room, (x0 + (column + 0.5) * (x1 - x0) / columns, y0 + (row + 0.5) * (y1 - y0) / rows)
+        # The corners of a grid, not its middles: what lies between points in view is then in view as well.
+        for x in np.linspace(x0 + FLOOR_INSET, x1 - FLOOR_INSET, columns + 1).tolist():
+            for y in np.linspace(y0 + FLOOR_INSET, y1 - FLOOR_INSET, rows + 1).tolist():
+                yield room, (x, y)
         return
     for x in (x0 + INSET, x1 - INSET):
         for y in (y0 + INSET, y1 - INSET):

@@ -31,6 +31,8 @@ MAX_SPOTS = 8
 """From how many spots a place is looked at before it counts as impossible to inspect."""
 CONFIDENT_REACH = 0.12
 """[m] The robot stops this much nearer than its reach."""
+CLEAR_OF_DOOR = 0.30
+"""[m] So far from a doorway's line the robot's body is clear of the door in it."""
 REACH_MARGIN = 0.07
 """[m] Where there is no better place to stand, the robot stops this much nearer than its reach."""
 FOLLOW_SECONDS = 120.0
@@ -338,6 +340,20 @@ def _at_place(interaction: Interaction, position: int) -> Callable[..., Script]:
     return script
 
 
+def close_up(body: HouseholdEmbodiment, place: str) -> Script:
+    """Closes a place; for a door between rooms the robot first gets out of its way, and waits for others to."""
+    senses = body.senses
+    for _ in range(MAX_APPROACHES):
+        if place in body.house.doorways and senses.distance(place) < CLEAR_OF_DOOR:
+            cells = body.floorplan.cells_at(place, room=senses.room)
+            yield from _drive(body, cells, lambda: senses.distance(place) >= CLEAR_OF_DOOR, towards=say_name(place))
+        yield from _do(body, Interaction.CLOSE, place, near=place, done=(Result.OK, Result.ALREADY, Result.NO_ROOM))
+        if senses.result is not Result.NO_ROOM:
+            return
+        yield from _stand(body)
+    raise SkillError(f"something stands in {say_name(place)}")
+
+
 def _run(body: HouseholdEmbodiment, thing: str, place: str) -> Script:
     """Switches a place on for the sake of a thing in it; one that is on already has done its work and does nothing."""
     yield from _do(body, Interaction.SWITCH_ON, place, near=place, done=(Result.OK,))
@@ -604,7 +620,7 @@ SKILLS: dict[str, Callable[..., Script]] = {
     "move": move,
     "pass": pass_doorway,
     "open-up": _at_place(Interaction.OPEN, 0),
-    "close-up": _at_place(Interaction.CLOSE, 0),
+    "close-up": close_up,
     "pick": pick,
     "place": place,
     "stow": stow,

@@ -143,12 +143,14 @@ class PlannedTask(Behaviour):
 
     def _make_plan(self) -> bool:
         session = self.session
-        self._goal = self._pursuit.goal_atoms
+        if self._goal != self._pursuit.goal_atoms:
+            self._goal, self._last_problem = self._pursuit.goal_atoms, (None, "")
         result = session.plan(self._goal)
         self._attempts += 1
         session.replans += self._attempts > 1
         if result.status is not PlanStatus.SOLVED:
-            self._last_problem = (None, result.reason)
+            if self._last_problem[0] is None:
+                self._last_problem = (None, result.reason)
             session.belief.give_up(self._goal, result.reason)
             return False
         self._has_plan, self._steps, self._position, self._waited = True, tuple(result.steps), 0, 0

@@ -1,0 +1,149 @@
+"""The agent in the household: it does what an annotated instruction says, and goes by nothing but what it may know."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import gymnasium as gym
+import pytest
+from py_trees.common import Status
+
+import decomplex_bt
+from decomplex_bt.corpus import read_corpus, read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import InputError, UnknownWordError
+from decomplex_bt.instruction import Instruction
+
+DOMAIN = load_domain("household")
+EXAMPLES = {e.id: e for e in read_corpus(Path(__file__).parent / "instructions.yaml", DOMAIN.ontology)}
+
+
+class Sealed:
+    """Lets an agent have the body and nothing else of an environment, and that only once."""
+
+    def __init__(self, env):
+        self._body = env.get_wrapper_attr("embodiment")()
+
+    def get_wrapper_attr(self, name):
+        assert name == "embodiment", f"the agent asks for {name}"
+        body, self._body = self._body, None
+        assert body is not None, "the agent asks for a second body"
+        return lambda: body
+
+
+def make_env():
+    return gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
+
+
+def run(env, instruction, seed, *, agent=None, **options):
+    """One episode; the agent, the last info and the actions."""
+    observation, info = env.reset(seed=seed, options={"instruction": instruction, **options})
+    agent = agent or decomplex_bt.TreeAgent(env, flow=instruction)
+    agent.reset(observation, {"instruction": info["instruction"]})
+    actions = []
+    while True:
+        actions.append(agent.act(observation))
+        observation, _, terminated, truncated, info = env.step(actions[-1])
+        if terminated or truncated:
+            return agent, info, actions
+
+
+def markup(text, flow):
+    return read_markup(text, DOMAIN.ontology, flow=flow)
+
+
+def assert_done(instruction, seeds):
+    env = make_env()
+    for seed in seeds:
+        agent, info, _ = run(env, instruction, seed)
+        assert info["is_success"] or not info["feasible"], (seed, [str(failure) for failure in agent.failures], info)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_it_does_what_is_asked_wherever_that_is_possible(name):
+    assert_done(EXAMPLES[name].instruction, range(2))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_it_does_so_in_many_worlds(name):
+    assert_done(EXAMPLES[name].instruction, range(100, 130))
+
+
+def test_it_knows_nothing_but_observations_and_the_instruction():
+    env = make_env()
+    instruction = EXAMPLES["milk-in-fridge"].instruction
+    sealed = decomplex_bt.TreeAgent(Sealed(env), flow=instruction)
+    _, info, actions = run(env, instruction, 3, agent=sealed)
+    assert info["is_success"]
+    assert len(actions) == len(run(env, instruction, 3)[2])
+
+
+def test_two_agents_in_one_process_share_nothing():
+    instruction = EXAMPLES["heat"].instruction
+    alone = [len(run(make_env(), instruction, seed)[2]) for seed in (1, 2)]
+    envs = [make_env(), make_env()]
+    agents, observations, counts = [], [], [0, 0]
+    for env, seed in zip(envs, (1, 2), strict=True):
+        observation, info = env.reset(seed=seed, options={"instruction": instruction})
+        agents.append(decomplex_bt.TreeAgent(env, flow=instruction))
+        agents[-1].reset(observation, info)
+        observations.append(observation)
+    running = {0, 1}
+    while running:
+        for index in sorted(running):
+            observations[index], _, terminated, truncated, _ = envs[index].step(agents[index].act(observations[index]))
+            counts[index] += 1
+            if terminated or truncated:
+                running.remove(index)
+    assert counts == alone
+
+
+def test_the_last_action_ends_the_episode_and_says_why():
+    instruction = markup("[Turn](1:change_state) [on](1:state) [the tv](1:object).", [1])
+    agent, info, actions = run(make_env(), instruction, 1, chance=False, broken=["tv"], states={"tv": "off"})
+    assert not info["is_success"]
+    assert agent.done
+    assert agent.status == Status.FAILURE
+    (failure,) = agent.failures
+    assert (failure.stage, failure.task, failure.words) == ("execution", 1, (0, 4))
+    assert str(failure.action) == "(switch-on tv)"
+    assert "broken" in failure.reason
+    assert actions[-1]["interact"] == agent.act(None)["interact"]
+
+
+def test_a_false_condition_is_no_failure_and_the_branch_is_told():
+    instruction = markup(
+        "If [the tv](1:object) [is](1:check_state) [on](1:state), [go](2:motion) [to the kitchen](2:goal).",
+        [{"if": 1, "then": [2]}],
+    )
+    agent, info, _ = run(make_env(), instruction, 1, chance=False, states={"tv": "off"})
+    assert info["is_success"]
+    assert agent.failures == ()
+    assert info["branches"] == [{"task": 1, "truth": False, "taken": None}]
+
+
+def test_an_instruction_without_a_task_or_with_an_unknown_thing_is_bad_input():
+    env = make_env()
+    for instruction, error in (
+        (Instruction("Good morning."), InputError),
+        (markup("[Bring](1:bringing) [me](1:recipient) [the unicorn](1:object).", [1]), UnknownWordError),
+    ):
+        agent = decomplex_bt.TreeAgent(env, flow=instruction)
+        with pytest.raises(error):
+            agent.reset({}, {"instruction": instruction.text})
+
+
+def test_a_recorder_writes_down_what_changes():
+    env = make_env()
+    instruction = EXAMPLES["go"].instruction
+    observation, info = env.reset(seed=1, options={"instruction": instruction})
+    agent = decomplex_bt.TreeAgent(env, flow=instruction)
+    agent.reset(observation, info)
+    recorder = agent.record()
+    for _ in range(30):
+        observation, *_ = env.step(agent.act(observation))
+    assert recorder.entries[0]["node"] == "0"
+    assert recorder.entries[0]["event"] == "started"
+    assert recorder.entries[0]["feedback"].startswith("(move ")
+    assert len(recorder.entries) < 15
