@@ -307,7 +307,7 @@ class Omniscient(Evidence):
         super().__init__(domain, truth, Record(), BEFORE)
 
     def was_seen(self, name: str) -> bool:
-        return true_room(self.domain, self.truth, name) is not None
+        return name in self.domain.house.doorways or true_room(self.domain, self.truth, name) is not None
 
     def was_inspected(self, where: str, *, for_person: bool = False) -> bool:
         return True

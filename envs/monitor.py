@@ -25,6 +25,9 @@ from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTas
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
 
+MOMENTUM = 4
+"""Looks within which a robot under way, for which something else has just become due, may still roll on to where it was
+going."""
 MOST_READINGS = 64
 """Readings followed at once; beyond it the least advanced are dropped."""
 _ON_REACHING = frozenset(("motion", "following"))
@@ -37,8 +40,8 @@ class Reading:
 
     `agenda`: what is still to come, the task due now first. `since`: the step at which that one became due, `room`
     where the robot was. `is_impossible`: the true world does not allow it. `moment`: the world as it was then, by which
-    a condition is judged that finds something out. `tried`: the outcomes it was taken for in
-    other readings.
+    a condition is judged that finds something out. `tried`: the outcomes it was taken for in other readings.
+    `untold`: conditions that fail for what the world is, which the robot has yet to find out for itself.
     """
 
     agenda: tuple[Node, ...]
@@ -50,6 +53,7 @@ class Reading:
     is_impossible: bool = False
     moment: Moment | None = None
     tried: frozenset[tuple[bool, tuple[tuple[str, ...], ...]]] = frozenset()
+    untold: tuple[int, ...] = ()
 
     @property
     def due(self) -> Node | None:
@@ -148,7 +152,8 @@ class Monitor:
         is_condition = isinstance(node, If)
         followers, is_settled = [], False
         if self._is_false(task, reading, is_condition):
-            return None, [self._settle(reading, node, False, reading.bindings)]
+            untold = replace(reading, untold=(*reading.untold, task.number))
+            return None, [self._settle(untold, node, False, reading.bindings)]
         evidence = self._evidence(reading)
         for outcome in outcomes(task, reading.bindings, evidence, is_condition=is_condition):
             key = (outcome.truth, tuple(candidates(referent, outcome.bindings) for referent in task.referents()))
@@ -228,12 +233,15 @@ class Monitor:
     def _fault(self, reading: Reading, event: Event | None, before: Mapping[int, bool]) -> Violation | None:
         """The task not due that this step brought about in a reading, if any."""
         due = self.instruction.task(reading.due.task) if reading.due is not None else None
-        is_excused = event is None or due is None or is_means(event, due, reading.bindings, self.domain)
+        pursued = [self.instruction.task(number) for number in reading.untold] + ([due] if due is not None else [])
+        is_excused = event is None or due is None
+        if event is not None and not is_excused:
+            is_excused = any(is_means(event, goal, reading.bindings, self.domain) for goal in pursued)
         for task in self.instruction.tasks:
             if due is None or task.number == due.number or task.number in reading.met or task.number not in before:
                 continue
             if task.type in _ON_REACHING:
-                if self._arrived(task, before) and not self._serves(due, reading):
+                if self._arrived(task, before) and not self._excuses_arrival(reading, pursued):
                     return Violation(task.number, due.number, self._blame(task, due))
             elif not is_excused and event is not None and self._brought_about(task, event, before):
                 return Violation(task.number, due.number, self._blame(task, due))
@@ -249,6 +257,11 @@ class Monitor:
         if task.type == "following" and not self._has_asked:
             return False
         return self._holds[task.number] and not before[task.number]
+
+    def _excuses_arrival(self, reading: Reading, pursued: list[GroundTask]) -> bool:
+        """Whether the robot is where it is on behalf of what it pursues, or still rolling when that became due."""
+        is_rolling = self.record.step - reading.since <= MOMENTUM and self._room == reading.room
+        return is_rolling or any(self._serves(task, reading) for task in pursued)
 
     def _serves(self, due: GroundTask, reading: Reading) -> bool:
         """Whether it may serve the task due that the robot is in the room it is in."""

@@ -21,7 +21,8 @@ STEPS = """
 move hallway_floor fridge kitchen; pass kitchen_doorway hallway kitchen; follow user living_room kitchen
 tag-along user; open-up fridge; close-up bedroom_door; switch-on tv; switch-off tv; pick milk fridge
 place milk fridge; stow milk slot_1; unstow milk slot_1; give milk user; receive milk user; heat milk microwave
-wash cup_1 dishwasher; chill milk fridge; rinse cup_1 sink; fill cup_1 sink; drain cup_1 sink; drain-place trash_can; wipe desk rag; inspect hallway_floor
+wash cup_1 dishwasher; chill milk fridge; rinse cup_1 sink; fill cup_1 sink; drain cup_1 sink
+drain-place trash_can; wipe desk rag; inspect hallway_floor
 sense temperature__milk milk fridge; sense-held temperature__milk milk; sense-given temperature__milk milk user
 sense-place power__tv tv; say user
 """

@@ -82,6 +82,16 @@ def test_only_what_is_due_counts():
     assert str(on.cause) == "task 2: anna is out"
 
 
+def test_a_door_between_rooms_is_as_it_is():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "bathroom_door", state="open"),
+        task(2, "informing", recipient="user"),
+        task(3, "informing", recipient="anna"),
+    )
+    assert course(HandWorld(states={("bathroom_door", "aperture"): "open"}), flow, *tasks).is_feasible
+
+
 def test_earlier_tasks_change_what_later_conditions_find():
     tasks = (
         task(1, "change_state", "tv", state="on"),

@@ -492,6 +492,30 @@ def test_speaking_to_somebody_before_it_is_due_is_a_violation():
     assert Episode(HandWorld({"keys": "desk"}), [1, 2], *tasks).say("user").violations
 
 
+def test_rolling_on_over_a_threshold_is_no_violation():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "check_state", "tv", state="on"),
+        task(2, "motion", goal="kitchen"),
+        task(3, "motion", goal="bedroom"),
+    )
+    episode = Episode(HandWorld(room="hallway"), flow, *tasks)
+    episode.see("tv")
+    assert not episode.go("kitchen").violations
+
+
+def test_searching_for_what_is_nowhere_is_no_violation_of_what_comes_then():
+    flow = [{"if": 1, "then": [2]}, 3]
+    tasks = (
+        task(1, "searching", "keys"),
+        task(2, "motion", goal="kitchen"),
+        task(3, "change_state", "tv", state="on"),
+    )
+    episode = Episode(HandWorld(room="living_room"), flow, *tasks)
+    for room in ("hallway", "study", "hallway", "kitchen"):
+        assert not episode.go(room).violations
+
+
 def test_going_to_the_room_of_the_other_branch_is_a_violation():
     flow = [{"if": 1, "then": [2], "else": [3]}]
     tasks = (
