@@ -19,7 +19,7 @@ class InputError(DecomplexError, ValueError):
 
 
 class DataFileError(InputError):
-    """A data file (domain, corpus, model, house) is broken; the message starts with the file and, where known, the line."""
+    """A data file (domain, corpus, model, house) is broken; the message starts with the file and the known line."""
 
     def __init__(self, path: str | Path, problem: str, *, line: int | None = None) -> None:
         self.path = str(path)

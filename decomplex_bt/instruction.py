@@ -24,7 +24,7 @@ class Argument:
     """An argument of a task.
 
     `value` is the resolved text: the words themselves or, for a pronoun, "one", "there" or an ellipsis, the referent's
-    noun phrase. `span` is None where the argument was inferred and has no words of its own. `confidence` lies in [0, 1].
+    noun phrase. `span` is None where the argument was inferred and has no words of its own. `confidence`: from 0 to 1.
     """
 
     type: str
