@@ -69,7 +69,7 @@ def test_text_without_a_task_is_no_error_of_parse(parse_lines) -> None:
 
 def test_parse_reads_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "lines.txt").write_text("Turn on the tv.\nGo to the kitchen.\n", encoding="utf-8")
-    assert main(["parse", str(tmp_path / "lines.txt")]) == 0
+    assert main(["parse", str(tmp_path / "lines.txt"), "--format", "text"]) == 0
     assert capsys.readouterr().out.count("[1]") == 2
 
 
