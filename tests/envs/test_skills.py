@@ -174,7 +174,7 @@ def test_a_robot_that_does_not_get_on_says_so(monkeypatch):
 
 
 def test_results_that_mean_failure_have_words():
-    from decomplex_bt.envs.skills import WHY
+    from decomplex_bt.envs.handling import WHY
 
     assert set(Result) - {Result.NONE, Result.OK} == set(WHY)
     assert not any(action["interact"] == Interaction.FINISH for action in attempt().actions)
