@@ -154,8 +154,8 @@ def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], o
 def candidates_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[Candidate]:
     """All noun phrases of the instruction that something may refer to, from left to right; pronouns are none.
 
-    A phrase counts whole, without what follows its head ("the mug" of "the mug next to the keyboard"), and by the name
-    of a person in it ("Ruby" of "Ruby's bag").
+    A phrase counts whole, without what follows its head ("the mug" of "the mug next to the keyboard"), and by whose it is
+    ("Ruby" of "Ruby's bag").
     """
     document = observed.document
     found: dict[tuple[int, int], Candidate] = {}
@@ -172,10 +172,11 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[Candida
             if len(short) < len(inner):
                 found.setdefault((short.start, short.stop), _candidate(document, short, task, argument.type))
     taken = {i for start, stop in found for i in range(start, stop)}
-    for chunk in noun_chunks(document):
+    chunks = list(noun_chunks(document))
+    for chunk in (*chunks, *_coordinations(document, chunks)):
         if not taken & set(chunk):
             found[chunk.start, chunk.stop] = _outside(document, chunk)
-    for name in _names(document):
+    for name in (*_names(document), *_possessors(document, chunks)):
         found.setdefault((name.start, name.stop), _outside(document, name))
     yield from (found[place] for place in sorted(found))
 
@@ -194,6 +195,31 @@ def _names(document: Document) -> Iterator[range]:
         elif not is_name and start is not None:
             yield range(start, i)
             start = None
+
+
+def _possessors(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Whose something is: what stands before "'s" in a noun phrase ("mrs okafor" in "mrs okafor's hearing aid")."""
+    for chunk in chunks:
+        for i in chunk:
+            if document.tokens[i].tag == "POS" and i > chunk.start:
+                yield range(chunk.start, i)
+                break
+
+
+def _coordinations(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Noun phrases in a row with nothing but commas and "and" between them ("the mop, the bucket and the cloth")."""
+    start = 0
+    for k in range(1, len(chunks) + 1):
+        if k < len(chunks) and _is_listed(document, range(chunks[k - 1].stop, chunks[k].start)):
+            continue
+        if k - start > 1:
+            yield range(chunks[start].start, chunks[k - 1].stop)
+        start = k
+
+
+def _is_listed(document: Document, between: range) -> bool:
+    words = [document.tokens[i].lower for i in between]
+    return bool(words) and all(word in (",", "and", "or", "&") for word in words)
 
 
 def _is_pointing(document: Document, tokens: range) -> bool:

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed, task_features
 
 OUTSIDE = "O"
-PARAMETERS = CrfParameters(c1=0.02, c2=0.05, max_iterations=120)
+PARAMETERS = CrfParameters(c1=0.2, c2=0.05, max_iterations=150)
 
 UNCERTAIN = 0.06
 """A label below this marginal probability is no alternative."""
