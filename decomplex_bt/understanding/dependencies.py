@@ -12,7 +12,7 @@ from pathlib import Path
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.arcs import Arc, arcs_of, flow_of
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc, arcs_of, flow_of
 from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, polarities_of
 from decomplex_bt.understanding.crf import Crf, CrfParameters, train_crf
 from decomplex_bt.understanding.features import Observed
@@ -44,15 +44,30 @@ class FlowModel:
             return FoundFlow(Flow())
         clauses = clauses_of(observed, tasks)
         roles = self._roles.label(role_features(observed, clauses))
-        attachments = self._attachments.label(attachment_features(observed, clauses, roles.labels))
-        orders = self._orders.label(order_features(observed, clauses, roles.labels, attachments.labels))
-        arcs = tuple(Arc(*labels) for labels in zip(roles.labels, attachments.labels, orders.labels, strict=True))
+        chained = chained_roles(clauses, roles.labels)
+        attachments = self._attachments.label(attachment_features(observed, clauses, chained))
+        orders = self._orders.label(order_features(observed, clauses, chained, attachments.labels))
+        arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
         return FoundFlow(
             flow_of(arcs, polarities_of(clauses)),
             arcs,
             clauses,
             (roles.probability, attachments.probability, orders.probability),
         )
+
+
+def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
+    """The roles, with one fact of English made certain: "if it is not there either" speaks of the search before it,
+    which is thereby a condition, however the model reads it."""
+    mended = list(roles)
+    for k in range(2, len(clauses)):
+        clause = clauses[k]
+        says_either = "either" in (*clause.near, *clause.behind) and clause.polarity.is_negated
+        if not says_either or roles[k] not in CONDITION_ROLES or clauses[k - 1].task.type != "searching":
+            continue
+        if mended[k - 1] == "task" and any(role in CONDITION_ROLES for role in mended[: k - 1]):
+            mended[k - 1], mended[k] = "condition", "mention"
+    return tuple(mended)
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:
