@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -148,7 +148,7 @@ def read_markup(
         else:
             known = ", ".join([*ontology.task_types, *ontology.argument_types])
             raise InputError(f"unknown label {label!r} at {span.of(text)!r}; known labels: {known}")
-    _check_tasks(tasks, text)
+    check_tasks(tasks.values(), text)
     implied = implied or {}
     for number in [*arguments, *implied]:
         if number not in tasks:
@@ -215,8 +215,9 @@ def _escape(text: str) -> str:
     return re.sub(r"([\[\]\\])", r"\\\1", text)
 
 
-def _check_tasks(tasks: Mapping[int, Task], text: str) -> None:
-    in_order = sorted(tasks.values(), key=lambda task: task.span)
+def check_tasks(tasks: Iterable[Task], text: str) -> None:
+    """Raises `InputError` unless tasks are one token each and numbered from 1 in order of appearance."""
+    in_order = sorted(tasks, key=lambda task: task.span)
     for expected, task in enumerate(in_order, start=1):
         if task.id != expected:
             raise InputError(

@@ -25,6 +25,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "domain": frozenset({"errors", "flow", "instruction", "domains"}),
     "domains": frozenset(),
     "corpus": frozenset({"errors", "flow", "instruction", "domain"}),
+    "formats": BASIC,
     "understanding": BASIC,
     "planning": BASIC,
     "corpus_statistics": BASIC | {"planning"},
@@ -32,7 +33,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "envs": BASIC | {"understanding", "planning", "behaviour"},
     "evaluation": BASIC | {"understanding", "planning", "behaviour", ""},
     "": BASIC | {"understanding", "behaviour", "envs"},
-    "cli": BASIC | {"understanding", "planning", "behaviour", "envs", "evaluation", "corpus_statistics", ""},
+    "cli": BASIC | {"understanding", "planning", "behaviour", "envs", "evaluation", "corpus_statistics", "formats", ""},
 }
 """Which rooms each room may import, itself apart; "" is the package's own front door. Lazy imports count, too."""
 

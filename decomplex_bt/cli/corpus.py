@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from decomplex_bt.instruction import Instruction
 
 app = typer.Typer(
-    help="Check and count annotated instructions; score how they are understood.",
+    help="Check, count and convert annotated instructions; score how they are understood.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -108,6 +108,36 @@ def score(
               f"dependencies {part.dependencies.overall.value:.3f}")  # fmt: skip
         print(f"  control flow exactly right: {part.flow}; and all argument values: {part.strict}")
         print(f"  ordering error rate: {part.oer:.3f}")
+    return 0
+
+
+@app.command()
+def convert(
+    source: Annotated[Path, typer.Argument(metavar="IN", help="A file of annotated instructions, or a folder.")],
+    target: Annotated[Path, typer.Argument(metavar="OUT", help="The file to write; for a folder, a folder.")],
+    to: Annotated[str, typer.Option("--to", help="jsonl, conll, brat or yaml.")],
+    form: Annotated[
+        str | None,
+        typer.Option("--from", help="yaml, jsonl, conll, brat or huric.", show_default="what the names show"),
+    ] = None,
+    format: FormatOption = Format.text,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
+) -> int:
+    """Write annotated instructions in another format; nothing is written unless all of them could be.
+
+    yaml, jsonl, conll and brat read back as they were; huric (2.1) is only read, and brought to our conventions.
+    """
+    use_utf8()
+    from decomplex_bt.domain.loader import load_domain
+    from decomplex_bt.formats import conversion
+
+    done = conversion.convert(source, target, load_domain(domain_of(domain)), to=to, form=form)
+    if chosen(format, json) is Format.json:
+        print_json({"instructions": done.instructions, "files": [str(path) for path in done.files]})
+        return 0
+    shown = ", ".join(map(str, done.files[:3])) + (f" and {len(done.files) - 3} more" if len(done.files) > 3 else "")
+    print(f"{done.instructions} instructions written to {shown}")
     return 0
 
 
