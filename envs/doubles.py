@@ -33,8 +33,9 @@ class HandWorld:
     def __post_init__(self) -> None:
         self.places.setdefault("user", "living_room")
 
-    def view(self) -> object:
-        return self.room, frozenset(self.seen), frozenset(self.inspected)
+    def view(self, names: tuple[str, ...]) -> object:
+        seen, inspected = self.seen & set(names), self.inspected & set(names)
+        return self.room, frozenset(seen), frozenset(inspected), str(self.places), str(self.states)
 
     def is_near(self, name: str) -> bool:
         return name in self.near

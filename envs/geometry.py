@@ -6,8 +6,8 @@ World frame: origin bottom left, x to the right, y up, metres.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import hypot
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,15 +25,16 @@ Segment = tuple[float, float, float, float]
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class Portal:
-    """An opening as seen from inside `room`, its ends in counter-clockwise order; `leaf` is the door in it, if any."""
+class Portal(NamedTuple):
+    """An opening as seen from inside a room: `beyond` is the other one, `right` and `left` its ends (x + iy), in
+    counter-clockwise order; `leaf` is the door in it, if any; `middle` and `half` its width."""
 
-    room: int
     beyond: int
-    right: tuple[float, float]
-    left: tuple[float, float]
+    right: complex
+    left: complex
     leaf: str | None
+    middle: complex
+    half: float
 
 
 class Geometry:
@@ -79,8 +80,14 @@ class Geometry:
         low, high = self.room_rects[:, :2].min(axis=0), self.room_rects[:, 2:].max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
-    def room_at(self, x: float, y: float) -> int:
-        """Index of the room that a point lies in; the nearest one for a point outside all of them."""
+    def room_at(self, x: float, y: float, *, guess: int = 0) -> int:
+        """Index of the room that a point lies in; the nearest one for a point outside all of them.
+
+        `guess`: the room that is looked at first; it saves time and changes nothing.
+        """
+        x0, y0, x1, y1 = self._rects[guess]
+        if x0 < x < x1 and y0 < y < y1:
+            return guess
         best, nearest = 0, float("inf")
         for index, rect in enumerate(self._rects):
             away = distance_to_rect(x, y, rect)
@@ -137,9 +144,13 @@ class Geometry:
                 x0, y0, x1, y1 = self._rects[index]
                 side = (bx - ax) * ((y0 + y1) / 2 - ay) - (by - ay) * ((x0 + x1) / 2 - ax)
                 # to a viewer on the left of the line a -> b its start lies on the right
-                right, left = ((ax, ay), (bx, by)) if side > 0 else ((bx, by), (ax, ay))
+                first, last = complex(ax, ay), complex(bx, by)
+                right, left = (first, last) if side > 0 else (last, first)
                 leaf = name if name in self.leaves else None
-                of_room[index].append(Portal(index, self.room_index[there], right, left, leaf))
+                portal = Portal(
+                    self.room_index[there], right, left, leaf, (right + left) / 2, abs(left - right) / 2
+                )
+                of_room[index].append(portal)
         return tuple(tuple(portals) for portals in of_room)
 
 

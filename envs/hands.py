@@ -66,7 +66,7 @@ def reaches_place(world: World, place: int) -> bool:
         return False
     if room == geometry.place_room[place]:
         return True
-    others = [leaf for leaf in world.closed_leaves() if geometry.row[leaf] != place]
+    others = [leaf for leaf in world.closed_leaves if geometry.row[leaf] != place]
     return geometry.is_free_line((x, y), geometry.nearest_point(x, y, place), others)
 
 
@@ -79,7 +79,7 @@ def reaches_thing(world: World, thing: int) -> bool:
         return True
     x, y = world.position[thing].tolist()
     away = hypot(x - world.robot[0], y - world.robot[1]) - world.prior.radius[thing]
-    return away <= world.config.reach and world.geometry.is_free_line(world.robot, (x, y), world.closed_leaves())
+    return away <= world.config.reach and world.geometry.is_free_line(world.robot, (x, y), world.closed_leaves)
 
 
 def is_shut(world: World, place: int) -> bool:

@@ -186,11 +186,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         is_finished = interaction is Interaction.FINISH
         is_late = world.seconds >= self._max_seconds - 1e-9
         before = self._verdict
-        judging = self._judging
-        has_news = has_looked or is_finished or is_late or world.event is not None
-        if judging is not None and (has_news or judging.minds_position):
-            self._verdict = judging.update(world.event)
-        self._recording.note(forward, turn, interaction, target, world)
+        if has_looked or is_finished or is_late or self._has_news():
+            self._take_verdict()
+        self._recording.note(forward, turn, int(interaction), target, world)
         terminated = is_finished or (self._verdict is not None and self._verdict.is_over)
         truncated = is_late and not terminated
         if self._camera is not None or self.render_mode is not None:
@@ -333,6 +331,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if not options.noise or not options.chance:
             self._world.grasp_slip = self._sensor.missed_detection = 0.0
         self._sensor.look()
+        self._judged_arrangement = self._world.arrangement
         self._verdict = None if judge is None else judge.begin(self._world, self._sensor)
         self._feasibility = {"feasible": None, "infeasible_cause": None} if judge is None else judge.feasibility()
         if self._camera is not None:
@@ -378,27 +377,41 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     # -- a step's parts -----------------------------------------------------------------------------------------------
 
+    def _has_news(self) -> bool:
+        """Whether something happened between two looks that the judge may go by."""
+        world, judging = self._world, self._judging
+        assert world is not None
+        is_rearranged = world.arrangement != self._judged_arrangement
+        return is_rearranged or world.event is not None or (judging is not None and judging.minds_position)
+
+    def _take_verdict(self) -> None:
+        world = self.world
+        self._judged_arrangement = world.arrangement
+        if self._judging is not None:
+            self._verdict = self._judging.update(world.event)
+
     def _observe(self) -> Observation:
         world = self.world
         x, y = world.robot
         speed, turn_rate = _clip(world.speed, MAX_SPEED), _clip(world.turn_rate, MAX_TURN_RATE)
-        heading = float(world.heading[-1])
+        numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), dtype=np.float32)
         return {
             "instruction": self._shown_text,
             "instruction_codes": self._codes.copy(),
-            "robot": np.array((x, y, heading, speed, turn_rate), dtype=np.float32),
+            "robot": numbers[:5],
             "held": np.array((world.held, *world.tray), dtype=np.int16),
             "entities": self._sensor.table.copy(),
             "result": self._result.value,
-            "seconds": np.array((world.seconds,), dtype=np.float32),
+            "seconds": numbers[5:],
         }
 
     def _inform(self) -> dict[str, Any]:
+        event = self.world.event
         return {
             "instruction": self._text,
             "seconds": self.world.seconds,
             "path_length": self._path_length,
-            "events": [] if self.world.event is None else [str(self.world.event)],
+            "events": [] if event is None else [str(event)],
             "result": RESULT_NAMES[self._result],
             **self._feasibility,
             **({"is_success": False} if self._judging is None else self._judging.report()),

@@ -34,6 +34,8 @@ class Judge:
         self.grounded = ground(reading, domain)
         self.tests: tuple[Test, ...] = tests_of(self.grounded, domain)
         self._monitor: Monitor | None = None
+        self._reported: Verdict | None = None
+        self._report: dict[str, Any] = {}
 
     def begin(self, world: World, sensor: Sensor) -> Verdict:
         """Takes in the start of an episode, the first look included."""
@@ -58,14 +60,21 @@ class Judge:
         """The verdict so far, for an episode's info: a fresh mapping of plain values."""
         assert self._monitor is not None
         verdict = self._monitor.verdict
+        if verdict is not self._reported:
+            self._reported = verdict
+            self._report = {
+                "judged_by": self.judged_by,
+                "is_success": verdict.is_success,
+                "goal_conditions_met": verdict.met,
+                "goal_conditions_total": verdict.total,
+                "branches": (),
+                "violations": (),
+                "unsettled": verdict.unsettled,
+            }
         return {
-            "judged_by": self.judged_by,
-            "is_success": verdict.is_success,
-            "goal_conditions_met": verdict.met,
-            "goal_conditions_total": verdict.total,
+            **self._report,
             "branches": [branch.to_json() for branch in verdict.branches],
-            "violations": [str(violation) for violation in verdict.violations],
-            "unsettled": verdict.unsettled,
+            "violations": [violation.reason for violation in verdict.violations],
         }
 
     def feasibility(self) -> dict[str, Any]:

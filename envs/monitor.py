@@ -16,7 +16,7 @@ from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import FINDING_OUT, Course, enter, find_cause, plan_course
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
-from decomplex_bt.envs.outcomes import goal_holds, outcomes
+from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, outcomes
 from decomplex_bt.envs.truth import Moment, Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
@@ -74,6 +74,7 @@ class Monitor:
         self._violations: tuple[Violation, ...] = ()
         self._has_asked = False
         self._view: Hashable = None
+        self._watch: tuple[str, ...] = ()
         self.minds_position = True
         self._room = truth.room
         self._holds = self._goals_that_hold()
@@ -95,12 +96,16 @@ class Monitor:
         self._find_violations(event)
         self._advance()
         self._room = self.truth.room
+        watch = tuple(dict.fromkeys(name for reading in self.readings for name in self._watched_by(reading)))
+        if watch != self._watch:
+            self._watch = watch
+            self._view = self.truth.view(watch)
         self.verdict = self._judge()
         return self.verdict
 
     def _is_still(self) -> bool:
         """Whether nothing has come into view that the judge could go by, since it last looked closely."""
-        before, self._view = self._view, self.truth.view()
+        before, self._view = self._view, self.truth.view(self._watch)
         return self._view == before and not self._has_asked and not self.minds_position
 
     # -- readings -----------------------------------------------------------------------------------------------------
@@ -138,11 +143,13 @@ class Monitor:
             if stays is not None:
                 waiting.append(stays)
         self.readings = tuple(_without_twins(waiting))[:MOST_READINGS]
-        self.minds_position = any(
-            self.instruction.task(reading.due.task).type in _ON_REACHING
-            for reading in self.readings
-            if reading.due is not None
-        )
+        due = (reading.due for reading in self.readings)
+        self.minds_position = any(node is not None and self._minds_position(node.task) for node in due)
+
+    def _minds_position(self, number: int) -> bool:
+        """Whether a task may be done by being somewhere: motion, following, and whatever a domain of one's own has."""
+        kind = self.instruction.task(number).type
+        return kind in _ON_REACHING or kind not in JUDGED_BY_ROW
 
     def _follow(self, reading: Reading) -> tuple[Reading | None, list[Reading]]:
         """What a reading becomes in this step: itself, if the task due may still count otherwise, and its followers."""
@@ -196,13 +203,16 @@ class Monitor:
 
     def _look(self, reading: Reading) -> None:
         """Takes down what bears on the task due."""
-        if reading.due is None:
-            return
+        self.record.look(self.truth, self._watched_by(reading))
+
+    def _watched_by(self, reading: Reading) -> dict[str, None]:
+        """All that is looked at for the task due, in order."""
         names: dict[str, None] = {}
-        for referent in self.instruction.task(reading.due.task).referents():
-            for name in candidates(referent, reading.bindings):
-                names.update(dict.fromkeys(self._watched(name)))
-        self.record.look(self.truth, names)
+        if reading.due is not None:
+            for referent in self.instruction.task(reading.due.task).referents():
+                for name in candidates(referent, reading.bindings):
+                    names.update(dict.fromkeys(self._watched(name)))
+        return names
 
     def _watched(self, name: str) -> tuple[str, ...]:
         """What is looked at for a candidate: of a room its places, with a thing also what it lies on or in."""

@@ -318,3 +318,5 @@ _ROWS: Mapping[str, Callable[[GroundTask, Bindings, Evidence, bool], Iterator[Ou
     "following": _following,
     "informing": _informing,
 }
+JUDGED_BY_ROW = frozenset(_ROWS)
+"""The task types that a row of the contract is about; all others are judged by their goal templates."""

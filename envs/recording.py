@@ -8,7 +8,6 @@ from zlib import crc32
 
 import numpy as np
 
-from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.options import Options, Request
 from decomplex_bt.envs.world import World
 from decomplex_bt.errors import InputError
@@ -26,8 +25,8 @@ class Recording:
         self.actions: list[tuple[float, float, int, int]] = []
         self.checksums: list[int] = []
 
-    def note(self, forward: float, turn: float, interaction: Interaction, target: int, world: World) -> None:
-        self.actions.append((forward, turn, interaction.value, target))
+    def note(self, forward: float, turn: float, interaction: int, target: int, world: World) -> None:
+        self.actions.append((forward, turn, interaction, target))
         if len(self.actions) % CHECK_EVERY == 0:
             self.checksums.append(checksum(world))
 
@@ -54,4 +53,6 @@ class Recording:
 
 def checksum(world: World) -> int:
     """A number that stands for all positions and states; equal worlds have equal ones."""
-    return crc32(world.states.tobytes(), crc32(np.nan_to_num(world.position).tobytes()))
+    position = world.position.copy()
+    position[np.isnan(position)] = 0.0
+    return crc32(world.states.tobytes(), crc32(position.tobytes()))

@@ -160,7 +160,7 @@ class _Ways:
         x0, y0, x1, y1 = geometry.room_rects[room].tolist()
         self._cells = cells = _grid((x0, y0, x1, y1), WAY_PITCH)
         self._shape = len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0]))
-        middles = [np.add(portal.left, portal.right) / 2 for portal in geometry.portals[room]]
+        middles = [(portal.middle.real, portal.middle.imag) for portal in geometry.portals[room]]
         doorways = [np.hypot(*(cells - middle).T) <= DOORWAY_REACH for middle in middles]
         self._passable = np.logical_or.reduce([spots._clearance(cells, room) >= PASSAGE, *doorways])
         used = [

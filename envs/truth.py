@@ -18,8 +18,9 @@ class Truth(Protocol):
     def room(self) -> str:
         """The room the robot is in."""
 
-    def view(self) -> Hashable:
-        """A value that changes when anything comes into view or goes out of it, or the robot enters another room."""
+    def view(self, names: tuple[str, ...]) -> Hashable:
+        """A value that changes when one of these comes into view, is inspected, or the opposite, when anything is
+        brought into another room, the robot too, and when anything is changed."""
 
     def is_near(self, name: str) -> bool:
         """Whether the robot is at a place or doorway (within 1 m) or with a person (within 1.5 m), in the same room."""
@@ -61,8 +62,8 @@ class Moment:
     def room(self) -> str:
         return self._truth.room
 
-    def view(self) -> Hashable:
-        return self._truth.view()
+    def view(self, names: tuple[str, ...]) -> Hashable:
+        return self._truth.view(names)
 
     def is_near(self, name: str) -> bool:
         return self._truth.is_near(name)

@@ -84,7 +84,7 @@ def is_near_person(world: World, person: int) -> bool:
         return False
     x, y = world.position[person].tolist()
     away = hypot(x - world.robot[0], y - world.robot[1])
-    return away <= world.config.speak_reach and world.geometry.is_free_line(world.robot, (x, y), world.closed_leaves())
+    return away <= world.config.speak_reach and world.geometry.is_free_line(world.robot, (x, y), world.closed_leaves)
 
 
 def advance(world: World) -> None:
@@ -133,7 +133,7 @@ def _must_wait(world: World, walk: Walk, here: Point, ahead: Point) -> bool:
 
 def _open_doors(world: World, here: Point, target: Point) -> None:
     """A walker opens the closed doors on their way."""
-    for leaf in world.closed_leaves():
+    for leaf in world.closed_leaves:
         ax, ay, bx, by = world.geometry.leaves[leaf]
         near = hypot((ax + bx) / 2 - here[0], (ay + by) / 2 - here[1]) < DOOR_REACH
         if near and not world.geometry.is_free_line(here, target, (leaf,)):

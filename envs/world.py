@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pymunk
-import pymunk.batch
 from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
 from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Floats, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.motor import make_motor
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
 
@@ -32,7 +32,6 @@ CONTACT_FRICTION = 0.2  # [-] between bodies
 ROBOT_MASS = 15.0  # [kg]
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
-_FIELDS = pymunk.batch.BodyFields.BODY_ID | pymunk.batch.BodyFields.POSITION
 
 
 class Collision(IntFlag):
@@ -93,7 +92,9 @@ class World:
     Arrays by row of the entity table: `position` `(rows, 2)`, `heading` `(rows,)`, `place` (row of the place a thing
     lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
-    changes that are no motion. `rng` is for slips, `whims` for where people go who may go wherever they like.
+    changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
+    `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms that are closed. `rng` is for slips, `whims` for where people
+    go who may go wherever they like.
     """
 
     def __init__(
@@ -115,7 +116,7 @@ class World:
         self._is_stale = False
         self._step_seconds = config.step_seconds
         self.heading = np.zeros(len(geometry.names))
-        self.heading[geometry.robot_row] = start.heading
+        self.heading[geometry.robot_row] = self.robot_heading = start.heading
         self.states: NDArray[np.int8] = start.states.copy()
         self.broken: NDArray[np.bool_] = start.broken.copy()
         self.home: NDArray[np.bool_] = start.home.copy()
@@ -126,8 +127,9 @@ class World:
         self.held = NOTHING
         self.tray = [NOTHING] * config.tray_slots
         self.speed = self.turn_rate = 0.0
-        self.steps = 0
+        self.steps, self.seconds = 0, 0.0
         self.version = 0
+        self.arrangement = self.stirs = 0
         self.event: Event | None = None
         self.walks: dict[int, Walk] = {}
         self._floors = frozenset(int(row) for row in geometry.floor_row)
@@ -136,18 +138,14 @@ class World:
 
     # -- time ---------------------------------------------------------------------------------------------------------
 
-    @property
-    def seconds(self) -> float:
-        return self.steps * self._step_seconds
-
     def drive(self, forward: float, turn: float) -> None:
         """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate."""
         self._push(forward, turn)
-        step, substep = self.space.step, self.config.substep
-        for _ in range(self.config.substeps):
-            step(substep)
+        self._motor.run(self.config.substep, self.config.substeps)
         self.steps += 1
+        self.seconds = self.steps * self._step_seconds
         self._read()
+        self.locate()
 
     # -- questions ----------------------------------------------------------------------------------------------------
 
@@ -158,16 +156,8 @@ class World:
             self._read_all()
         return self._position
 
-    @property
-    def robot(self) -> tuple[float, float]:
-        return self._robot_point
-
     def is_floor(self, row: int) -> bool:
         return row in self._floors
-
-    def closed_leaves(self) -> tuple[str, ...]:
-        """The doors between rooms that are closed."""
-        return tuple(self._leaf_shapes)
 
     def at(self, place: int) -> list[int]:
         """The things that lie at a place, or are carried by a person or the robot, in order of rows."""
@@ -180,7 +170,7 @@ class World:
         if place in self._floors:
             for row in np.flatnonzero(self.home).tolist():
                 yield (*self.position[row].tolist(), PERSON_RADIUS)
-            yield (*self._robot_point, ROBOT_RADIUS)
+            yield (*self.robot, ROBOT_RADIUS)
 
     # -- changes ------------------------------------------------------------------------------------------------------
 
@@ -230,6 +220,7 @@ class World:
         self._drop_body(person)
         self._stand(person)
         self.room[person] = self.geometry.room_at(*self.position[person].tolist())
+        self.arrangement += 1
 
     # -- building -----------------------------------------------------------------------------------------------------
 
@@ -250,10 +241,10 @@ class World:
         self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
         self._people: dict[int, pymunk.Shape] = {}
         self._leaf_shapes: dict[str, pymunk.Shape] = {}
-        self._buffer = pymunk.batch.Buffer()
-        self._order = b""
-        self._loose = np.empty(0, dtype=np.int64)
-        self._located = np.empty(0)
+        self.closed_leaves: tuple[str, ...] = ()
+        self._loose: list[tuple[int, pymunk.Body]] = []
+        self._awake: set[int] = set()
+        self._moved: set[int] = set()
         for name in geometry.leaves:
             self._swing(name)
         for person in np.flatnonzero(self.home).tolist():
@@ -271,7 +262,8 @@ class World:
         body.angle = float(self.heading[row])
         self._add_body(row, body, _shaped(pymunk.Circle(body, ROBOT_RADIUS), Collision.ROBOT))
         self._robot = body
-        self._robot_point = (float(body.position.x), float(body.position.y))
+        self._motor = make_motor(self.space, body)
+        self.robot = (float(body.position.x), float(body.position.y))
 
     def _add_thing(self, thing: int) -> None:
         """Puts a thing on the floor as a body that slides with friction: a joint to the ground that gives way."""
@@ -288,14 +280,24 @@ class World:
     def _add_body(self, row: int, body: pymunk.Body, *parts: pymunk.Shape | pymunk.Constraint) -> None:
         self._bodies[row] = (body, parts)
         self.space.add(body, *parts)
-        self._order = b""
+        self._note_loose()
+        if row != self.geometry.robot_row:
+            self._awake.add(row)
 
     def _drop_body(self, row: int) -> None:
         if self._is_stale:
             self._read_all()
         body, parts = self._bodies.pop(row)
         self.space.remove(*parts, body)
-        self._order = b""
+        self._note_loose()
+
+    def _note_loose(self) -> None:
+        """Notes which bodies, besides the robot's, may move."""
+        rows = sorted(row for row in self._bodies if row != self.geometry.robot_row)
+        self._loose = [(row, self._bodies[row][0]) for row in rows]
+        self._awake.intersection_update(rows)
+        self._moved.intersection_update(rows)
+        self.arrangement += 1
 
     def _stand(self, person: int) -> None:
         shape = pymunk.Circle(self.space.static_body, PERSON_RADIUS, self.position[person].tolist())
@@ -312,6 +314,7 @@ class World:
             self.space.add(shape)
         elif not is_closed and door in self._leaf_shapes:
             self.space.remove(self._leaf_shapes.pop(door))
+        self.closed_leaves = tuple(self._leaf_shapes)
 
     # -- moving -------------------------------------------------------------------------------------------------------
 
@@ -320,72 +323,72 @@ class World:
 
         The contacts of the step may then change them. The direction is that of the middle of the step.
         """
-        config, body = self.config, self._robot
+        config = self.config
         if forward == 0.0 and turn == 0.0 and abs(self.speed) < 1e-3 and abs(self.turn_rate) < 1e-3:
             return
         most = config.max_acceleration * self._step_seconds
         speed = self.speed + min(max(forward * config.max_speed - self.speed, -most), most)
         most = config.max_turn_acceleration * self._step_seconds
         turn_rate = self.turn_rate + min(max(turn * config.max_turn_rate - self.turn_rate, -most), most)
-        middle = float(self.heading[-1]) + turn_rate * self._step_seconds / 2
-        body.velocity = speed * cos(middle), speed * sin(middle)
-        body.angular_velocity = turn_rate
+        middle = self.robot_heading + turn_rate * self._step_seconds / 2
+        self._motor.push(speed * cos(middle), speed * sin(middle), turn_rate)
 
     def _read(self) -> None:
         """Reads where the robot is; the others are read when somebody asks."""
-        body = self._robot
-        x, y = body.position
-        vx, vy = body.velocity
-        angle = (body.angle + pi) % (2 * pi) - pi
-        self._robot_point = (x, y)
-        self.heading[-1] = angle
+        x, y, angle, vx, vy, turn_rate = self._motor.read()
+        angle = (angle + pi) % (2 * pi) - pi
+        self.robot = (x, y)
+        self.heading[-1] = self.robot_heading = angle
         self.speed = vx * cos(angle) + vy * sin(angle)
-        self.turn_rate = body.angular_velocity
+        self.turn_rate = turn_rate
         self._is_stale = True
 
     def _read_all(self) -> None:
-        """Reads all bodies in one go; what is carried goes along."""
+        """Reads the bodies that may have moved; what is carried goes along."""
         self._is_stale = False
-        buffer = self._buffer
-        buffer.clear()
-        pymunk.batch.get_space_bodies(self.space, _FIELDS, buffer)
-        order = bytes(buffer.int_buf())
-        if order != self._order:
-            self._map(order)
-        values = np.frombuffer(buffer.float_buf(), dtype=np.float64).reshape(-1, 2)
-        self._position[self._body_rows] = values[self._rows_read]
+        position = self._position
+        position[-1] = self.robot
+        for row, body in self._loose:
+            is_awake = not body.is_sleeping
+            if is_awake or row in self._awake:  # one that has just fallen asleep is read once more
+                position[row] = body.position
+                self._moved.add(row)
+                (self._awake.add if is_awake else self._awake.discard)(row)
+        if self._moved or self._carried.size:
+            self.stirs += 1
         if self._carried.size:
-            self._position[self._carried] = self._position[self.place[self._carried]]
-
-    def _map(self, order: bytes) -> None:
-        """Works out which row of the table each row of the batch belongs to; the order changes with sleeping."""
-        self._order = order
-        row_of = {body.id: row for row, (body, _) in self._bodies.items()}
-        rows = [row_of.get(identity, NOTHING) for identity in np.frombuffer(order, dtype=np.uintp).tolist()]
-        self._rows_read = np.array([index for index, row in enumerate(rows) if row != NOTHING])
-        self._body_rows = np.array([row for row in rows if row != NOTHING])
-        self._loose = self._body_rows[self._body_rows != self.geometry.robot_row]
-        self._located = np.empty(0)
+            position[self._carried] = position[self.place[self._carried]]
 
     def locate(self) -> None:
         """Brings rooms in line with positions, and the floor a thing lies on with where it was pushed."""
-        geometry = self.geometry
-        self.room[geometry.robot_row] = geometry.room_at(*self._robot_point)
+        room, before = self.room, self.robot_room
+        x, y = self.robot
+        self.robot_room = here = self.geometry.room_at(x, y, guess=before)
+        if here != before:
+            room[-1] = here
+            self.arrangement += 1
+        if self._is_stale and (self._loose or self._carried.size):
+            self._read_all()
+        if self._moved:
+            self._locate(sorted(self._moved))
+            self._moved.clear()
         if self._carried.size:
-            self.room[self._carried] = self.room[self.place[self._carried]]
-        position, loose = self.position, self._loose
-        if not loose.size or not self._order:
-            return
-        at = position[loose]
-        if np.array_equal(at, self._located):
-            return
-        self._located = at
-        self.room[loose] = rooms = geometry.rooms_at(at)
-        is_thing = loose < geometry.people_rows[0]
-        floors = geometry.floor_row[rooms[is_thing]]
-        if not np.array_equal(floors, self.place[loose[is_thing]]):
-            self.place[loose[is_thing]] = floors
-            self.version += 1
+            rooms = room[self.place[self._carried]]
+            if not np.array_equal(rooms, room[self._carried]):
+                room[self._carried] = rooms
+                self.arrangement += 1
+
+    def _locate(self, rows: list[int]) -> None:
+        """Brings the rooms of things and people that moved in line, and the floors that the things lie on."""
+        rooms = self.geometry.rooms_at(self._position[rows])
+        for row, room in zip(rows, rooms.tolist(), strict=True):
+            if room == self.room[row]:
+                continue
+            self.room[row] = room
+            self.arrangement += 1
+            if row < self.geometry.people_rows[0]:
+                self.place[row] = self.geometry.floor_row[room]
+                self.version += 1
 
     def _locate_all(self) -> None:
         geometry = self.geometry
@@ -394,6 +397,7 @@ class World:
         self.room[lying] = geometry.place_room[self.place[lying]]
         people = np.flatnonzero(self.home)
         self.room[people] = geometry.rooms_at(self.position[people])
+        self.robot_room = self.room[-1] = geometry.room_at(*self.robot)
         self.locate()
 
     def _carried_rows(self) -> NDArray[np.int64]:

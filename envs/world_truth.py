@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import hypot
 
+import numpy as np
+
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.sensing import Sensor
@@ -24,13 +26,20 @@ class WorldTruth:
         self.geometry = world.geometry
         self._row = world.geometry.row
         self._names = world.geometry.names
+        self._viewed: tuple[str, ...] | None = None
 
     @property
     def room(self) -> str:
-        return self.geometry.rooms[self.geometry.room_at(*self.world.robot)]
+        return self.geometry.rooms[self.world.robot_room]
 
-    def view(self) -> tuple[str, bytes, bytes]:
-        return self.room, self.sensor.visible.tobytes(), self.sensor.inspected.tobytes()
+    def view(self, names: tuple[str, ...]) -> tuple[int, int, bytes, bytes]:
+        if names is not self._viewed:
+            self._viewed = names
+            self._view_rows = np.array([self._row[name] for name in names if name in self._row], dtype=np.int64)
+            self._view_places = self._view_rows[self._view_rows < self.geometry.place_count]
+        world, sensor = self.world, self.sensor
+        seen, inspected = sensor.visible[self._view_rows], sensor.inspected[self._view_places]
+        return world.version, world.arrangement, seen.tobytes(), inspected.tobytes()
 
     def is_near(self, name: str) -> bool:
         geometry, world = self.geometry, self.world
@@ -47,8 +56,8 @@ class WorldTruth:
         if row in geometry.thing_rows:
             place = int(world.place[row])
             away = hypot(*(world.position[row] - (x, y))) if place != ABSENT else float("inf")
-            return bool(away <= NEAR) and int(world.room[row]) == geometry.room_at(x, y)
-        return geometry.distance(x, y, row) <= NEAR and int(geometry.place_room[row]) == geometry.room_at(x, y)
+            return bool(away <= NEAR) and int(world.room[row]) == world.robot_room
+        return geometry.distance(x, y, row) <= NEAR and int(geometry.place_room[row]) == world.robot_room
 
     def place(self, name: str) -> str | None:
         row = self._row[name]

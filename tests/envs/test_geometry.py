@@ -11,7 +11,7 @@ from decomplex_bt.domain.house import Doorway
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.setting import setting_of
-from decomplex_bt.envs.wedges import in_sight
+from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.errors import InputError
 
 DOMAIN = load_domain("household")
@@ -52,12 +52,17 @@ def test_what_is_in_sight_is_what_no_wall_stands_before():
         eye = rng.uniform((0.1, 0.1), (11.9, 8.9))
         points = rng.uniform((0.1, 0.1), (11.9, 8.9), (60, 2))
         room, rooms = GEOMETRY.room_at(*eye), GEOMETRY.rooms_at(points)
-        directions = (points - eye) @ (1, 1j)
         leaves = ("bathroom_door",)
-        sight = in_sight(GEOMETRY, room, complex(*eye), leaves, rooms, directions)
-        for point, other, seen in zip(points, rooms, sight, strict=True):
+        found = wedges(GEOMETRY, room, complex(*eye), leaves)
+        for point, other in zip(points, rooms, strict=True):
             if other == room or min(distance_to_line(jamb, eye, point) for jamb in jambs) < 0.12:
                 continue
+            towards = complex(*(point - eye))
+            seen = any(
+                (right.conjugate() * towards).imag >= 0 and (left.conjugate() * towards).imag <= 0
+                for beyond, (right, left) in found
+                if beyond == other
+            )
             assert seen == GEOMETRY.is_free_line(tuple(eye), tuple(point), leaves)
             seen_through += seen
     assert seen_through > 50

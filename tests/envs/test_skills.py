@@ -128,7 +128,7 @@ def test_a_closed_door_is_opened_passed_and_closed_behind():
     for step in ("open-up bathroom_door", "pass bathroom_door hallway bathroom", "close-up bathroom_door"):
         assert t.do(step).status is SkillStatus.SUCCESS
     assert t.body.senses.room == "bathroom"
-    assert t.env.world.closed_leaves() == ("bathroom_door",)
+    assert t.env.world.closed_leaves == ("bathroom_door",)
 
 
 def test_a_door_is_closed_from_its_threshold():

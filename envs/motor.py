@@ -1,0 +1,97 @@
+"""The motor: sets one body going, lets time run, and reads the body, with as little around Chipmunk's calls as can be.
+
+`pymunk.Space.step` spends most of its time on what may be added or removed meanwhile, and a property of a body on making
+vectors. Nothing is added within a control step here, so that only the first of its substeps goes through pymunk, and the
+others straight to the Chipmunk function that pymunk itself calls. Where a version of pymunk does not have it in the same
+place, pymunk's own calls are made: the numbers are the same.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import pymunk
+
+try:
+    from pymunk._chipmunk_cffi import lib as _chipmunk
+
+    _FUNCTIONS = (
+        _chipmunk.cpSpaceStep,
+        _chipmunk.cpBodySetVelocity,
+        _chipmunk.cpBodySetAngularVelocity,
+        _chipmunk.cpBodyGetPosition,
+        _chipmunk.cpBodyGetVelocity,
+        _chipmunk.cpBodyGetAngle,
+        _chipmunk.cpBodyGetAngularVelocity,
+    )
+except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
+    _FUNCTIONS = ()
+
+State = tuple[float, float, float, float, float, float]
+"""x, y [m], angle [rad], velocity along x and y [m/s], angular velocity [rad/s]."""
+
+
+class Motor(Protocol):
+    """What moves one body of a space on."""
+
+    def push(self, vx: float, vy: float, turn_rate: float) -> None:
+        """Sets the body's velocities: m/s in the world frame, rad/s."""
+
+    def run(self, substep: float, substeps: int) -> None:
+        """Lets time run: so many substeps of so many seconds."""
+
+    def read(self) -> State:
+        """How the body is and moves."""
+
+
+def make_motor(space: pymunk.Space, body: pymunk.Body) -> Motor:
+    """The fastest motor that this version of pymunk allows."""
+    if _FUNCTIONS and hasattr(space, "_space") and hasattr(body, "_body"):
+        return DirectMotor(space, body)
+    return PymunkMotor(space, body)
+
+
+class PymunkMotor:
+    """Moves a body by pymunk's public calls."""
+
+    def __init__(self, space: pymunk.Space, body: pymunk.Body) -> None:
+        self._space, self._body = space, body
+
+    def push(self, vx: float, vy: float, turn_rate: float) -> None:
+        self._body.velocity = vx, vy
+        self._body.angular_velocity = turn_rate
+
+    def run(self, substep: float, substeps: int) -> None:
+        for _ in range(substeps):
+            self._space.step(substep)
+
+    def read(self) -> State:
+        body = self._body
+        return *body.position, body.angle, *body.velocity, body.angular_velocity
+
+
+class DirectMotor:
+    """Moves a body by the Chipmunk functions that pymunk calls."""
+
+    def __init__(self, space: pymunk.Space, body: pymunk.Body) -> None:
+        self._step_first = space.step
+        self._space: Any = space._space
+        self._owner, self._body = body, body._body
+        self._step, self._set_velocity, self._set_turn_rate = _FUNCTIONS[:3]
+        self._position, self._velocity, self._angle, self._turn_rate = _FUNCTIONS[3:]
+
+    def push(self, vx: float, vy: float, turn_rate: float) -> None:
+        self._set_velocity(self._body, (vx, vy))
+        self._set_turn_rate(self._body, turn_rate)
+
+    def run(self, substep: float, substeps: int) -> None:
+        if substeps > 0:
+            self._step_first(substep)
+        step, space = self._step, self._space
+        for _ in range(substeps - 1):
+            step(space, substep)
+
+    def read(self) -> State:
+        body = self._body
+        position, velocity = self._position(body), self._velocity(body)
+        return position.x, position.y, self._angle(body), velocity.x, velocity.y, self._turn_rate(body)
