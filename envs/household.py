@@ -333,7 +333,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._sensor.look()
         self._judged_arrangement = self._world.arrangement
         self._verdict = None if judge is None else judge.begin(self._world, self._sensor)
-        self._feasibility = {"feasible": None, "infeasible_cause": None} if judge is None else judge.feasibility()
+        self._held_version = -1
+        self._constant_info = {"instruction": self._text, **self._feasibility()}
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
@@ -375,6 +376,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         draw.robot(base if options.chance else None)
         return draw.start
 
+    def _feasibility(self) -> dict[str, Any]:
+        unknown = {"feasible": None, "infeasible_cause": None, "is_success": False}
+        return unknown if self._judging is None else self._judging.feasibility()
+
     # -- a step's parts -----------------------------------------------------------------------------------------------
 
     def _has_news(self) -> bool:
@@ -391,31 +396,33 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._verdict = self._judging.update(world.event)
 
     def _observe(self) -> Observation:
-        world = self.world
+        world = self._world
+        assert world is not None
         x, y = world.robot
         speed, turn_rate = _clip(world.speed, MAX_SPEED), _clip(world.turn_rate, MAX_TURN_RATE)
         numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), dtype=np.float32)
+        if world.version != self._held_version:
+            self._held_version = world.version
+            self._held = np.array((world.held, *world.tray), dtype=np.int16)
         return {
             "instruction": self._shown_text,
             "instruction_codes": self._codes.copy(),
             "robot": numbers[:5],
-            "held": np.array((world.held, *world.tray), dtype=np.int16),
+            "held": self._held.copy(),
             "entities": self._sensor.table.copy(),
-            "result": self._result.value,
+            "result": int(self._result),
             "seconds": numbers[5:],
         }
 
     def _inform(self) -> dict[str, Any]:
-        event = self.world.event
-        return {
-            "instruction": self._text,
-            "seconds": self.world.seconds,
-            "path_length": self._path_length,
-            "events": [] if event is None else [str(event)],
-            "result": RESULT_NAMES[self._result],
-            **self._feasibility,
-            **({"is_success": False} if self._judging is None else self._judging.report()),
-        }
+        world, judging = self._world, self._judging
+        assert world is not None
+        info = self._constant_info.copy() if judging is None else judging.report(self._constant_info)
+        info["seconds"] = world.seconds
+        info["path_length"] = self._path_length
+        info["events"] = [] if world.event is None else [str(world.event)]
+        info["result"] = RESULT_NAMES[self._result]
+        return info
 
     def _reward(self, before: Verdict | None, terminated: bool) -> float:
         now = self._verdict
@@ -448,4 +455,4 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
 
 def _clip(value: float, most: float) -> float:
-    return min(max(value, -most), most)
+    return value if -most <= value <= most else most if value > 0 else -most

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from decomplex_bt.envs.balance import Test
@@ -42,6 +43,7 @@ class Judge:
         from decomplex_bt.envs.monitor import Monitor
         from decomplex_bt.envs.world_truth import WorldTruth
 
+        self._reported = None
         self._monitor = Monitor(self.grounded, self.domain, WorldTruth(world, sensor))
         return self._monitor.start()
 
@@ -56,26 +58,24 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.minds_position
 
-    def report(self) -> dict[str, Any]:
-        """The verdict so far, for an episode's info: a fresh mapping of plain values."""
+    def report(self, constant: Mapping[str, Any]) -> dict[str, Any]:
+        """The verdict so far, for an episode's info, beside what is constant in it: a fresh mapping of plain values."""
         assert self._monitor is not None
         verdict = self._monitor.verdict
         if verdict is not self._reported:
             self._reported = verdict
             self._report = {
+                **constant,
                 "judged_by": self.judged_by,
                 "is_success": verdict.is_success,
                 "goal_conditions_met": verdict.met,
                 "goal_conditions_total": verdict.total,
-                "branches": (),
-                "violations": (),
                 "unsettled": verdict.unsettled,
             }
-        return {
-            **self._report,
-            "branches": [branch.to_json() for branch in verdict.branches],
-            "violations": [violation.reason for violation in verdict.violations],
-        }
+        report = self._report.copy()
+        report["branches"] = [branch.to_json() for branch in verdict.branches]
+        report["violations"] = [violation.reason for violation in verdict.violations]
+        return report
 
     def feasibility(self) -> dict[str, Any]:
         """Whether the instruction can be carried out in this world by one who knows everything, and if not, why."""

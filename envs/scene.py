@@ -89,11 +89,13 @@ class Scene:
     Each room's points lie together (`spans`), those of its places first. Segment `i` is the entity `rows[i]`, its points
     begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides its last one, with its
     row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`: which points are a
-    floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points `where`.
+    floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points `where`;
+    `moved_at` is the caller's note of when they were brought in line last.
     """
 
     def __init__(self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[Rows], limit: Floats) -> None:
         self.rooms = rooms
+        self.moved_at = -1
         features, rows, starts, holding = [], [], [], []
         self.spans: dict[int, slice] = {}
         self.floors: list[tuple[slice, slice]] = []
@@ -123,6 +125,8 @@ class Scene:
 
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
+        if not self.movable.size:
+            return
         at = position[self.movable]
         self.features[PLACE_X : PLACE_Y + 1, self.where] = at.T
         self.features[SQUARE, self.where] = -(at * at).sum(axis=1)

@@ -14,12 +14,14 @@ from numpy.random import Generator
 
 from decomplex_bt.envs.chance import APERTURE
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS
-from decomplex_bt.envs.scene import Bools, Scene, samples_of
+from decomplex_bt.envs.scene import Scene, samples_of
 from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.envs.world import World
 
 VISIBLE, X, Y, HEADING, PLACE, INSPECTED = range(6)
 FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
+MOST_SCENES = 32
+"""Scenes kept at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +45,8 @@ class Sensor:
     """The robot's eyes in one episode. `look` takes the world in; `table` and the masks hold what came of it.
 
     `visible`: `(rows,)` what is seen now, `inspected`: `(places,)` whose whole contents are in view. Only what is in
-    rooms in sight is looked at, laid out in a `Scene` that is kept until other rooms come into sight or something is
-    brought into another room.
+    rooms in sight is looked at, laid out in a `Scene` for each set of rooms, kept until something is brought into
+    another room.
     """
 
     def __init__(self, world: World, config: SensingConfig, rng: Generator) -> None:
@@ -68,7 +70,7 @@ class Sensor:
         self._truth[:, VISIBLE] = 1
         self._version = self._arrangement = self._stirs = -1
         self._looked_at = -config.every
-        self._scene: Scene | None = None
+        self._scenes: dict[tuple[int, ...], Scene] = {}
         self._shown = b""
         self.table = self._known
         self.visible = np.zeros(len(geometry.names), dtype=bool)
@@ -88,7 +90,7 @@ class Sensor:
         is_stirred = world.stirs != self._stirs
         self._version, self._arrangement, self._stirs = world.version, world.arrangement, world.stirs
         self._looked_at = world.steps
-        self._look_round(is_stirred)
+        self._look_round()
         self._see_movable(is_stirred)
         self._write(is_stirred)
         return True
@@ -118,7 +120,7 @@ class Sensor:
         order = np.argsort(rooms, kind="stable")
         self._by_room = rows[order]
         self._room_ends = np.searchsorted(rooms[order], np.arange(len(world.geometry.rooms) + 1)).tolist()
-        self._scene = None
+        self._scenes.clear()
         # What lies on a floor may be reported where it was seen last, everything else only where it is.
         self._truth[self._elsewhere, X : Y + 1] = world.position[self._elsewhere]
         self._truth[user:-1, HEADING] = world.heading[user:-1]
@@ -126,12 +128,12 @@ class Sensor:
 
     # -- what is in view ----------------------------------------------------------------------------------------------
 
-    def _look_round(self, is_stirred: bool) -> None:
+    def _look_round(self) -> None:
         """What is in view, which places are so with their whole contents, and which floors were within the memory."""
         world, now = self.world, self.world.seconds
         eye, room = complex(*world.robot), world.robot_room
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
-        scene = self._scene_of((room, *dict.fromkeys([other for other, _ in beyond])), is_stirred)
+        scene = self._scene_of((room, *dict.fromkeys([other for other, _ in beyond])))
         in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
         visible = self.visible = np.zeros(len(self.visible), dtype=bool)
         visible[scene.rows] = seen = np.logical_or.reduceat(in_view, scene.starts)
@@ -151,39 +153,38 @@ class Sensor:
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
         np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
 
-    def _scene_of(self, rooms: tuple[int, ...], is_stirred: bool) -> Scene:
+    def _scene_of(self, rooms: tuple[int, ...]) -> Scene:
         """The scene of these rooms, the robot's own first, with everything where it is now."""
-        scene = self._scene
-        if scene is None or scene.rooms != rooms:
+        scene = self._scenes.get(rooms)
+        if scene is None:
+            if len(self._scenes) >= MOST_SCENES:
+                self._scenes.clear()
             ends = self._room_ends
             movable = [self._by_room[ends[room] : ends[room + 1]] for room in rooms]
-            self._scene = scene = Scene(self._samples, rooms, movable, self._limit)
-        elif not is_stirred:
-            return scene
-        if scene.movable.size:
+            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, self._limit)
+        if scene.moved_at != self._stirs:
+            scene.moved_at = self._stirs
             scene.move(self.world.position)
         return scene
 
     def _see_movable(self, is_stirred: bool) -> None:
-        """Things and people: those in view, less what is missed; on inspected floors also those seen a while ago."""
-        world = self.world
-        in_view = self.visible[self._movable]
-        if self.missed_detection > 0:
-            self._miss(in_view)
-        np.putmask(self._seen_when, in_view, world.seconds)
-        if is_stirred or self._on_floors.size:
-            truth = self._truth[self._movable, X : Y + 1]
-            np.copyto(truth, world.position[self._movable], where=in_view[:, None], casting="same_kind")
-        if self._on_floors.size:
-            when = self._seen_when[self._on_floors]
-            in_view[self._on_floors] |= self.inspected[self._floors_at] & (when >= world.seconds - self.config.memory)
+        """Things and people: those in view, less what is missed; on inspected floors also those seen a while ago.
 
-    def _miss(self, in_view: Bools) -> None:
-        """Takes out what this look misses; what was seen by the last look stays seen."""
+        What was seen by the last look is missed by none.
+        """
+        world, on_floors = self.world, self._on_floors
+        in_view = self.visible[self._movable]
         (fresh,) = (in_view > self._tracked).nonzero()
-        if fresh.size:
+        if fresh.size and self.missed_detection > 0:
             in_view[fresh] = self.rng.random(fresh.size) >= self.missed_detection
         self._tracked = in_view.copy()
+        np.putmask(self._seen_when, in_view, world.seconds)
+        if is_stirred or (fresh.size and on_floors.size):
+            truth = self._truth[self._movable, X : Y + 1]
+            np.copyto(truth, world.position[self._movable], where=in_view[:, None], casting="same_kind")
+        if on_floors.size:
+            is_recent = self._seen_when[on_floors] >= world.seconds - self.config.memory
+            in_view[on_floors] |= self.inspected[self._floors_at] & is_recent
 
     # -- the table ----------------------------------------------------------------------------------------------------
 

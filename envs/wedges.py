@@ -23,7 +23,14 @@ def wedges(
     A room to which two ways lead comes twice. Doorways that are farther than `reach` metres are left out.
     """
     found: list[tuple[int, Wedge]] = []
-    _look_through(geometry.portals, room, eye, None, (room,), closed, reach, found)
+    portals = geometry.portals
+    for beyond, right, left, leaf, middle, half in portals[room]:
+        to_right, to_left = right - eye, left - eye
+        if leaf in closed or (to_right.conjugate() * to_left).imag < 0 or abs(middle - eye) - half > reach:
+            continue
+        found.append((beyond, (to_right, to_left)))
+        if len(portals[beyond]) > 1:
+            _look_through(portals, beyond, eye, (to_right, to_left), (room, beyond), closed, reach, found)
     return found
 
 
@@ -31,13 +38,13 @@ def _look_through(
     portals: Sequence[Sequence[Portal]],
     room: int,
     eye: complex,
-    wedge: Wedge | None,
+    wedge: Wedge,
     path: tuple[int, ...],
     closed: Collection[str],
     reach: float,
     found: list[tuple[int, Wedge]],
 ) -> None:
-    """Adds what is seen through the doorways of `room`, and through those behind them, within a wedge."""
+    """Adds what is seen within a wedge through the doorways of `room`, and through those behind them."""
     for beyond, right, left, leaf, middle, half in portals[room]:
         if beyond in path or leaf in closed or abs(middle - eye) - half > reach:
             continue
@@ -48,14 +55,13 @@ def _look_through(
                 _look_through(portals, beyond, eye, narrowed, (*path, beyond), closed, reach, found)
 
 
-def _narrowed(right: complex, left: complex, wedge: Wedge | None) -> Wedge | None:
+def _narrowed(right: complex, left: complex, wedge: Wedge) -> Wedge | None:
     """The part of a wedge that goes through an opening with these edges; None where nothing of it does."""
-    if wedge is not None:
-        first, last = wedge
-        if _cross(first, left) <= 0 or _cross(right, last) <= 0:
-            return None
-        right = first if _cross(first, right) < 0 else right
-        left = last if _cross(left, last) < 0 else left
+    first, last = wedge
+    if _cross(first, left) <= 0 or _cross(right, last) <= 0:
+        return None
+    right = first if _cross(first, right) < 0 else right
+    left = last if _cross(left, last) < 0 else left
     return None if _cross(right, left) < 0 else (right, left)
 
 
