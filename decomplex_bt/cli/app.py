@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from decomplex_bt import __version__
-from decomplex_bt.cli import corpus, evaluate, parse, plan, run, train, tree
+from decomplex_bt.cli import corpus, evaluate, parse, plan, reproduce, run, train, tree
 from decomplex_bt.errors import DecomplexError
 
 OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -39,6 +39,7 @@ app.command("plan")(plan.plan)
 app.command("tree")(tree.tree)
 app.command("evaluate")(evaluate.evaluate)
 app.command("train")(train.train)
+app.command("reproduce")(reproduce.reproduce)
 app.add_typer(corpus.app, name="corpus")
 
 
