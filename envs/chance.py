@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from bisect import bisect_right
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from math import pi
 
@@ -55,6 +56,7 @@ class Draw:
             home=np.zeros(rows, dtype=bool),
         )
         self._discs: dict[int, dict[int, Disc]] = {}
+        self._people: dict[int, Disc] = {}
 
     def everything(self, rng: Generator) -> None:
         """Draws all of it from the prior, in a fixed order. Raises `InputError` where something finds no spot."""
@@ -64,7 +66,7 @@ class Draw:
         start.states = np.where(prior.has_state, is_positive, -1).astype(np.int8)
         start.states[start.broken & (start.states[:, POWER] >= 0), POWER] = 0
         self._things(rng)
-        self._people(rng)
+        self._everybody(rng)
         self._settle()
 
     def likeliest(self) -> None:
@@ -114,6 +116,7 @@ class Draw:
         start = self.start
         start.home[person] = False
         start.position[person] = np.nan
+        self._people.pop(person, None)
         if room is None:
             return
         others = [other for other in range(len(self.geometry.rooms)) if other != room]
@@ -127,12 +130,13 @@ class Draw:
             spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
         start.position[person] = spot
         start.home[person] = True
+        self._people[person] = (float(spot[0]), float(spot[1]), PERSON_RADIUS)
 
     def _spot_in_company(self, room: int, rng: Generator) -> Floats | None:
         """A spot that leaves the robot its ways through a room, past those who stand there already; None if none."""
         taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
         spots = self.spots.standing(room, taken)
-        company = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
+        company = [(x, y) for x, y, _ in self._people.values() if self.geometry.room_at(x, y) == room]
         for _ in range(TRIES if len(spots) else 0):
             spot: Floats = spots[int(rng.random() * len(spots))]
             if not company or self.spots.leaves_way(room, [*company, (float(spot[0]), float(spot[1]))]):
@@ -146,9 +150,15 @@ class Draw:
         draws = rng.random(len(prior.place_sums))
         columns = (draws[:, None] >= prior.place_sums).sum(axis=1).clip(max=prior.place_sums.shape[1] - 1)
         places = prior.place_table[np.arange(len(columns)), columns].tolist()
+        laid: list[tuple[int, int, float, float]] = []
         for thing, place in zip(self.geometry.thing_rows, places, strict=True):
             tries = 0
-            while not self.lay(thing, place, rng):
+            while place != ABSENT:
+                spot = self._free_spot(thing, place, rng)
+                if spot is not None:
+                    laid.append((thing, place, *spot))
+                    self._discs.setdefault(place, {})[thing] = (*spot, prior.radius[thing])
+                    break
                 tries += 1
                 if tries > TRIES:
                     raise InputError(
@@ -157,21 +167,25 @@ class Draw:
                     )
                 rows, weights = prior.places(thing)
                 place = int(rows[_choose(weights, rng)])
+        if not laid:
+            return
+        rows = [thing for thing, _, _, _ in laid]
+        self.start.place[rows] = [place for _, place, _, _ in laid]
+        self.start.position[rows] = [(x, y) for _, _, x, y in laid]
 
-    def _people(self, rng: Generator) -> None:
-        for index, row in enumerate(self.geometry.people_rows):
-            is_home = rng.random() < self.prior.home[index]
-            room = int(_choose(self.prior.rooms[index], rng))
+    def _everybody(self, rng: Generator) -> None:
+        for row, home, rooms in zip(self.geometry.people_rows, self.prior.homes, self.prior.room_sums, strict=True):
+            is_home = rng.random() < home
+            room = min(bisect_right(rooms, rng.random()), len(rooms) - 1)
             self.stand(row, room if is_home else None, rng)
 
     def _settle(self) -> None:
         """What has stood long enough in a closed fridge is cold, in a closed oven that is on hot."""
         states, place = self.start.states, self.start.place
         kinds = self.prior.kinds
-        for row in self.geometry.thing_rows:
+        warm = self.prior.warm_things[place[self.prior.warm_things] != ABSENT]
+        for row in warm[states[place[warm], APERTURE] == 0].tolist():
             at = int(place[row])
-            if at == ABSENT or states[row, TEMPERATURE] < 0 or states[at, APERTURE] != 0:
-                continue
             tags = kinds[row].tags
             if any(tag in tags for tag in kinds[at].cools):
                 states[row, TEMPERATURE] = 0
@@ -186,18 +200,18 @@ class Draw:
             self.start.place[thing], self.start.position[thing] = ABSENT, np.nan
 
     def _free_spot(self, thing: int, place: int, rng: Generator) -> tuple[float, float] | None:
-        taken = list(self._lying_at(place, besides=thing))
-        if self.spots.is_floor(place):
-            taken.extend(self._standing())
+        discs = self._discs.get(place, {})
+        taken: Collection[Disc] = discs.values() if thing not in discs else [disc for row, disc in discs.items() if row != thing]
+        if self._people and self.spots.is_floor(place):
+            taken = [*taken, *self._standing()]
         return self.spots.draw_lying(place, self.prior.radius[thing], taken, rng)
 
-    def _lying_at(self, place: int, besides: int = ABSENT) -> Iterator[Disc]:
-        return (disc for row, disc in self._discs.get(place, {}).items() if row != besides)
+    def _lying_at(self, place: int) -> Iterable[Disc]:
+        return self._discs.get(place, {}).values()
 
-    def _standing(self) -> Iterator[Disc]:
-        for row in np.flatnonzero(self.start.home).tolist():
-            x, y = self.start.position[row].tolist()
-            yield x, y, PERSON_RADIUS
+    def _standing(self) -> list[Disc]:
+        """Where people stand, in order of rows."""
+        return [disc for _, disc in sorted(self._people.items())]
 
 
 def _choose(weights: Floats, rng: Generator) -> int:

@@ -31,6 +31,7 @@ from decomplex_bt.envs.spaces import (
     read_action,
     shown,
 )
+from decomplex_bt.envs.stage import Stage
 from decomplex_bt.envs.walking import advance
 from decomplex_bt.envs.world import World, WorldConfig
 from decomplex_bt.envs.world_truth import WorldTruth
@@ -152,6 +153,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self.entities = self.setting.geometry.names
         self._request = read_request(instruction, gold)
         self._judge: Judge | None = None
+        self._stage = Stage(self.setting.geometry)
         self._camera: Camera | None = None
         self._world: World | None = None
         self._verdict: Verdict | None = None
@@ -325,7 +327,14 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         start = self._draw_start(options, base, mixing)
         setting = self.setting
         self._world = World(
-            setting.geometry, setting.prior, setting.spots, start, config=self.config.world, rng=noise, whims=whims
+            setting.geometry,
+            setting.prior,
+            setting.spots,
+            start,
+            config=self.config.world,
+            rng=noise,
+            whims=whims,
+            stage=self._stage,
         )
         self._sensor = Sensor(self._world, self.config.sensing, noise)
         if not options.noise or not options.chance:

@@ -21,7 +21,8 @@ class Prior:
 
     `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
     `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
-    `(people, rooms)`; `robot_rooms`: `(rooms,)`.
+    `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`: rows
+    of what may be hot or cold.
     """
 
     def __init__(self, geometry: Geometry) -> None:
@@ -38,7 +39,11 @@ class Prior:
         self.home = np.array([person.home for person in people])
         self.home[0] = 1.0
         self.rooms = np.array([self._shares(person.rooms, "people") for person in people])
+        self.homes: list[float] = self.home.tolist()
+        self.room_sums: list[list[float]] = np.cumsum(self.rooms, axis=1).tolist()
         self.robot_rooms = self._shares(geometry.house.robot_start, "robot_start")
+        rows = np.array(geometry.thing_rows)
+        self.warm_things = rows[self.has_state[rows, STATE_PAIRS.index("temperature")]]
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
         self.place_table = np.array([rows for rows, _ in self._of_thing.values()])
         self.place_sums = np.array([np.cumsum(weights) for _, weights in self._of_thing.values()])

@@ -70,6 +70,8 @@ def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Int
         interact, target = int(action["interact"]), int(action["target"])
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(f"no action: {error!r} in {action!r}; expected drive (2 numbers), interact, target") from None
+    if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0 and 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows:
+        return forward, turn, _INTERACTIONS[interact], target
     if not (isfinite(forward) and isfinite(turn) and 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows):
         raise InputError(
             f"no action: {action!r}; expected two finite numbers to drive, interact below {len(_INTERACTIONS)} and "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -53,16 +53,20 @@ class Spots:
         return _apart(self._lying[key], radius, taken)
 
     def draw_lying(
-        self, place: int, radius: float, taken: Sequence[Disc], rng: Generator
+        self, place: int, radius: float, taken: Collection[Disc], rng: Generator
     ) -> tuple[float, float] | None:
         """One of the spots of `lying`, each as likely; None where there is none. Tries some before it looks at all."""
         key = (place, radius)
         if key not in self._listed:
             self._listed[key] = self.lying(place, radius).tolist()
         spots = self._listed[key]
+        count, draw = len(spots), rng.random
         for _ in range(TRIES if spots else 0):
-            x, y = spots[int(rng.random() * len(spots))]
-            if all((x - ox) ** 2 + (y - oy) ** 2 >= (radius + other) ** 2 for ox, oy, other in taken):
+            x, y = spots[int(draw() * count)]
+            for ox, oy, other in taken:
+                if (x - ox) ** 2 + (y - oy) ** 2 < (radius + other) ** 2:
+                    break
+            else:
                 return x, y
         left = self.lying(place, radius, taken).tolist()
         return tuple(left[int(rng.random() * len(left))]) if left else None
@@ -75,7 +79,7 @@ class Spots:
         if room not in self._person_spots:
             floor = int(self.geometry.floor_row[room])
             points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + FLOOR_GAP]
-            free = [self._ways[room].are_free([(x, y)]) for x, y in points[::STANDING_STRIDE].tolist()]
+            free = [self._ways[room].leaves_way_past(x, y) for x, y in points[::STANDING_STRIDE].tolist()]
             self._person_spots[room] = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
         return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, taken)
 
@@ -85,9 +89,10 @@ class Spots:
 
     def robot(self, room: int, taken: Iterable[Disc] = (), people: Iterable[tuple[float, float]] = ()) -> Floats:
         """`(n, 2)` spots where the robot can stand in a room and get everywhere in it, past the people there."""
-        points = self._candidates(int(self.geometry.floor_row[room]))
-        points = _apart(points[self._floor_clearance[room] >= PASSAGE], PASSAGE, taken)
-        return points[self._ways[room].leads_from(points, people)]
+        points, cells = self._robot_spots[room]
+        is_free = self._ways[room].reached(people)[cells]
+        discs = tuple(taken)
+        return points[is_free & _are_apart(points, PASSAGE, discs)] if discs else points[is_free]
 
     def is_free(self, x: float, y: float, radius: float, taken: Iterable[Disc]) -> bool:
         """Whether a thing can be put down here on the floor: off furniture, walls and everything taken."""
@@ -148,6 +153,15 @@ class Spots:
         return off
 
     @cached_property
+    def _robot_spots(self) -> tuple[tuple[Floats, NDArray[np.int64]], ...]:
+        """Per room, where the robot can stand in it, and the cells of its ways that these spots are in."""
+        spots = []
+        for room, floor in enumerate(self.geometry.floor_row):
+            points = self._candidates(int(floor))[self._floor_clearance[room] >= PASSAGE]
+            spots.append((points, self._ways[room].cells_of(points)))
+        return tuple(spots)
+
+    @cached_property
     def _ways(self) -> tuple[_Ways, ...]:
         return tuple(_Ways(self, room) for room in range(len(self.geometry.rooms)))
 
@@ -168,30 +182,46 @@ class _Ways:
             for name, piece in geometry.house.furniture.items()
             if piece.room == geometry.rooms[room]
         ]
+        self._past_one: dict[frozenset[tuple[float, float]], NDArray[np.uint8]] = {}
+        self._last: tuple[frozenset[tuple[float, float]], NDArray[np.bool_]] = frozenset(), self._passable
         self._marks = np.array([*doorways, *used] or [np.ones(len(cells), dtype=bool)])
 
     def are_free(self, people: Iterable[tuple[float, float]]) -> bool:
         """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
-        return bool((self._marks & self._reached(people)).any(axis=1).all())
+        return bool((self._marks & self.reached(people)).any(axis=1).all())
 
-    def leads_from(self, points: Floats, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
-        """Which of the points hang together with the first doorway."""
+    def cells_of(self, points: Floats) -> NDArray[np.int64]:
+        """The cells that points lie in."""
         rows, columns = self._shape
         low, high = self._cells[0], self._cells[-1]
         steps = np.rint((points - low) / np.maximum(high - low, 1e-9) * (columns - 1, rows - 1)).astype(np.int64)
-        return self._reached(people)[steps[:, 1] * columns + steps[:, 0]]
+        return steps[:, 1] * columns + steps[:, 0]
 
-    def _reached(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
-        people = tuple(people)
-        return self._flooded(people) if people else self._reached_alone
+    def reached(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
+        """Which cells hang together with the first doorway, past the people; answers that come again are kept."""
+        standing = frozenset(people)
+        if not standing:
+            return self._reached_alone
+        if len(standing) == 1 and standing in self._past_one:
+            return np.unpackbits(self._past_one[standing], count=len(self._passable)).view(np.bool_)
+        last = self._last
+        if last[0] != standing:
+            self._last = last = standing, self._flooded(standing)
+        return last[1]
 
     @cached_property
     def _reached_alone(self) -> NDArray[np.bool_]:
         return self._flooded(())
 
+    def leaves_way_past(self, x: float, y: float) -> bool:
+        """Whether a person standing here leaves all ways free; the answer is kept, for they may stand here again."""
+        standing = frozenset(((x, y),))
+        self._past_one[standing] = np.packbits(self._flooded(standing))
+        return self.are_free(standing)
+
     def _flooded(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
         free = self._passable.copy()
-        for x, y in people:
+        for x, y in sorted(people):
             free &= (self._cells[:, 0] - x) ** 2 + (self._cells[:, 1] - y) ** 2 >= (PERSON_RADIUS + PASSAGE) ** 2
         return _flood(free.reshape(self._shape), self._marks[0].reshape(self._shape)).ravel()
 
@@ -208,11 +238,13 @@ def _grid(rect: Rect, pitch: float) -> Floats:
 def _apart(points: Floats, radius: float, taken: Iterable[Disc]) -> Floats:
     """The points at which a disc touches none of those taken."""
     others: Sequence[Disc] = tuple(taken)
-    if not others or not len(points):
-        return points
-    discs = np.array(others)
+    return points[_are_apart(points, radius, others)] if others and len(points) else points
+
+
+def _are_apart(points: Floats, radius: float, taken: Sequence[Disc]) -> NDArray[np.bool_]:
+    discs = np.array(taken)
     gaps = np.hypot(points[:, :1] - discs[:, 0], points[:, 1:] - discs[:, 1])
-    return points[(gaps >= discs[:, 2] + radius).all(axis=1)]
+    return (gaps >= discs[:, 2] + radius).all(axis=1)
 
 
 def _distances(points: Floats, rect: Rect) -> Floats:

@@ -17,11 +17,12 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
-from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Floats, Geometry
+from decomplex_bt.envs.geometry import LEAF_RADIUS, Floats, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.motor import make_motor
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
+from decomplex_bt.envs.stage import Stage
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
@@ -94,7 +95,8 @@ class World:
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
     `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms that are closed. `rng` is for slips, `whims` for where people
-    go who may go wherever they like.
+    go who may go wherever they like. `stage`: the fixed shapes to use, which leave the world they were in before; None:
+    this world gets its own.
     """
 
     def __init__(
@@ -107,6 +109,7 @@ class World:
         config: WorldConfig,
         rng: Generator,
         whims: Generator,
+        stage: Stage | None = None,
     ) -> None:
         self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config
         self.rng, self.whims = rng, whims
@@ -133,7 +136,7 @@ class World:
         self.event: Event | None = None
         self.walks: dict[int, Walk] = {}
         self._floors = frozenset(int(row) for row in geometry.floor_row)
-        self._build()
+        self._build(stage or Stage(geometry))
         self._locate_all()
 
     # -- time ---------------------------------------------------------------------------------------------------------
@@ -224,20 +227,13 @@ class World:
 
     # -- building -----------------------------------------------------------------------------------------------------
 
-    def _build(self) -> None:
+    def _build(self, stage: Stage) -> None:
         geometry = self.geometry
         self.space = pymunk.Space()
         self.space.sleep_time_threshold = 0.4
         self.space.idle_speed_threshold = 0.02
         self.space.collision_slop = 0.002  # [m]; the default suits pixels
-        static = self.space.static_body
-        shapes: list[pymunk.Shape] = [
-            pymunk.Segment(static, (ax, ay), (bx, by), WALL_RADIUS) for ax, ay, bx, by in geometry.walls
-        ]
-        shapes.extend(
-            pymunk.Poly(static, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]) for x0, y0, x1, y1 in geometry.blocks
-        )
-        self.space.add(*shapes)
+        stage.set_up(self.space)
         self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
         self._people: dict[int, pymunk.Shape] = {}
         self._leaf_shapes: dict[str, pymunk.Shape] = {}
