@@ -71,6 +71,7 @@ class Senses:
         count = len(self.names)
         self.pose = Pose(0.0, 0.0, 0.0)
         self.room = ""
+        self._rect = (0.0, 0.0, 0.0, 0.0)
         self.held: str | None = None
         self.tray: tuple[str | None, ...] = ()
         self.result = Result.NONE
@@ -81,6 +82,8 @@ class Senses:
         self.unseen: frozenset[str] = frozenset()
         self.near: frozenset[str] = frozenset()
         self._near: list[str] = []
+        self._near_places: list[str] = []
+        self._near_from = (0.0, 0.0, None, 0.0)
         self._position = np.full((count, 2), np.nan)
         self._data = b""
         self._visible = np.zeros(count, dtype=bool)
@@ -94,7 +97,7 @@ class Senses:
         """Takes one observation in. Call it once per observation, in order."""
         x, y, heading, speed, turn_rate = observation["robot"].tolist()
         self.pose = Pose(x, y, heading, speed, turn_rate)
-        self.room = self.floorplan.room_at(x, y) or self.room
+        self.room = self._room_at(x, y)
         held, *tray = observation["held"].tolist()
         self.held = self.names[held] if held >= 0 else None
         self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
@@ -102,6 +105,17 @@ class Senses:
         self.seconds = float(observation["seconds"][0])
         self._take_table(observation["entities"])
         self._take_near()
+
+    def _room_at(self, x: float, y: float) -> str:
+        """The room a point lies in, asked of the last one first; outside the house the last one."""
+        left, bottom, right, top = self._rect
+        if not (left <= x < right and bottom <= y < top):
+            room = self.floorplan.room_at(x, y)
+            if room is None:
+                return self.room
+            self._rect = self.house.rooms[room].rect
+            return room
+        return self.room
 
     # -- answers ------------------------------------------------------------------------------------------------------
 
@@ -219,16 +233,30 @@ class Senses:
 
     def _take_near(self) -> None:
         x, y = self.pose.point
-        near = [name for name, rect in self._fixed.get(self.room, ()) if rect_distance(rect, x, y) <= NEAR_PLACE]
+        ax, ay, room, margin = self._near_from
+        if room != self.room or math.hypot(x - ax, y - ay) >= margin:
+            self._take_near_places()
+        near = self._near_places
         for name, row in zip(self.people, self._people_rows, strict=True):
             if self._was_seen(row, STEADY):
                 px, py = self._position[row].tolist()
                 if math.hypot(px - x, py - y) <= NEAR_PERSON:
-                    near.append(name)
-        if self.room:
-            near.append(self.house.floor_of(self.room))
+                    near = [*near, name]
         if near != self._near:
             self._near, self.near = near, frozenset(near)
+
+    def _take_near_places(self) -> None:
+        """The places at which the robot is, and how far it may move before it need be asked again."""
+        x, y = self.pose.point
+        near, margin = [], math.inf
+        for name, rect in self._fixed.get(self.room, ()):
+            distance = rect_distance(rect, x, y)
+            if distance <= NEAR_PLACE:
+                near.append(name)
+            margin = min(margin, abs(distance - NEAR_PLACE))
+        if self.room:
+            near.append(self.house.floor_of(self.room))
+        self._near_places, self._near_from = near, (x, y, self.room, margin)
 
 
 def _kept(old: Mapping, new: dict) -> Mapping:
