@@ -41,19 +41,29 @@ class HouseholdEmbodiment:
     """
 
     def __init__(self, domain: Domain, config: BodyConfig | None = None) -> None:
+        self.config = config or BodyConfig()
+        self.move_to(domain)
+
+    # -- what the environment tells it --------------------------------------------------------------------------------
+
+    def move_to(self, domain: Domain) -> None:
+        """Gives the body the map of another house to live in."""
         self.domain = domain
         self.house = domain.house
-        self.config = config or BodyConfig()
         self.floorplan = floorplan_of(domain.house, domain.kinds, radius=self.config.radius)
         self.senses = Senses(domain.house, domain.kinds, self.floorplan)
+        self.ended: Any = None
         self._last: Any = None
-        self._percept: Percept | None = None
+
+    def end(self, observation: Mapping[str, Any]) -> None:
+        """Tells the body that the episode has ended, and with what observation: what everybody else is told as well."""
+        self.ended = observation
 
     # -- the protocol -------------------------------------------------------------------------------------------------
 
     def reset(self, observation: Mapping[str, Any]) -> None:
         self.senses.clear()
-        self._last = self._percept = None
+        self._last = self.ended = None
         self.sense(observation)
 
     def perceive(self, observation: Mapping[str, Any]) -> Percept:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import hypot
@@ -154,6 +155,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._request = read_request(instruction, gold)
         self._judge: Judge | None = None
         self._stage = Stage(self.setting.geometry)
+        self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
         self._camera: Camera | None = None
         self._world: World | None = None
         self._verdict: Verdict | None = None
@@ -193,6 +195,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._recording.note(forward, turn, int(interaction), target, world)
         terminated = is_finished or (self._verdict is not None and self._verdict.is_over)
         truncated = is_late and not terminated
+        if terminated and self._verdict is not None and self._verdict.is_success:
+            self._shortest_length = self._measure_shortest_path()
+        if (terminated or truncated) and self._bodies:
+            self._tell_bodies()
         if self._camera is not None or self.render_mode is not None:
             self._film()
         return self._observe(), self._reward(before, terminated), terminated, truncated, self._inform()
@@ -224,9 +230,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             turn_acceleration=world.max_turn_acceleration,
             step=world.step_seconds,
         )
-        return HouseholdEmbodiment(
+        body = HouseholdEmbodiment(
             self.domain, BodyConfig(limits=limits, reach=world.reach, reach_person=world.speak_reach)
         )
+        self._bodies = [other for other in self._bodies if other() is not None] + [weakref.ref(body)]
+        return body
 
     def truth(self) -> WorldTruth:
         """The running episode's world as the judge reads it; for judges and the oracle, cheating for an agent."""
@@ -323,8 +331,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._reward_kind = options.reward or self.config.reward
         self._recording = Recording(generator, request, options)
         self._result = Result.NONE
-        self._path_length = 0.0
-        start = self._draw_start(options, base, mixing)
+        self._path_length, self._shortest_length = 0.0, None
+        self._start = start = self._draw_start(options, base, mixing)
         setting = self.setting
         self._world = World(
             setting.geometry,
@@ -398,6 +406,27 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         is_rearranged = world.arrangement != self._judged_arrangement
         return is_rearranged or world.event is not None or (judging is not None and judging.minds_position)
 
+    def _tell_bodies(self) -> None:
+        """Tells the bodies that were handed out that the episode is over; they do not ask the environment for anything."""
+        for body in (reference() for reference in self._bodies):
+            if body is not None:
+                body.end(HouseholdEnv._observe(self))
+
+    def _measure_shortest_path(self) -> float | None:
+        from decomplex_bt.envs.shortest import ShortestPath
+
+        assert self._judging is not None
+        world, sensing = self.config.world, self.config.sensing
+        path = ShortestPath(
+            self.domain,
+            self.setting.geometry,
+            self._start,
+            reach=world.reach,
+            earshot=world.speak_reach,
+            sight=(sensing.range, sensing.inside_range),
+        )
+        return path.length(*self._judging.carried_out())
+
     def _take_verdict(self) -> None:
         world = self.world
         self._judged_arrangement = world.arrangement
@@ -429,6 +458,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         info = self._constant_info.copy() if judging is None else judging.report(self._constant_info)
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
+        info["shortest_length"] = self._shortest_length
         info["events"] = [] if world.event is None else [str(world.event)]
         info["result"] = RESULT_NAMES[self._result]
         return info

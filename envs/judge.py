@@ -11,10 +11,12 @@ from decomplex_bt.instruction import Instruction
 
 if TYPE_CHECKING:
     from decomplex_bt.domain.loader import Domain
+    from decomplex_bt.envs.bindings import Bindings
     from decomplex_bt.envs.monitor import Monitor
     from decomplex_bt.envs.sensing import Sensor
     from decomplex_bt.envs.verdict import Verdict
     from decomplex_bt.envs.world import Event, World
+    from decomplex_bt.planning.ground_task import GroundTask
 
 
 class Judge:
@@ -76,6 +78,11 @@ class Judge:
         report["branches"] = [branch.to_json() for branch in verdict.branches]
         report["violations"] = [violation.reason for violation in verdict.violations]
         return report
+
+    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
+        """What was due and is settled, in order, each with its truth; and what the phrases turned out to mean."""
+        assert self._monitor is not None
+        return self._monitor.carried_out()
 
     def feasibility(self) -> dict[str, Any]:
         """Whether the instruction can be carried out in this world by one who knows everything, and if not, why."""

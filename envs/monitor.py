@@ -103,6 +103,12 @@ class Monitor:
         self.verdict = self._judge()
         return self.verdict
 
+    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
+        """What was due up to now and is settled, in order, each with its truth; and what the phrases turned out to mean."""
+        best = self._best()
+        false = {branch.task for branch in best.branches if branch.truth is False}
+        return [(self.instruction.task(number), number not in false) for number in best.met], best.bindings
+
     def _is_still(self) -> bool:
         """Whether nothing has come into view that the judge could go by, since it last looked closely."""
         before, self._view = self._view, self.truth.view(self._watch)
@@ -293,7 +299,7 @@ class Monitor:
     # -- the verdict --------------------------------------------------------------------------------------------------
 
     def _judge(self) -> Verdict:
-        best = self._ended or max(self.readings, key=lambda reading: len(reading.met))
+        best = self._best()
         is_success = best.due is None and not self._violations
         total = len(self.course.tasks)
         return Verdict(
@@ -304,6 +310,9 @@ class Monitor:
             violations=self._violations,
             unsettled=best.due.task if best.due is not None else None,
         )
+
+    def _best(self) -> Reading:
+        return self._ended or max(self.readings, key=lambda reading: len(reading.met))
 
     def _undecided(self, reading: Reading) -> Iterator[Branch]:
         """The condition that was reached and that nothing has decided yet."""

@@ -25,6 +25,9 @@ from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
+LAST_TICKS = 3
+"""Ticks in which an agent takes in with what the episode has ended; some things it believes only at second sight."""
+
 Ask = Callable[[Missing], str | None]
 
 
@@ -37,7 +40,7 @@ class TreeAgent:
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
     by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
-    has sent its last action, which ends the episode.
+    has sent its last action, which ends the episode, or the episode has ended without it.
     """
 
     def __init__(
@@ -45,12 +48,11 @@ class TreeAgent:
     ) -> None:
         make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
         self._body = make_body()
-        self._domain = self._body.domain
         self._planner = planner or PyperplanPlanner()
         self._gold = flow
         self._ask = ask
         self._session: Session | None = None
-        self.done = False
+        self._has_finished = self._has_concluded = False
 
     # -- the Gymnasium loop -------------------------------------------------------------------------------------------
 
@@ -64,28 +66,42 @@ class TreeAgent:
         if not self.instruction.tasks:
             raise InputError(
                 f"{self.instruction.text!r} holds no task that this robot knows; it can "
-                f"{', '.join(kind.description.split(',')[0] for kind in self._domain.ontology.task_types.values())}"
+                f"{', '.join(kind.description.split(',')[0] for kind in self._body.domain.ontology.task_types.values())}"
             )
-        self.grounded: GroundInstruction = ground(self.instruction, self._domain, ask=self._ask)
+        self.grounded: GroundInstruction = ground(self.instruction, self._body.domain, ask=self._ask)
         self._body.reset(observation)
-        self._session = Session(self._body, Belief(self._domain), self._planner)
-        self.compiled = compile_instruction(self.instruction, self.grounded, self._domain)
+        self._session = Session(self._body, Belief(self._body.domain), self._planner)
+        self.compiled = compile_instruction(self.instruction, self.grounded, self._body.domain)
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)
-        self.done = False
+        self._has_finished = self._has_concluded = False
 
     def act(self, observation: Any) -> Any:
         """The action for this observation: ticks the tree once. The last action is the one that ends the episode."""
         session = self.session
-        if self.done:
+        if self._has_finished:
             return self._body.finish()
-        session.begin_tick(observation)
-        self.tree.tick()
+        self._tick(observation)
         if self.tree.root.status == Status.RUNNING:
             assert session.action is not None
             return session.action
-        self.done = True
+        self._has_finished = True
         return self._body.finish()
+
+    def _tick(self, observation: Any) -> None:
+        self.session.begin_tick(observation)
+        self.tree.tick()
+
+    def _conclude(self) -> None:
+        """Takes in with what the episode has ended, where it did so before the tree knew: what its last step did."""
+        ended = getattr(self._body, "ended", None)
+        if ended is None or self._has_concluded or self._session is None:
+            return
+        self._has_concluded = True
+        for _ in range(LAST_TICKS):
+            if self._has_finished or self.tree.root.status in (Status.SUCCESS, Status.FAILURE):
+                return
+            self._tick(ended)
 
     # -- how it stands ------------------------------------------------------------------------------------------------
 
@@ -97,17 +113,30 @@ class TreeAgent:
         return self._session
 
     @property
+    def done(self) -> bool:
+        """Whether the agent has sent its last action, or the episode has ended before: by its verdict, or by the clock."""
+        self._conclude()
+        return self._has_finished or self._has_concluded
+
+    @property
     def status(self) -> Status:
-        """The status of the tree's root: RUNNING, SUCCESS or FAILURE; INVALID before the first action."""
+        """The status of the tree's root: INVALID before the first action, then RUNNING, in the end SUCCESS or FAILURE.
+
+        What ended the episode has been taken in; still RUNNING then is a tree that was interrupted, by the time limit, a
+        violation, or a judge who was content with less.
+        """
+        self._conclude()
         return self.tree.root.status
 
     @property
     def failures(self) -> tuple[Failure, ...]:
         """Why tasks failed, in order; empty where none did. A condition that is false is no failure."""
+        self._conclude()
         return tuple(self.session.failures)
 
     def branches(self) -> tuple[tuple[int, bool | None, str | None], ...]:
         """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken."""
+        self._conclude()
         judged = []
         for _, node in sorted(self.compiled.nodes.items()):
             if isinstance(node, IfThenElse) and node.condition.status in (Status.SUCCESS, Status.FAILURE):
@@ -130,7 +159,7 @@ class TreeAgent:
         # Only here is language needed; a gold flow runs without it.
         from decomplex_bt.understanding.interpreter import Interpreter
 
-        return Interpreter.load(self._domain).interpret(text)
+        return Interpreter.load(self._body.domain).interpret(text)
 
 
 def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:

@@ -41,10 +41,12 @@ class Skill(Protocol):
 class Embodiment(Protocol):
     """A body: it makes percepts of observations and skills of plan steps; it holds no reference to the true world.
 
-    `domain`: what it lives in, the house map included.
+    `domain`: what it lives in, the house map included. `ended`: the observation with which the episode has ended, None
+    while it runs (a body need not have it; the agent then learns of an end only by what it did itself).
     """
 
     domain: Domain
+    ended: Any
 
     def reset(self, observation: Any) -> None:
         """Forgets the last episode."""

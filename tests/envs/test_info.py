@@ -1,0 +1,210 @@
+"""What `info` says of an episode, and when: the verdict, the branches, the way driven and the shortest there was."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from py_trees.common import Status
+
+import decomplex_bt
+from decomplex_bt.corpus import read_corpus, read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.household import HouseholdEnv
+from decomplex_bt.envs.interface import Interaction
+from decomplex_bt.envs.registration import HOUSEHOLD
+
+ONTOLOGY = load_domain("household").ontology
+EXAMPLES = read_corpus(Path(__file__).parents[2] / "benchmarks" / "class_sentences.yaml", ONTOLOGY)
+KEYS = {
+    "instruction",
+    "seconds",
+    "path_length",
+    "shortest_length",
+    "result",
+    "events",
+    "is_success",
+    "judged_by",
+    "goal_conditions_met",
+    "goal_conditions_total",
+    "branches",
+    "violations",
+    "unsettled",
+    "feasible",
+    "infeasible_cause",
+}
+REST = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
+
+
+def markup(text, flow):
+    return read_markup(text, ONTOLOGY, flow=flow)
+
+
+GO = markup("[Go](1:motion) [to the kitchen](1:goal).", [1])
+TV = markup("If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
+            [{"if": 1, "then": [2]}])  # fmt: skip
+
+
+def play(env, example, seed, **options):
+    observation, info = env.reset(seed=seed, options={"instruction": example, **options})
+    agent = decomplex_bt.TreeAgent(env, flow=getattr(example, "instruction", example))
+    agent.reset(observation, info)
+    steps = []
+    while True:
+        action = agent.act(observation)
+        observation, _, terminated, truncated, info = env.step(action)
+        steps.append((action, info))
+        if terminated or truncated:
+            return agent, steps
+
+
+@pytest.mark.parametrize("instruction", [GO, TV], ids=["go", "tv"])
+def test_info_has_all_its_keys_in_every_step(instruction):
+    env = HouseholdEnv(instruction)
+    _, info = env.reset(seed=0)
+    assert set(info) == KEYS | {"exempt"}
+    for _ in range(5):
+        assert set(env.step(REST)[4]) == KEYS
+
+
+def test_info_follows_the_episode_through_its_branches():
+    env = gym.make(HOUSEHOLD)
+    agent, steps = play(env, TV, 3, chance=False, states={"tv": "on"})
+    first, last = steps[0][1], steps[-1][1]
+    assert (first["goal_conditions_met"], first["goal_conditions_total"]) == (0, 2)
+    assert (last["goal_conditions_met"], last["goal_conditions_total"]) == (2, 2)
+    assert first["branches"] == [{"task": 1, "truth": None, "taken": None}]
+    assert last["branches"] == [{"task": 1, "truth": True, "taken": "then"}]
+    assert last["events"] == ["switch off tv: ok"]
+    assert last["is_success"]
+    assert last["feasible"]
+    assert not last["violations"]
+
+
+def test_a_violation_is_told_and_ends_the_episode():
+    env = HouseholdEnv(
+        markup(
+            "[Switch](1:change_state) [the tv](1:object) on, then [close](2:change_state) [the fridge](2:object).",
+            [1, 2],
+        )
+    )
+    env.reset(seed=0, options={"chance": False, "states": {"fridge": "open", "tv": "off"}})
+    env.world._robot.position = 0.9, 7.9
+    env.step(REST)
+    _, reward, terminated, _, info = env.step(
+        {**REST, "interact": int(Interaction.CLOSE), "target": env.entities.index("fridge")}
+    )
+    assert (reward, terminated, info["is_success"]) == (0.0, True, False)
+    assert len(info["violations"]) == 1
+    assert "task 2" in info["violations"][0]
+
+
+def test_what_cannot_be_done_is_infeasible_with_its_cause():
+    env = HouseholdEnv(markup("[Bring](1:bringing) [me](1:recipient) [the apple](1:object).", [1]))
+    _, info = env.reset(seed=0, options={"placement": {"apple": None}})
+    assert info["feasible"] is False
+    assert "apple" in info["infeasible_cause"]
+
+
+def test_infos_are_the_callers_own():
+    env = HouseholdEnv(TV)
+    env.reset(seed=0)
+    info = env.step(REST)[4]
+    info["branches"].clear()
+    info["events"].append("x")
+    assert env.step(REST)[4]["branches"]
+    assert env.step(REST)[4]["events"] == []
+
+
+@pytest.mark.parametrize("index", [0, 2, 3, 5, 9])
+def test_the_judge_is_at_most_one_step_late(index):
+    prompt, asked = gym.make(HOUSEHOLD), gym.make(HOUSEHOLD)
+    _, steps = play(prompt, EXAMPLES[index], index)
+    asked.reset(seed=index, options={"instruction": EXAMPLES[index]})
+    asked.unwrapped._has_news = lambda: True
+    for count, (action, _) in enumerate(steps, start=1):
+        if any(asked.step(action)[2:4]):
+            break
+    assert len(steps) - count <= 1
+
+
+def test_somebody_who_walks_into_the_goal_is_noticed_at_once():
+    env = HouseholdEnv(markup("[Follow](1:following) [Anna](1:object) [to the kitchen](1:goal).", [1]))
+    env.reset(seed=0, options={"chance": False, "people": {"anna": "hallway"}})
+    world, row = env.world, env.entities.index
+    env.world._robot.position = 2.2, 6.0  # in the kitchen already
+    body = world.start_walking(row("anna"))
+    body.position = 2.2, 5.25
+    is_there = is_over = False
+    while not is_there:
+        assert not is_over
+        body.velocity = 0.0, 0.3
+        _, _, is_over, _, info = env.step(REST)
+        is_there = body.position.y > 5.3
+    assert info["is_success"]
+
+
+# -- the loop of the README -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("index", [0, 3, 6])
+def test_an_agent_knows_that_the_judge_was_first(index):
+    agent, steps = play(gym.make(HOUSEHOLD), EXAMPLES[index], index)
+    assert steps[-1][1]["is_success"]
+    assert steps[-1][0]["interact"] != Interaction.FINISH
+    assert agent.done
+    assert agent.status == Status.SUCCESS
+    assert not agent.failures
+
+
+def test_an_agent_whose_time_is_up_is_done_and_was_still_at_it():
+    agent, steps = play(gym.make(HOUSEHOLD), GO, 0, chance=False, max_seconds=0.3)
+    assert len(steps) == 3
+    assert agent.done
+    assert agent.status == Status.RUNNING
+
+
+def test_an_agent_is_not_done_before():
+    env = gym.make(HOUSEHOLD)
+    observation, info = env.reset(seed=0, options={"instruction": GO, "chance": False})
+    agent = decomplex_bt.TreeAgent(env, flow=GO)
+    agent.reset(observation, info)
+    assert not agent.done
+    env.step(agent.act(observation))
+    assert not agent.done
+    assert agent.status == Status.RUNNING
+
+
+# -- the shortest path ------------------------------------------------------------------------------------------------
+
+
+def test_the_shortest_path_is_told_with_success_and_not_before():
+    _, steps = play(gym.make(HOUSEHOLD), GO, 0, chance=False)
+    assert all(info["shortest_length"] is None for _, info in steps[:-1])
+    assert 0 < steps[-1][1]["shortest_length"] <= steps[-1][1]["path_length"] + 0.1
+
+
+@pytest.mark.parametrize("index", range(0, 10, 3))
+def test_no_drive_is_shorter_than_the_shortest_path(index):
+    _, steps = play(gym.make(HOUSEHOLD), EXAMPLES[index], index + 10)
+    info = steps[-1][1]
+    if info["is_success"]:
+        assert 0 <= info["shortest_length"] <= info["path_length"] + 0.2
+
+
+def test_who_is_there_already_need_not_drive():
+    env = HouseholdEnv(GO)
+    env.reset(seed=0, options={"chance": False})
+    env._start.position[-1] = 2.2, 6.0
+    env.world._robot.position = 2.2, 6.0
+    assert env.step(REST)[4]["shortest_length"] == 0.0
+
+
+def test_a_straight_way_is_as_long_as_it_is():
+    env = HouseholdEnv(markup("[Go](1:motion) [to the study](1:goal).", [1]))
+    env.reset(seed=0, options={"chance": False})
+    env._start.position[-1] = 8.4, 4.5
+    env.world._robot.position = 8.4, 3.5
+    assert env.step(REST)[4]["shortest_length"] == pytest.approx(0.6, abs=0.08)
