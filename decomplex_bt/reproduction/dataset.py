@@ -17,6 +17,7 @@ import numpy as np
 from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import InputError
+from decomplex_bt.flow import If
 from decomplex_bt.formats.huric import read_huric, single_tasks
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
@@ -55,6 +56,16 @@ class Dataset:
     @property
     def complex(self) -> tuple[Sample, ...]:
         return tuple(sample for sample in self.samples if sample.is_complex)
+
+    def dependents(self) -> list[tuple[Sample, int, int]]:
+        """Every task in a branch with the condition it depends on: sample, number of the task, of the condition."""
+        return [
+            (sample, child.task, node.tasks[0])
+            for sample in self.complex
+            for node, _ in sample.example.instruction.flow.walk()
+            if isinstance(node, If)
+            for child in (*node.then, *node.orelse)
+        ]
 
     def to_json(self) -> dict[str, Any]:
         lengths = [len(sample.example.instruction.tasks) for sample in self.complex]
@@ -169,12 +180,13 @@ PROTOCOLS: dict[str, tuple[str, Callable[[Sequence[Sample], int, np.random.Gener
 
 
 def _deal(voices: Sequence[str], samples: Sequence[Sample]) -> list[set[str]]:
-    """Voices to parts: each to the part with the fewest complex instructions so far, then the fewest of all."""
+    """Voices to parts: each to the part with the fewest complex instructions so far; a voice without any to the part
+    with the fewest instructions."""
     parts: list[set[str]] = [set() for _ in range(min(FOLDS, len(voices)))]
     sizes = [(0, 0)] * len(parts)
     for voice in voices:
         own = [sample.is_complex for sample in samples if sample.example.voice == voice]
-        k = min(range(len(parts)), key=lambda j: sizes[j])
+        k = min(range(len(parts)), key=lambda j: (sizes[j][0] if any(own) else 0, sizes[j][1]))
         parts[k].add(voice)
         sizes[k] = (sizes[k][0] + sum(own), sizes[k][1] + len(own))
     return [part for part in parts if part]

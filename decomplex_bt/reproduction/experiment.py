@@ -91,13 +91,13 @@ class ProtocolResult:
 
 @dataclass(frozen=True)
 class Results:
-    """All that was measured. `example`: how the paper's example was understood."""
+    """All that was measured. `examples`: how the paper's example was understood, by "paper" and "interpreter"."""
 
     settings: Settings
     paper: Paper
     dataset: Dataset
     protocols: tuple[ProtocolResult, ...]
-    example: str
+    examples: Mapping[str, str]
 
 
 def run(settings: Settings, progress: Progress = lambda stage: None) -> Results:
@@ -117,7 +117,8 @@ def run(settings: Settings, progress: Progress = lambda stage: None) -> Results:
     jobs = _jobs(settings, splits)
     measured = _measure_all(jobs, dataset, settings, paper, example, progress)
     protocols = tuple(_result(name, splits[name], dataset, jobs, measured) for name in settings.protocols)
-    return Results(settings, paper, dataset, protocols, next((m.example for m in measured if m.example), ""))
+    examples_read = {job.kind: m.example for job, m in zip(jobs, measured, strict=True) if m.example}
+    return Results(settings, paper, dataset, protocols, examples_read)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,17 +155,19 @@ def _measure_all(
 ) -> list[Measures]:
     import joblib
 
-    features = tuple(paper.features)
+    features, text = tuple(paper.features), paper.example
 
     def call(k: int, job: _Job) -> Any:
         train = [dataset.samples[i] for i in job.split.train]
         test = [dataset.samples[i] for i in job.split.test]
+        is_first = job.number == 0 and job.protocol == settings.protocols[0]
         if job.kind == "paper":
-            is_first = job.number == 0 and job.protocol == settings.protocols[0]
             return joblib.delayed(measure_paper)(train, test, features, example if is_first else None)
         documents = KnownDocuments(dataset.documents, dataset.language_model)
         draws = np.random.default_rng([settings.seed, k])
-        return joblib.delayed(measure_interpreter)(train, test, settings.domain, documents, draws)
+        return joblib.delayed(measure_interpreter)(
+            train, test, settings.domain, documents, text if is_first else None, draws
+        )
 
     parallel = joblib.Parallel(n_jobs=settings.jobs, return_as="generator")
     measured = []

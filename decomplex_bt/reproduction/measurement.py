@@ -79,6 +79,7 @@ def measure_interpreter(
     test: Sequence[Sample],
     domain: str | Path,
     documents: KnownDocuments,
+    example: str | None,
     rng: np.random.Generator,
 ) -> Measures:
     """Trains our default interpreter as `decomplex-bt train` does, and measures it.
@@ -89,6 +90,8 @@ def measure_interpreter(
     with tempfile.TemporaryDirectory() as scratch:
         interpreter = _trained(Path(scratch), train, load_domain(domain), documents)
         read = [interpreter.interpret(sample.example.instruction.text) for sample in test]
+        if example is not None:
+            measures.example = str(interpreter.interpret(example))
     gold = [sample.example.instruction for sample in test]
     labels = [plain_gold_labels(s.observed.document, found) for s, found in zip(test, read, strict=True)]
     _score_labels(measures, "arguments/interpreter", labels, test)
