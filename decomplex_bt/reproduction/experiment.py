@@ -117,7 +117,7 @@ def run(settings: Settings, progress: Progress = lambda stage: None) -> Results:
     jobs = _jobs(settings, splits)
     measured = _measure_all(jobs, dataset, settings, paper, example, progress)
     protocols = tuple(_result(name, splits[name], dataset, jobs, measured) for name in settings.protocols)
-    examples_read = {job.kind: m.example for job, m in zip(jobs, measured, strict=True) if m.example}
+    examples_read: dict[str, str] = {job.kind: m.example for job, m in zip(jobs, measured, strict=True) if m.example}
     return Results(settings, paper, dataset, protocols, examples_read)
 
 

@@ -242,7 +242,7 @@ def _reasons(line: VerdictLine, results: Results) -> Iterator[str]:
         hard = [f"{name} {ours['structures'][name] / ours['complex']:.0%}" for name in _HARD]
         yield f"Of our complex instructions are {', '.join(hard)}."
         implicit, ahead = ours["dependents"]["in another sentence"], ours["dependents"]["ahead"]
-        yield f"Of the dependent tasks {implicit:.0%} lie in another sentence than their condition, {ahead:.0%} ahead of it."
+        yield f"Of the dependent tasks {implicit:.0%} are in another sentence than their condition, {ahead:.0%} ahead."
     if line.key.startswith("flow/"):
         yield " ".join(_flow_reasons(results.protocols))
 
