@@ -9,7 +9,7 @@ import math
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,8 @@ Point = tuple[float, float]
 Rect = tuple[float, float, float, float]
 Cells = NDArray[np.int32]
 Mask = NDArray[np.bool_]
+Window = tuple[slice, slice]
+"""Rows and columns of the grid."""
 
 RESOLUTION = 0.06
 """[m] Side of a grid cell; the narrowest passage of the default house leaves six cells."""
@@ -37,6 +39,8 @@ REACHABLE = 0.78
 """[m] A place whose footprint the robot's centre cannot come nearer to than this is not used from there."""
 THRESHOLD = 0.15
 """[m] So near to a room's border nobody stops: it would not be clear which room they are in."""
+ENTRY = 0.6
+"""[m] So far off a free cell the robot may be to drive from there."""
 _FIELDS_KEPT = 256
 _COUNTED = np.arange(2000, dtype=float)
 
@@ -76,17 +80,17 @@ class Floorplan:
         index = np.arange(self.rows * self.columns)
         self.cell_x = self.x0 + (index % self.columns + 0.5) * RESOLUTION
         self.cell_y = self.y0 + (index // self.columns + 0.5) * RESOLUTION
+        self._x, self._y = self.cell_x[: self.columns], self.cell_y[:: self.columns]
         self.clearance = self._clearance()
         self.free: Mask = self.clearance >= self.inflation
+        self._free = self.free.reshape(self.rows, self.columns)
         self._edges = self._make_edges()
         self._fields: OrderedDict[tuple[bytes, frozenset[str]], tuple[NDArray, NDArray]] = OrderedDict()
-        self._doors = {
-            name: _rect_distances(self.footprint(name), self.cell_x, self.cell_y) < self.inflation
-            for name in self.house.doorways
-        }
-        self._by_doorway = np.zeros_like(self.free)
+        self._doors = {name: self._near(self.footprint(name), self.inflation) for name in self.house.doorways}
+        self._by_doorway = np.zeros_like(self._free)
         for name in self.house.doorways:
-            self._by_doorway |= _rect_distances(self.footprint(name), self.cell_x, self.cell_y) < 0.4
+            window = self._window(self.footprint(name), 0.4)
+            self._by_doorway[window] |= self._distances(self.footprint(name), window) < 0.4
 
     # -- where things are ---------------------------------------------------------------------------------------------
 
@@ -124,60 +128,84 @@ class Floorplan:
 
         Empty where there is none. For a floor: the free cells of the room that are well inside it.
         """
-        inside = self.free & self._in_room(room)
+        window = self._inside(room)
+        inside = self._free[window]
         if place in self.house.doorways:
-            return self._doorway_cells(place, inside)
+            return self._cells(window, inside & self._before_doorway(place, window))
         rect = self.footprint(place)
         if place not in self.house.furniture:
-            return np.flatnonzero(inside & ~self._by_doorway).astype(np.int32)
+            return self._cells(window, inside & ~self._by_doorway[window])
         beside = np.zeros_like(inside)
         for side in self.house.furniture[place].sides:
-            beside |= self._beside(rect, side)
-        distance = _rect_distances(rect, self.cell_x, self.cell_y)
+            beside |= self._beside(rect, side, window)
+        distance = self._distances(rect, window)
         for region in (inside & beside, inside):
             if region.any() and distance[region].min() < REACHABLE:
-                return np.flatnonzero(region & (distance <= max(0.42, distance[region].min() + 0.06))).astype(np.int32)
+                return self._cells(window, region & (distance <= max(0.42, distance[region].min() + 0.06)))
         return np.empty(0, np.int32)
 
     def cells_within(self, place: str, reach: float, *, room: str) -> Cells:
         """All free cells of `room` within `reach` metres of a place's footprint, on whatever side."""
-        near = _rect_distances(self.footprint(place), self.cell_x, self.cell_y) <= reach
-        return np.flatnonzero(self.free & self._in_room(room) & near).astype(np.int32)
+        window = self._inside(room)
+        return self._cells(window, self._free[window] & (self._distances(self.footprint(place), window) <= reach))
 
     def cells_around(self, x: float, y: float, *, nearest: float, farthest: float, room: str | None) -> Cells:
         """The free cells of `room` (None: any) between two distances from a point."""
-        distance = np.hypot(self.cell_x - x, self.cell_y - y)
-        region = self.free & (distance >= nearest) & (distance <= farthest)
-        if room is not None:
-            region &= self._in_room(room)
-        return np.flatnonzero(region).astype(np.int32)
+        window = self._window((x, y, x, y), farthest) if room is None else self._inside(room)
+        rows, columns = window
+        distance = np.hypot(self._x[columns] - x, self._y[rows, None] - y)
+        return self._cells(window, self._free[window] & (distance >= nearest) & (distance <= farthest))
 
-    def _in_room(self, room: str) -> Mask:
-        """The cells of a room, less those on its threshold: who stops near one of these is in the room for sure."""
+    def _inside(self, room: str) -> Window:
+        """The window of a room, less its threshold: who stops near one of these cells is in the room for sure."""
         left, bottom, right, top = self.house.rooms[room].rect
-        along_x = (self.cell_x >= left + THRESHOLD) & (self.cell_x < right - THRESHOLD)
-        return along_x & (self.cell_y >= bottom + THRESHOLD) & (self.cell_y < top - THRESHOLD)
+        columns = np.searchsorted(self._x, (left + THRESHOLD, right - THRESHOLD)).tolist()
+        rows = np.searchsorted(self._y, (bottom + THRESHOLD, top - THRESHOLD)).tolist()
+        return slice(*rows), slice(*columns)
 
-    def _beside(self, rect: Rect, side: str) -> Mask:
+    def _window(self, rect: Rect, margin: float) -> Window:
+        """The window of the cells within a margin around a rectangle, and some more."""
+        margin += RESOLUTION
+        x0, x1, y0, y1 = min(rect[0], rect[2]), max(rect[0], rect[2]), min(rect[1], rect[3]), max(rect[1], rect[3])
+        columns = np.searchsorted(self._x, (x0 - margin, x1 + margin)).tolist()
+        rows = np.searchsorted(self._y, (y0 - margin, y1 + margin)).tolist()
+        return slice(*rows), slice(*columns)
+
+    def _distances(self, rect: Rect, window: Window) -> NDArray[np.float64]:
+        """Metres from each cell of a window to a rectangle."""
+        rows, columns = window
+        return _rect_distances(rect, self._x[columns], self._y[rows, None])
+
+    def _near(self, rect: Rect, within: float) -> Cells:
+        """The cells nearer to a rectangle than this."""
+        window = self._window(rect, within)
+        return self._cells(window, self._distances(rect, window) < within)
+
+    def _cells(self, window: Window, mask: Mask) -> Cells:
+        """The numbers of the cells of a window where the mask is set."""
+        rows, columns = np.nonzero(mask)
+        return ((rows + window[0].start) * self.columns + columns + window[1].start).astype(np.int32)
+
+    def _beside(self, rect: Rect, side: str, window: Window) -> Mask:
         left, bottom, right, top = rect
+        x, y = self._x[window[1]], self._y[window[0], None]
         slack = 0.1
-        along_x = (self.cell_x >= left - slack) & (self.cell_x <= right + slack)
-        along_y = (self.cell_y >= bottom - slack) & (self.cell_y <= top + slack)
+        along_x = (x >= left - slack) & (x <= right + slack)
+        along_y = (y >= bottom - slack) & (y <= top + slack)
         if side == "north":
-            return along_x & (self.cell_y > top)
+            return along_x & (y > top)
         if side == "south":
-            return along_x & (self.cell_y < bottom)
-        return along_y & (self.cell_x > right if side == "east" else self.cell_x < left)
+            return along_x & (y < bottom)
+        return along_y & (x > right if side == "east" else x < left)
 
-    def _doorway_cells(self, place: str, inside: Mask) -> Cells:
+    def _before_doorway(self, place: str, window: Window) -> Mask:
         doorway = self.house.doorways[place]
         x, y = doorway.centre
-        across, along = abs(self.cell_y - y), abs(self.cell_x - x)
+        across, along = abs(self._y[window[0], None] - y), abs(self._x[window[1]] - x)
         _, bottom, _, top = self.geometry.openings[place]
         if bottom != top:  # in a wall that runs along y
             across, along = along, across
-        before = (across >= 0.42) & (across <= 0.62) & (along <= doorway.width / 2)
-        return np.flatnonzero(inside & before).astype(np.int32)
+        return (across >= 0.42) & (across <= 0.62) & (along <= doorway.width / 2)
 
     # -- ways ---------------------------------------------------------------------------------------------------------
 
@@ -225,18 +253,25 @@ class Floorplan:
         if not closed and not obstacles:
             return self.free
         free = self.free.copy()
-        for name in closed:
-            free &= ~self._doors[name]
+        for name in sorted(closed):
+            free[self._doors[name]] = False
+        plane = free.reshape(self.rows, self.columns)
         for disc in obstacles:
-            free &= np.hypot(self.cell_x - disc.x, self.cell_y - disc.y) >= disc.radius + self.inflation
+            within = disc.radius + self.inflation
+            rows, columns = window = self._window((disc.x, disc.y, disc.x, disc.y), within)
+            plane[window] &= np.hypot(self._x[columns] - disc.x, self._y[rows, None] - disc.y) >= within
         return free
 
     def _entry(self, start: Point, free: Mask, distance: NDArray) -> int | None:
-        """The cell at which a way from `start` begins: the nearest free one that leads to the goal, within 0.6 m."""
-        off = np.hypot(self.cell_x - start[0], self.cell_y - start[1])
-        off[~(free & np.isfinite(distance))] = math.inf
-        cell = int(off.argmin())
-        return cell if off[cell] <= 0.6 else None
+        """The cell at which a way from `start` begins: the nearest free one that leads to the goal, if near."""
+        rows, columns = window = self._window((*start, *start), ENTRY)
+        off = np.hypot(self._x[columns] - start[0], self._y[rows, None] - start[1])
+        shape = self.rows, self.columns
+        off[~(free.reshape(shape)[window] & np.isfinite(distance.reshape(shape)[window]))] = math.inf
+        if not off.size or off.min() > ENTRY:
+            return None
+        row, column = divmod(int(off.argmin()), off.shape[1])
+        return (row + rows.start) * self.columns + column + columns.start
 
     def _field(self, goal: Cells, free: Mask, closed: frozenset[str]) -> tuple[NDArray, NDArray]:
         key = (goal.tobytes(), closed)
@@ -250,12 +285,19 @@ class Floorplan:
 
     def _solve(self, goal: Cells, free: Mask) -> tuple[NDArray, NDArray]:
         """Distance to the goal and the next cell on the way to it (-9999: none), for every cell."""
+        graph = self._graph if free is self.free else self._graph_of(free)
+        distance, previous, _ = dijkstra(graph, directed=False, indices=goal, min_only=True, return_predecessors=True)
+        return distance.astype(np.float32), previous.astype(np.int32)
+
+    @cached_property
+    def _graph(self) -> csr_matrix:
+        return self._graph_of(self.free)
+
+    def _graph_of(self, free: Mask) -> csr_matrix:
         first, second, cost = self._edges
         drivable = free[first] & free[second]
         size = self.rows * self.columns
-        graph = csr_matrix((cost[drivable], (first[drivable], second[drivable])), shape=(size, size))
-        distance, previous, _ = dijkstra(graph, directed=False, indices=goal, min_only=True, return_predecessors=True)
-        return distance.astype(np.float32), previous.astype(np.int32)
+        return csr_matrix((cost[drivable], (first[drivable], second[drivable])), shape=(size, size))
 
     def _pull(self, points: list[Point], free: Mask) -> list[Point]:
         """The polyline drawn tight: corners only where the straight line is not free."""
@@ -271,14 +313,16 @@ class Floorplan:
     # -- the grid -----------------------------------------------------------------------------------------------------
 
     def _clearance(self) -> NDArray[np.float64]:
-        """Metres from every cell's centre to the nearest wall or piece of furniture; 0 or less inside."""
-        clearance = np.full(self.rows * self.columns, math.inf)
+        """Metres from every cell's centre to the nearest wall or piece of furniture, as far as it matters; 0 inside."""
+        clearance = np.full((self.rows, self.columns), math.inf)
         for left, bottom, right, top in self.geometry.walls:
             wall = min(left, right), min(bottom, top), max(left, right), max(bottom, top)
-            np.minimum(clearance, _rect_distances(wall, self.cell_x, self.cell_y) - WALL_RADIUS, out=clearance)
+            window = self._window(wall, COMFORT + WALL_RADIUS)
+            np.minimum(clearance[window], self._distances(wall, window) - WALL_RADIUS, out=clearance[window])
         for block in self.geometry.blocks:
-            np.minimum(clearance, _rect_distances(block, self.cell_x, self.cell_y), out=clearance)
-        return clearance
+            window = self._window(block, COMFORT)
+            np.minimum(clearance[window], self._distances(block, window), out=clearance[window])
+        return clearance.ravel()
 
     def _make_edges(self) -> tuple[NDArray, NDArray, NDArray]:
         grid = np.arange(self.rows * self.columns).reshape(self.rows, self.columns)

@@ -31,6 +31,8 @@ def interact(world: World, interaction: Interaction, target: int) -> Result:
         return Result.NONE
     if interaction is Interaction.FINISH:
         return Result.OK
+    if target > world.geometry.robot_row:  # a row that stands for nothing in this house
+        return Result.NOT_THERE
     hand, holder = world.held, int(world.place[target])
     led = Lead()
     if interaction is Interaction.SAY and not is_person(world, target):

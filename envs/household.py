@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import gymnasium as gym
 import numpy as np
 from numpy.random import Generator
+from numpy.typing import NDArray
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.envs.balance import mix
@@ -19,9 +20,18 @@ from decomplex_bt.envs.chance import Draw, Start
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.judge import Judge
-from decomplex_bt.envs.options import Options, Request, apply_options, read_options, read_request
+from decomplex_bt.envs.options import (
+    Options,
+    Request,
+    apply_options,
+    check_keys,
+    read_house,
+    read_options,
+    read_request,
+)
 from decomplex_bt.envs.recording import Recording
-from decomplex_bt.envs.sensing import SensingConfig, Sensor
+from decomplex_bt.envs.residence import Residence
+from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, SensingConfig, Sensor
 from decomplex_bt.envs.setting import draw_request, setting_of
 from decomplex_bt.envs.spaces import (
     MAX_SPEED,
@@ -46,6 +56,8 @@ if TYPE_CHECKING:
 
 INSTRUCTION_TRIES = 200
 """Corpus examples tried before none is found that can be asked for in this house."""
+HOUSE_TRIES = 50
+"""Houses drawn before none is found in which the instruction can be asked for."""
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
@@ -140,23 +152,27 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         *,
         gold: Any = None,
         domain: str | Path | Domain = "household",
+        house: str | Path | None = None,
+        size: str | None = None,
+        house_seed: int | None = None,
         config: HouseholdConfig | None = None,
         render_mode: str | None = None,
     ) -> None:
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             modes = ", ".join(self.metadata["render_modes"])
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
-        self._arguments = {"domain": domain, "config": config, "render_mode": render_mode}
-        self.domain = domain if isinstance(domain, Domain) else load_domain(domain)
+        self._arguments = {"domain": domain, "house": house, "size": size, "config": config, "render_mode": render_mode}
+        self._base = domain if isinstance(domain, Domain) else load_domain(domain)
         self.config = config or HouseholdConfig()
         self.render_mode = render_mode
-        self.setting = setting_of(self.domain)
-        self.entities = self.setting.geometry.names
-        self._request = read_request(instruction, gold)
-        self._judge: Judge | None = None
-        self._stage = Stage(self.setting.geometry)
         self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
         self._camera: Camera | None = None
+        self._judge: Judge | None = None
+        path, self._house_seed = read_house({"house": house, "house_seed": house_seed})
+        self._residence = Residence(self._base, path=path, size=size)
+        self._move_into(self._residence.domain(self._house_seed))
+        self._rows, self._bounds = self._residence.extent(self.setting.geometry)
+        self._request = read_request(instruction, gold)
         self._world: World | None = None
         self._verdict: Verdict | None = None
         self.observation_space = self._make_observation_space()
@@ -173,13 +189,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """
         if instruction is not None:
             options = {**(options or {}), "instruction": instruction}
+        check_keys(options)
         super().reset(seed=seed)
+        self._choose_house(options)
         return self._begin(read_options(options, self.setting.geometry))
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
         world = self.world
-        forward, turn, interaction, target = read_action(action, len(self.entities))
+        forward, turn, interaction, target = read_action(action, self._rows)
         self._result = interact(world, interaction, target)
         if world.walks:
             advance(world)
@@ -282,13 +300,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def state_dict(self) -> dict[str, Any]:
         """The running episode as plain values: how it began and every action since."""
         _ = self.world
-        return self._recording.to_dict()
+        return {**self._recording.to_dict(), "house": self._house}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
         """Brings the environment to a recorded moment by doing all of it again, exactly.
 
         Raises `InputError` naming the step at which the replay departs from the recording.
         """
+        self._house = state["house"]
+        self._move_into(self._residence.domain(self._house[1], path=self._house[0]))
         self.np_random.bit_generator.state = state["generator"]
         self._judge = None
         self._begin(state["options"], replayed=state["request"])
@@ -298,7 +318,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def __getstate__(self) -> dict[str, Any]:
         return {
-            "arguments": {**self._arguments, "domain": self.domain.folder},
+            "arguments": {**self._arguments, "domain": self._base.folder, "house_seed": self._house_seed},
             "request": self._request,
             "episode": None if self._world is None else self.state_dict(),
             "generator": None if self._np_random is None else self.np_random.bit_generator.state,
@@ -314,6 +334,52 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if state["generator"] is not None:
             self.np_random.bit_generator.state = state["generator"]
             self._np_random_seed = state["seed"]
+
+    # -- the house ----------------------------------------------------------------------------------------------------
+
+    def _choose_house(self, options: Mapping[str, Any] | None) -> None:
+        """Moves into the house that the options name, or that is due, or that is drawn.
+
+        A house is drawn until the instruction, where there is one, can be asked for in it.
+        """
+        path, seed = read_house(options)
+        self._house_seed = self._house_seed if seed is None else seed
+        request = read_request((options or {}).get("instruction"), (options or {}).get("gold")) or self._request
+        if path is not None or self._house_seed is not None or not self._residence.is_generated:
+            self._house = path, self._house_seed if path is None else None
+            self._move_into(self._residence.domain(self._house[1], path=path))
+            return
+        for _ in range(HOUSE_TRIES):
+            self._house = None, int(self.np_random.integers(2**31))
+            self._move_into(self._residence.domain(self._house[1]))
+            if request is None or self._can_be_asked(request):
+                return
+        assert request is not None
+        raise InputError(f"none of {HOUSE_TRIES} houses drawn is one in which {request.text!r} can be asked for")
+
+    def _can_be_asked(self, request: Request) -> bool:
+        try:
+            self._judge_for(request)
+        except InputError:
+            return False
+        return True
+
+    def _move_into(self, domain: Domain) -> None:
+        """Lives in the domain's house from now on; whoever has the map of another one gets the new one."""
+        if getattr(self, "domain", None) is domain:
+            return
+        setting = setting_of(domain)
+        if hasattr(self, "_rows"):
+            self._residence.check(setting.geometry, self._rows, self._bounds)
+        self.domain, self.setting, self.entities = domain, setting, setting.geometry.names
+        self._stage = Stage(setting.geometry)
+        self._judge = None
+        if self._camera is not None:
+            self._camera.close()
+            self._camera = None
+        for body in (reference() for reference in self._bodies):
+            if body is not None:
+                body.move_to(domain)
 
     # -- beginning ----------------------------------------------------------------------------------------------------
 
@@ -365,7 +431,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
                 self._judge = self._judge_for(request)
             return request, self._judge
         for _ in range(INSTRUCTION_TRIES):
-            drawn = draw_request(self.domain, rng)
+            drawn = draw_request(self._base, rng)
             try:
                 return drawn, self._judge_for(drawn)
             except InputError:
@@ -377,7 +443,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             return Judge(request.gold, self.domain, judged_by="gold")
         from decomplex_bt.understanding.interpreter import Interpreter
 
-        reading = Interpreter.load(self.domain).interpret(request.text)
+        reading = Interpreter.load(self._base.folder).interpret(request.text)
         return Judge(reading, self.domain, judged_by="interpreted")
 
     def _draw_start(self, options: Options, base: Generator, mixing: Generator) -> Start:
@@ -447,10 +513,20 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             "instruction_codes": self._codes.copy(),
             "robot": numbers[:5],
             "held": self._held.copy(),
-            "entities": self._sensor.table.copy(),
+            "entities": self._table(),
             "result": int(self._result),
             "seconds": numbers[5:],
         }
+
+    def _table(self) -> NDArray[np.float32]:
+        """The entity table, a fresh one; rows that stand for nothing in this house are as of what is not seen."""
+        table = self._sensor.table
+        if len(table) == self._rows:
+            return table.copy()
+        full = np.zeros((self._rows, table.shape[1]), dtype=np.float32)
+        full[:, PLACE] = full[:, FIRST_STATE:] = -1
+        full[: len(table)] = table
+        return full
 
     def _inform(self) -> dict[str, Any]:
         world, judging = self._world, self._judging
@@ -487,10 +563,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     # -- spaces -------------------------------------------------------------------------------------------------------
 
     def _make_action_space(self) -> gym.Space[Any]:
-        return action_space(self.setting.geometry)
+        return action_space(self._rows)
 
     def _make_observation_space(self) -> gym.Space[Any]:
-        return observation_space(self.setting.geometry, self.config.world.tray_slots)
+        return observation_space(self._rows, self._bounds, self.config.world.tray_slots)
 
 
 def _clip(value: float, most: float) -> float:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from decomplex_bt.corpus import Example
 from decomplex_bt.envs.chance import APERTURE, POWER, Draw
@@ -49,7 +52,10 @@ class Options:
     reward: str | None = None
 
 
+HOUSE_KEYS = ("house", "house_seed")
+"""The keys that are about which house it is; they are read first, since the others name what is in it."""
 KEYS = (
+    *HOUSE_KEYS,
     "instruction",
     "gold",
     "balance",
@@ -65,11 +71,8 @@ KEYS = (
 
 
 def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Options:
-    """The options as a value. Raises `InputError` for an unknown key, name or value, naming the nearest known."""
+    """The options as a value. Raises `InputError` for an unknown name or value, naming the nearest known."""
     given = dict(options or {})
-    for key in given:
-        if key not in KEYS:
-            raise InputError(f"unknown reset option {key!r}{_nearest(str(key), KEYS)}; known: {', '.join(KEYS)}")
     house = geometry.house
     places = geometry.names[: geometry.place_count]
     return Options(
@@ -84,6 +87,26 @@ def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Optio
         max_seconds=_number(given, "max_seconds", 0.0, float("inf")),
         reward=_one_of(given, "reward", REWARDS),
     )
+
+
+def check_keys(options: Mapping[str, Any] | None) -> None:
+    """Raises `InputError` for an unknown key, naming the nearest known."""
+    for key in options or {}:
+        if key not in KEYS:
+            raise InputError(f"unknown reset option {key!r}{_nearest(str(key), KEYS)}; known: {', '.join(KEYS)}")
+
+
+def read_house(options: Mapping[str, Any] | None) -> tuple[str | None, int | None]:
+    """The file and the seed of the house that is asked for, None for what is not. Raises `InputError`."""
+    given = options or {}
+    path, seed = given.get("house"), given.get("house_seed")
+    if path is not None and not isinstance(path, str | Path):
+        raise InputError(f"house is {path!r}; expected the path of a house file")
+    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0):
+        raise InputError(f"house_seed is {seed!r}; expected a whole number from 0")
+    if path is not None and seed is not None:
+        raise InputError("house and house_seed exclude each other; give one of them")
+    return None if path is None else str(path), None if seed is None else int(seed)
 
 
 def read_request(instruction: Any, gold: Any = None) -> Request | None:

@@ -6,6 +6,11 @@ from gymnasium.envs.registration import register, registry
 
 HOUSEHOLD = "decomplex_bt/Household-v0"
 HOUSEHOLD_FLAT = "decomplex_bt/HouseholdFlat-v0"
+HOUSEHOLD_SMALL = "decomplex_bt/HouseholdSmall-v0"
+HOUSEHOLD_MEDIUM = "decomplex_bt/HouseholdMedium-v0"
+HOUSEHOLD_LARGE = "decomplex_bt/HouseholdLarge-v0"
+IDS = (HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL, HOUSEHOLD_MEDIUM, HOUSEHOLD_LARGE)
+"""All ids of this package."""
 
 
 def register_envs() -> None:
@@ -15,9 +20,12 @@ def register_envs() -> None:
     `vector_entry_point` beside `additional_wrappers`. The environment itself refuses what comes in the wrong order
     or is no action. `wrappers.InstructionReset` brings the keyword back on top of any stack of wrappers.
     """
-    for identity, entry_point, vector_entry_point in (
-        (HOUSEHOLD, "household:HouseholdEnv", "vector:make_household_vector"),
-        (HOUSEHOLD_FLAT, "flat:FlatHouseholdEnv", "vector:make_flat_vector"),
+    for identity, entry_point, vector_entry_point, arguments in (
+        (HOUSEHOLD, "household:HouseholdEnv", "vector:make_household_vector", {}),
+        (HOUSEHOLD_FLAT, "flat:FlatHouseholdEnv", "vector:make_flat_vector", {}),
+        (HOUSEHOLD_SMALL, "household:HouseholdEnv", "vector:make_household_vector", {"size": "small"}),
+        (HOUSEHOLD_MEDIUM, "household:HouseholdEnv", "vector:make_household_vector", {"size": "medium"}),
+        (HOUSEHOLD_LARGE, "household:HouseholdEnv", "vector:make_household_vector", {"size": "large"}),
     ):
         if identity not in registry:
             register(
@@ -26,4 +34,5 @@ def register_envs() -> None:
                 vector_entry_point=f"decomplex_bt.envs.{vector_entry_point}",
                 order_enforce=False,
                 disable_env_checker=True,
+                kwargs=arguments,
             )

@@ -103,7 +103,7 @@ class Senses:
         self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
         self.result = Result(int(observation["result"]))
         self.seconds = float(observation["seconds"][0])
-        self._take_table(observation["entities"])
+        self._take_table(observation["entities"][: len(self.names)])
         self._take_near()
 
     def _room_at(self, x: float, y: float) -> str:

@@ -26,7 +26,7 @@ class Setting:
     prior: Prior
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=16)
 def setting_of(domain: Domain) -> Setting:
     """The setting of a domain. Raises `InputError` where its house does not fit together."""
     geometry = Geometry(domain.house, domain.kinds)

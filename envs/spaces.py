@@ -10,7 +10,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from decomplex_bt.envs.geometry import Geometry
+from decomplex_bt.envs.geometry import Rect
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
 from decomplex_bt.envs.options import MAX_CHARACTERS
 from decomplex_bt.envs.sensing import HEADING, INSPECTED, PLACE, VISIBLE, X, Y
@@ -27,21 +27,20 @@ _INTERACTIONS = tuple(Interaction)
 Drive = tuple[float, float]
 
 
-def action_space(geometry: Geometry) -> spaces.Dict:
-    """`drive`, `interact` and `target`: see `HouseholdEnv`."""
+def action_space(rows: int) -> spaces.Dict:
+    """`drive`, `interact` and `target`: see `HouseholdEnv`. `rows`: of the entity table."""
     return spaces.Dict(
         {
             "drive": spaces.Box(-1.0, 1.0, (2,), np.float32),
             "interact": spaces.Discrete(len(Interaction)),
-            "target": spaces.Discrete(len(geometry.names)),
+            "target": spaces.Discrete(rows),
         }
     )
 
 
-def observation_space(geometry: Geometry, tray_slots: int) -> spaces.Dict:
-    """All that is observed, within finite bounds: see `HouseholdEnv`."""
-    rows = len(geometry.names)
-    x0, y0, x1, y1 = geometry.bounds
+def observation_space(rows: int, bounds: Rect, tray_slots: int) -> spaces.Dict:
+    """All that is observed, within finite bounds: see `HouseholdEnv`. `bounds` [m]: of where the robot may be."""
+    x0, y0, x1, y1 = bounds
     fastest = (MAX_SPEED, MAX_TURN_RATE)
     low, high = np.array((x0, y0, -pi, -fastest[0], -fastest[1])), np.array((x1, y1, pi, *fastest))
     least, most = np.full((rows, len(COLUMNS)), -1.0), np.ones((rows, len(COLUMNS)))

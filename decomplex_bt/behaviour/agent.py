@@ -14,7 +14,7 @@ from decomplex_bt.behaviour.embodiment import Embodiment
 from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
-from decomplex_bt.behaviour.sentences import say_task
+from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.behaviour.session import Session
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import InputError
@@ -64,9 +64,10 @@ class TreeAgent:
         """
         self.instruction = self._gold or self._understand(str(info["instruction"]))
         if not self.instruction.tasks:
+            known = self._body.domain.ontology.task_types.values()
             raise InputError(
                 f"{self.instruction.text!r} holds no task that this robot knows; it can "
-                f"{', '.join(kind.description.split(',')[0] for kind in self._body.domain.ontology.task_types.values())}"
+                f"{', '.join(kind.description.split(',')[0] for kind in known)}"
             )
         self.grounded: GroundInstruction = ground(self.instruction, self._body.domain, ask=self._ask)
         self._body.reset(observation)
@@ -114,7 +115,7 @@ class TreeAgent:
 
     @property
     def done(self) -> bool:
-        """Whether the agent has sent its last action, or the episode has ended before: by its verdict, or by the clock."""
+        """Whether the agent has sent its last action, or the episode has ended before it did."""
         self._conclude()
         return self._has_finished or self._has_concluded
 
@@ -122,8 +123,8 @@ class TreeAgent:
     def status(self) -> Status:
         """The status of the tree's root: INVALID before the first action, then RUNNING, in the end SUCCESS or FAILURE.
 
-        What ended the episode has been taken in; still RUNNING then is a tree that was interrupted, by the time limit, a
-        violation, or a judge who was content with less.
+        With what the episode has ended is taken in. A tree that is still RUNNING then was interrupted: by the time
+        limit, a violation, or a judge who was content with less.
         """
         self._conclude()
         return self.tree.root.status
@@ -159,7 +160,8 @@ class TreeAgent:
         # Only here is language needed; a gold flow runs without it.
         from decomplex_bt.understanding.interpreter import Interpreter
 
-        return Interpreter.load(self._body.domain).interpret(text)
+        # The words are the folder's; the house may be another one.
+        return Interpreter.load(self._body.domain.folder).interpret(text)
 
 
 def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:
