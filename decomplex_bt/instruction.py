@@ -38,6 +38,7 @@ class Task:
     """One thing the robot is to do, check or find out.
 
     `id` numbers the tasks of an instruction from 1 in order of appearance; `span` is the one token that carries it.
+    `confidence` is that of its type, `dependency_confidence` that of its place in the flow, both from 0 to 1.
     """
 
     id: int
@@ -45,6 +46,7 @@ class Task:
     span: Span
     arguments: tuple[Argument, ...] = ()
     confidence: float = 1.0
+    dependency_confidence: float = 1.0
 
     def values(self, argument_type: str) -> tuple[str, ...]:
         """The values of all arguments of this type, in order; empty if there is none."""
@@ -65,14 +67,46 @@ class Missing:
 
 
 @dataclass(frozen=True, slots=True)
+class Alternative:
+    """Another control flow that the same tasks may have been meant with, and how likely that is (0 to 1)."""
+
+    flow: Flow
+    probability: float
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One answer to a `Doubt`: its words, the flow that it means, and how likely that one was."""
+
+    text: str
+    flow: Flow
+    probability: float
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A question that tells the likeliest flows of an instruction apart; it is about one task."""
+
+    task: int
+    question: str
+    choices: tuple[Choice, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Instruction:
-    """One instruction with all that was understood of it."""
+    """One instruction with all that was understood of it.
+
+    `confidence`: how likely tasks and flow are right as a whole, from 0 to 1. `alternatives`: other flows of the same
+    tasks, likeliest first.
+    """
 
     text: str
     tasks: tuple[Task, ...] = ()
     flow: Flow = Flow()
     missing: tuple[Missing, ...] = ()
     warnings: tuple[str, ...] = ()
+    confidence: float = 1.0
+    alternatives: tuple[Alternative, ...] = ()
 
     def task(self, number: int) -> Task:
         """The task with this number. Raises `KeyError` if there is none."""

@@ -9,7 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence as InOrder
 
 from decomplex_bt.behaviour.conditional import IfThenElse
-from decomplex_bt.behaviour.sentences import say_condition
+from decomplex_bt.domain.sentences import say_condition
 from decomplex_bt.flow import Do, Flow, If, Node
 
 FlowPath = tuple[int | str, ...]

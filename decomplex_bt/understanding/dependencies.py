@@ -8,18 +8,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc, arcs_of, flow_of
 from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, polarities_of
-from decomplex_bt.understanding.crf import Crf, CrfParameters, train_crf
+from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
 
 PARAMETERS = CrfParameters(c1=0.05, c2=0.5, max_iterations=120)
 MODELS = ("roles", "attachments", "orders")
+
+
+UNCERTAIN = 0.1
+"""A label below this marginal probability gives no other flow."""
+MAX_VARIED_PLACES = 2
+MAX_FLOWS = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Varied:
+    """Labels of a sequence with their joint probability."""
+
+    labels: tuple[str, ...]
+    probability: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,24 +51,46 @@ class FlowModel:
     """The trained models of role, attachment and order, from `roles.crf`, `attachments.crf` and `orders.crf`."""
 
     def __init__(self, folder: Path) -> None:
-        self._roles, self._attachments, self._orders = (Crf(folder / f"{name}.crf") for name in MODELS)
+        self.roles, self.attachments, self.orders = (Crf(folder / f"{name}.crf") for name in MODELS)
 
     def find(self, observed: Observed, tasks: Sequence[MarkedTask]) -> FoundFlow:
-        """The control flow of tasks in text order."""
+        """The likeliest control flow of tasks in text order."""
+        return self.alternatives(observed, tasks)[0]
+
+    def alternatives(self, observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[FoundFlow, ...]:
+        """Different control flows of tasks in text order, likeliest first, at most `MAX_FLOWS`."""
         if not tasks:
-            return FoundFlow(Flow())
+            return (FoundFlow(Flow()),)
         clauses = clauses_of(observed, tasks)
-        roles = self._roles.label(role_features(observed, clauses))
-        chained = chained_roles(clauses, roles.labels)
-        attachments = self._attachments.label(attachment_features(observed, clauses, chained))
-        orders = self._orders.label(order_features(observed, clauses, chained, attachments.labels))
-        arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
-        return FoundFlow(
-            flow_of(arcs, polarities_of(clauses)),
-            arcs,
-            clauses,
-            (roles.probability, attachments.probability, orders.probability),
-        )
+        found: list[FoundFlow] = []
+        for roles in varied(self.roles, role_features(observed, clauses)):
+            chained = chained_roles(clauses, roles.labels)
+            for attachments in varied(self.attachments, attachment_features(observed, clauses, chained)):
+                orders = self.orders.label(order_features(observed, clauses, chained, attachments.labels))
+                arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
+                chances = (roles.probability, attachments.probability, orders.probability)
+                found.append(FoundFlow(flow_of(arcs, polarities_of(clauses)), arcs, clauses, chances))
+        return likeliest(found)
+
+
+def varied(crf: Crf, items: Sequence[Features]) -> list[Varied]:
+    """The likeliest labels of a sequence, then those that differ from them in one uncertain place."""
+    best = crf.label(items)
+    ways = [Varied(best.labels, best.probability)]
+    uncertain = crf.uncertain(best, UNCERTAIN)
+    for place in sorted(uncertain, key=lambda i: (best.marginals[i], i))[:MAX_VARIED_PLACES]:
+        others = [(chance, label) for label, chance in uncertain[place] if label != best.labels[place]]
+        labels = (*best.labels[:place], max(others)[1], *best.labels[place + 1 :])
+        ways.append(Varied(labels, crf.probability(labels)))
+    return ways
+
+
+def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
+    """Of flows found in several ways the likeliest way to each, best first, at most `MAX_FLOWS`."""
+    best: dict[Flow, FoundFlow] = {}
+    for flow in sorted(found, key=lambda flow: -prod(flow.probabilities)):
+        best.setdefault(flow.flow, flow)
+    return tuple(best.values())[:MAX_FLOWS]
 
 
 def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TypeVar
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Argument, Instruction, Task
+from decomplex_bt.instruction import Alternative, Argument, Instruction, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of
 from decomplex_bt.understanding.coreference import ReferenceModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_models
-from decomplex_bt.understanding.readings import ReadingModel, load_stages, readings_of
-from decomplex_bt.understanding.tasks import FoundTask
+from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
+
+ENCODER_FOLDER = "encoder"
 
 _Item = TypeVar("_Item")
 
@@ -29,28 +32,39 @@ _Item = TypeVar("_Item")
 class Interpreter:
     """Understands instructions of one domain with its trained models."""
 
-    def __init__(self, domain: Domain, models: Path, parser: Parser) -> None:
+    def __init__(self, domain: Domain, models: Path, parser: Parser, *, encoder: bool = False) -> None:
         check_models(models, domain, parser.model_name)
         self.domain = domain
         self._parser = parser
         self._gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
-        self._stages = load_stages(models)
-        self._readings = ReadingModel(models / "readings.json")
+        folder = models
+        if encoder:
+            from decomplex_bt.understanding.encoder.stages import load_encoder
+
+            folder = models / ENCODER_FOLDER
+            self._stages = load_encoder(folder, domain, parser.model_name)
+        else:
+            self._stages = load_stages(models)
+        self._readings = ReadingModel(folder / "readings.json")
+        self._calibration = Calibration(folder / CALIBRATION_FILE)
         self._references = ReferenceModel(models / "references.crf", domain.ontology)
 
     @classmethod
-    def load(cls, domain: str | Path | Domain = "household", *, models: Path | None = None) -> Interpreter:
+    def load(
+        cls, domain: str | Path | Domain = "household", *, models: Path | None = None, encoder: bool | None = None
+    ) -> Interpreter:
         """The interpreter of a domain, by name, folder or value; `models` defaults to the domain's own.
 
-        Loads spaCy and the models, about a second; the result is kept for the process. Raises `DataFileError` where the
-        models are missing, damaged or made by other versions, `LanguageModelError` where spaCy's English model is.
+        `encoder`: whether the pretrained encoder reads instead of the CRFs alone, right more often and slower; None: if
+        its extra is installed and the folder of models has one. Loads spaCy and the models, about a second; the result
+        is kept for the process. Raises `DataFileError` where the models are missing, damaged or made by other versions,
+        `LanguageModelError` where spaCy's English model is, `EncoderMissingError` where the encoder's extra is.
         """
         loaded = domain if isinstance(domain, Domain) else load_domain(domain)
-        return (
-            _cached(loaded.folder, models or loaded.folder / "models", loaded)
-            if models is None
-            else cls(loaded, models, _parser())
-        )
+        folder = models or loaded.folder / "models"
+        if encoder is None:
+            encoder = has_encoder(folder)
+        return _cached(folder, loaded, encoder) if models is None else cls(loaded, folder, _parser(), encoder=encoder)
 
     def interpret(self, text: str) -> Instruction:
         """The understood instruction. Text without a known task gives one without tasks and with a warning.
@@ -70,17 +84,36 @@ class Interpreter:
 
     def _understand(self, document: Document) -> Instruction:
         observed = Observed(document, self._gazetteer)
-        reading, _ = self._readings.best(readings_of(observed, self._stages, self.domain.ontology))
-        tasks = self._references.resolve(
-            observed, _tasks_of(document, reading.tasks, reading.arguments), reading.flow
-        )
+        ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
+        reading, belief = ranked[0][0], belief_of(ranked)
+        tasks = self._references.resolve(observed, self._tasks_of(document, reading, belief), reading.flow)
         return Instruction(
             text=document.text,
             tasks=tasks,
             flow=reading.flow,
             missing=tuple(missing_arguments(observed, tasks, self.domain)),
             warnings=tuple(warnings_of(observed, tasks)),
+            confidence=self._calibration.of("flow", belief.flow),
+            alternatives=tuple(Alternative(flow, chance) for flow, chance in belief.flows[1:]),
         )
+
+    def _tasks_of(self, document: Document, reading: Reading, belief: Belief) -> list[Task]:
+        certainty = self._calibration.of
+        return [
+            Task(
+                number,
+                task.type,
+                document.span(task.token, task.token),
+                tuple(
+                    _argument(document, argument, certainty("argument", belief.arguments[argument]))
+                    for argument in reading.arguments
+                    if argument.owner == task.token
+                ),
+                certainty("task", belief.tasks[task.token]),
+                certainty("dependency", belief.dependencies[task.token]),
+            )
+            for number, task in enumerate(reading.tasks, start=1)
+        ]
 
 
 def check_text(text: str) -> None:
@@ -93,17 +126,9 @@ def check_text(text: str) -> None:
         raise InputError("the instruction holds half of a surrogate pair; expected valid Unicode text")
 
 
-def _tasks_of(document: Document, found: tuple[FoundTask, ...], arguments: tuple[FoundArgument, ...]) -> list[Task]:
-    tasks = []
-    for number, task in enumerate(found, start=1):
-        own = tuple(_argument(document, argument) for argument in arguments if argument.owner == task.token)
-        tasks.append(Task(number, task.type, document.span(task.token, task.token), own, task.confidence))
-    return tasks
-
-
-def _argument(document: Document, argument: FoundArgument) -> Argument:
+def _argument(document: Document, argument: FoundArgument, confidence: float) -> Argument:
     span = document.span(argument.tokens.start, argument.tokens.stop - 1)
-    return Argument(argument.type, span.of(document.text), span, argument.confidence)
+    return Argument(argument.type, span.of(document.text), span, confidence)
 
 
 def _checked(items: Iterable[_Item], check: Callable[[_Item], None]) -> Iterator[_Item]:
@@ -118,5 +143,10 @@ def _parser() -> Parser:
 
 
 @lru_cache(maxsize=4)
-def _cached(folder: Path, models: Path, domain: Domain) -> Interpreter:
-    return Interpreter(domain, models, _parser())
+def _cached(models: Path, domain: Domain, encoder: bool) -> Interpreter:
+    return Interpreter(domain, models, _parser(), encoder=encoder)
+
+
+def has_encoder(models: Path) -> bool:
+    """Whether a folder of models has an encoder, and the packages that run it are installed."""
+    return (models / ENCODER_FOLDER).is_dir() and all(find_spec(name) for name in ("onnxruntime", "tokenizers"))

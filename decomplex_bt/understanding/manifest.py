@@ -13,10 +13,11 @@ from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.crf import Crf
 
 MANIFEST_FILE = "manifest.json"
-FEATURES_VERSION = 1
+FEATURES_VERSION = 2
 """Raised with every change of features or labels: models of another version do not fit the code."""
 MODEL_NAMES = ("tasks", "arguments", "references", "roles", "attachments", "orders")
-WEIGHTS_FILE = "readings.json"
+FILES = ("readings.json", "calibration.json")
+"""What lies in a folder of models besides the CRFs."""
 LIBRARIES = ("spacy", "python-crfsuite", "sklearn-crfsuite", "numpy")
 
 
@@ -28,9 +29,9 @@ class ModelEntry(Record):
 
 
 class Manifest(Record):
-    """`manifest.json`. `weights`: SHA-256 of the weights of readings; `corpus`: SHA-256 over the training voices'
-    files; `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features
-    came from."""
+    """`manifest.json`. `files`: SHA-256 of what is no CRF; `corpus`: SHA-256 over the training voices' files;
+    `libraries`: versions the models were made with; `language_model`: the spaCy model whose tags the features came
+    from."""
 
     format: int
     features_version: int
@@ -41,24 +42,31 @@ class Manifest(Record):
     language_model: str
     libraries: dict[str, str]
     models: dict[str, ModelEntry]
-    weights: str
+    files: dict[str, str]
 
 
 def write_manifest(
-    folder: Path, domain: Domain, *, corpus: str, voices: Sequence[str], examples: int, language_model: str
+    folder: Path,
+    domain: Domain,
+    *,
+    corpus: str,
+    voices: Sequence[str],
+    examples: int,
+    language_model: str,
+    libraries: Sequence[str] = LIBRARIES,
 ) -> None:
-    """Writes the manifest for the models that lie in `folder`."""
+    """Writes the manifest for all models and other files that lie in `folder`."""
     manifest = Manifest(
-        format=1,
+        format=2,
         features_version=FEATURES_VERSION,
         domain=domain.name,
         corpus=corpus,
         voices=tuple(voices),
         examples=examples,
         language_model=language_model,
-        libraries={name: version(name) for name in LIBRARIES},
-        models={name: _entry(folder / f"{name}.crf") for name in MODEL_NAMES},
-        weights=_sha256(folder / WEIGHTS_FILE),
+        libraries={name: version(name) for name in libraries},
+        models={path.stem: _entry(path) for path in sorted(folder.glob("*.crf"))},
+        files={path.name: _sha256(path) for path in sorted(folder.iterdir()) if path.suffix != ".crf"},
     )
     (folder / MANIFEST_FILE).write_text(manifest.model_dump_json(indent=1) + "\n", encoding="utf-8")
 
@@ -79,8 +87,15 @@ def read_manifest(folder: Path) -> Manifest:
     return check_record(value, Manifest, path)
 
 
-def check_models(folder: Path, domain: Domain, language_model: str) -> Manifest:
-    """The manifest, once it is sure that the models fit this code, this domain's labels and spaCy's model.
+def check_models(
+    folder: Path,
+    domain: Domain,
+    language_model: str,
+    *,
+    models: Sequence[str] = MODEL_NAMES,
+    files: Sequence[str] = FILES,
+) -> Manifest:
+    """The manifest, once it is sure that these models fit this code, this domain's labels and spaCy's model.
 
     Raises `DataFileError` that names what does not fit.
     """
@@ -94,8 +109,8 @@ def check_models(folder: Path, domain: Domain, language_model: str) -> Manifest:
         raise DataFileError(
             path, f"made with {manifest.language_model}, found {language_model}; run `decomplex-bt train`"
         )
-    _check_files(folder, manifest)
-    unknown = set(manifest.models["tasks"].labels) - {"O", *domain.ontology.task_types}
+    _check_files(folder, manifest, models, files)
+    unknown = set(manifest.models["tasks"].labels if "tasks" in models else ()) - {"O", *domain.ontology.task_types}
     if unknown:
         raise DataFileError(
             path, f"the task model knows {sorted(unknown)}, the ontology does not; run `decomplex-bt train`"
@@ -103,17 +118,14 @@ def check_models(folder: Path, domain: Domain, language_model: str) -> Manifest:
     return manifest
 
 
-def _check_files(folder: Path, manifest: Manifest) -> None:
-    for name in MODEL_NAMES:
-        path = folder / f"{name}.crf"
-        entry = manifest.models.get(name)
-        if entry is None or not path.is_file():
+def _check_files(folder: Path, manifest: Manifest, models: Sequence[str], files: Sequence[str]) -> None:
+    known = {f"{name}.crf": entry.sha256 for name, entry in manifest.models.items()} | manifest.files
+    for name in (*(f"{model}.crf" for model in models), *files):
+        path = folder / name
+        if name not in known or not path.is_file():
             raise DataFileError(path, "the model is missing; run `decomplex-bt train`")
-        if _sha256(path) != entry.sha256:
+        if _sha256(path) != known[name]:
             raise DataFileError(path, "the model is not the one in the manifest (damaged?); run `decomplex-bt train`")
-    path = folder / WEIGHTS_FILE
-    if not path.is_file() or _sha256(path) != manifest.weights:
-        raise DataFileError(path, "the weights are not those of the manifest (damaged?); run `decomplex-bt train`")
 
 
 def corpus_hash(files: Mapping[str, bytes]) -> str:

@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
-from decomplex_bt.flow import Flow
+from decomplex_bt.flow import Flow, If
 from decomplex_bt.understanding.arcs import CONDITION_ROLES
-from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument
+from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
@@ -25,7 +26,7 @@ from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
     "uncued_condition", "cued_task", "missing_argument", "idle_sentence", "idle_verb", "stranded_else",
-    "bare_task", "checks",
+    "bare_task", "checks", "idle_condition", "nested", "late_branch",
 )  # fmt: skip
 """What a reading is judged by: the log probabilities of the stages, then counts; see `_features`."""
 
@@ -40,13 +41,34 @@ class Reading:
     features: tuple[float, ...]
 
 
+class TaskStage(Protocol):
+    """What finds the tasks."""
+
+    def alternatives(self, observed: Observed) -> tuple[FoundTasks, ...]:
+        """The likeliest task sets, best first."""
+
+
+class ArgumentStage(Protocol):
+    """What finds the arguments of tasks."""
+
+    def find_all(self, observed: Observed, tasks: Mapping[int, str]) -> FoundArguments:
+        """The arguments; `tasks` maps token indices to task types."""
+
+
+class FlowStage(Protocol):
+    """What finds the control flow of tasks."""
+
+    def alternatives(self, observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[FoundFlow, ...]:
+        """The likeliest flows, best first."""
+
+
 @dataclass(frozen=True, slots=True)
 class Stages:
     """The trained models that a reading goes through."""
 
-    tasks: TaskModel
-    arguments: ArgumentModel
-    flows: FlowModel
+    tasks: TaskStage
+    arguments: ArgumentStage
+    flows: FlowStage
 
 
 def load_stages(folder: Path) -> Stages:
@@ -64,16 +86,22 @@ class ReadingModel:
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise DataFileError(path, f"no weights of readings ({error!r}); run `decomplex-bt train`") from None
 
-    def best(self, readings: Sequence[Reading]) -> tuple[Reading, float]:
-        """The likeliest of several readings (at least one), with its probability among them."""
+    def ranked(self, readings: Sequence[Reading]) -> list[tuple[Reading, float]]:
+        """The readings (at least one) with their probabilities, likeliest first."""
         scores = [sum(w * f for w, f in zip(self._weights, r.features, strict=True)) for r in readings]
-        highest = max(range(len(readings)), key=lambda i: scores[i])
-        return readings[highest], 1.0 / sum(math.exp(score - scores[highest]) for score in scores)
+        highest = max(scores)
+        total = sum(math.exp(score - highest) for score in scores)
+        order = sorted(range(len(readings)), key=lambda i: -scores[i])
+        return [(readings[i], math.exp(scores[i] - highest) / total) for i in order]
 
 
 def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple[Reading, ...]:
-    """All readings of a document, that of the likeliest tasks first."""
-    return tuple(_read(observed, found, stages, ontology) for found in stages.tasks.alternatives(observed))
+    """All readings of a document, that of the likeliest tasks first, of each set of tasks the likeliest flow first."""
+    return tuple(
+        reading
+        for found in stages.tasks.alternatives(observed)
+        for reading in _read(observed, found, stages, ontology)
+    )
 
 
 def train_readings(path: Path, choices: Sequence[tuple[Sequence[Reading], int]]) -> None:
@@ -109,18 +137,17 @@ PENALTY = 0.5
 """Weight of the squared norm in the loss of `train_readings`."""
 
 
-def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontology) -> Reading:
+def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontology) -> Iterator[Reading]:
     types = {task.token: task.type for task in found.tasks}
     arguments = stages.arguments.find_all(observed, types)
     marked = [
         MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments.arguments if a.owner == t.token))
         for t in found.tasks
     ]
-    flow = stages.flows.find(observed, marked)
-    logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
-    return Reading(
-        found.tasks, arguments.arguments, flow.flow, (*logs, *_features(observed, marked, flow, ontology))
-    )
+    for flow in stages.flows.alternatives(observed, marked):
+        logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
+        features = (*logs, *_features(observed, marked, flow, ontology))
+        yield Reading(found.tasks, arguments.arguments, flow.flow, features)
 
 
 def _features(
@@ -175,6 +202,9 @@ def _features(
         float(stranded),
         float(missing),
         float(len(checks)),
+        float(len(conditions) - sum(len(node.tasks) for node, _ in flow.flow.walk() if isinstance(node, If))),
+        float(sum(isinstance(node, If) and place != "top" for node, place in flow.flow.walk())),
+        float(sum(arc.attachment[:2] in ("<2", "<3", ">2") for arc in flow.arcs)),
     )
 
 

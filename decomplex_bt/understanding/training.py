@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, compress
 from pathlib import Path
@@ -13,14 +13,16 @@ from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
+from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
 from decomplex_bt.understanding.coreference import train_references
-from decomplex_bt.understanding.dependencies import train_flow
+from decomplex_bt.understanding.dependencies import marked_tasks, train_flow
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import corpus_hash, write_manifest
+from decomplex_bt.understanding.interpreter import ENCODER_FOLDER
+from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
-from decomplex_bt.understanding.readings import Reading, load_stages, readings_of, train_readings
+from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of, train_readings
 from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
@@ -47,35 +49,44 @@ def train(
     output: Path | None = None,
     *,
     domain: str | Path | Domain = "household",
+    encoder: bool = False,
     progress: Progress = lambda stage: None,
 ) -> TrainingReport:
-    """Trains all models on the voices of the splits "train" and "development" and writes them to `output`.
+    """Trains the models on the voices of the splits "train" and "development" and writes them to `output`.
 
-    `corpus` and `output` default to the domain's own folders. The test voices are never read. Nothing is written unless
-    all models were trained. The same corpus and libraries give the same files. Raises `DataFileError`.
+    `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder, on the voices of
+    "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`; about an
+    hour. The test voices are never read. Nothing is written unless all models were trained. The same corpus and libraries
+    give the same files. Raises `DataFileError`, and `TrainerMissingError` where the encoder's extra is not installed.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     corpus = corpus or loaded.folder / "corpus"
     output = output or loaded.folder / "models"
-    voices = [name for name, voice in read_voices(corpus).items() if voice.split != "test"]
-    files = {f"{name}.yaml": (corpus / f"{name}.yaml").read_bytes() for name in voices}
-    examples = [e for name in voices for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
+    splits = {name: voice.split for name, voice in read_voices(corpus).items() if voice.split != "test"}
+    files = {f"{name}.yaml": (corpus / f"{name}.yaml").read_bytes() for name in splits}
+    examples = [e for name in splits for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
     parser = Parser()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
-        left_out = train_models(folder, examples, loaded, parser, progress=progress)
+        if encoder:
+            output = output / ENCODER_FOLDER
+            for_choice = {name for name, split in splits.items() if split == "development"}
+            left_out = train_with_encoder(folder, examples, for_choice, loaded, parser, progress=progress)
+        else:
+            left_out = train_models(folder, examples, loaded, parser, progress=progress)
         write_manifest(
             folder,
             loaded,
             corpus=corpus_hash(files),
-            voices=voices,
+            voices=tuple(splits),
             examples=len(examples),
             language_model=parser.model_name,
+            libraries=(*LIBRARIES, "torch", "onnxruntime") if encoder else LIBRARIES,
         )
         output.mkdir(parents=True, exist_ok=True)
         for file in sorted(folder.iterdir()):
             shutil.copyfile(file, output / file.name)
-    return TrainingReport(tuple(voices), len(examples), left_out, output)
+    return TrainingReport(tuple(splits), len(examples), left_out, output)
 
 
 def train_models(
@@ -86,20 +97,98 @@ def train_models(
     *,
     progress: Progress = lambda stage: None,
 ) -> int:
-    """Trains every model on these examples into `folder`; gives the number of flows that no labels can say."""
+    """Trains every model but the encoder on these examples into `folder`; gives the number of flows that no labels can
+    say."""
+    data = _corpus(examples, domain, parser, progress)
+    left_out = _train_stages(folder, data, progress)
+    progress("references")
+    train_references(folder / "references.crf", data.plain, domain.ontology)
+    _train_choice(folder, list(_held_out_readings(data, domain, progress)))
+    return left_out
+
+
+def train_with_encoder(
+    folder: Path,
+    examples: Sequence[Example],
+    for_choice: Container[str],
+    domain: Domain,
+    parser: Parser,
+    *,
+    progress: Progress = lambda stage: None,
+) -> int:
+    """Trains the encoder and the flow models beside it into `folder`; the voices in `for_choice` only teach the choice
+    among readings and its confidence. Gives the number of flows that no labels can say."""
+    from decomplex_bt.understanding.encoder.stages import encoder_stages
+    from decomplex_bt.understanding.encoder.training import train_encoder
+
+    data = _corpus(examples, domain, parser, progress)
+    learnt = data.only([voice not in for_choice for voice in data.voices])
+    progress("flow")
+    left_out = train_flow(folder, learnt.plain)
+    noised = list(chain.from_iterable(learnt.noised))
+    train_encoder(folder, learnt.plain, noised, domain.ontology, progress=progress)
+    progress("readings")
+    stages = encoder_stages(folder, domain.ontology)
+    held_out = data.only([voice in for_choice for voice in data.voices]).plain
+    _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in held_out])
+    return left_out
+
+
+def _corpus(examples: Sequence[Example], domain: Domain, parser: Parser, progress: Progress) -> Corpus:
     gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
     progress("parsing")
     texts = [example.instruction for example in examples]
-    data = Corpus(
+    return Corpus(
         tuple(example.voice for example in examples),
         tuple(observe(texts, parser, gazetteer)),
         tuple(tuple(observe([edited(text, edit) for text in texts], parser, gazetteer)) for edit in EDITS),
     )
-    left_out = _train_stages(folder, data, progress)
-    progress("references")
-    train_references(folder / "references.crf", data.plain, domain.ontology)
-    train_readings(folder / "readings.json", list(_choices(data, domain, progress)))
-    return left_out
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """An annotated instruction with its readings by stages that never saw its voice."""
+
+    observed: Observed
+    instruction: Instruction
+    readings: tuple[Reading, ...]
+
+    def right(self) -> int | None:
+        """The reading with the right tasks and flow; else the first with the right tasks; else None."""
+        gold = gold_tasks(self.observed.document, self.instruction)
+        right = [i for i, r in enumerate(self.readings) if {t.token: t.type for t in r.tasks} == gold]
+        exact = [i for i in right if self.readings[i].flow == self.instruction.flow]
+        return next(iter([*exact, *right]), None)
+
+
+def _train_choice(folder: Path, held_out: Sequence[Held]) -> None:
+    """The weights of readings and the calibration of confidences."""
+    rights = [(held.readings, held.right()) for held in held_out]
+    train_readings(folder / "readings.json", [(readings, right) for readings, right in rights if right is not None])
+    model = ReadingModel(folder / "readings.json")
+    seen: dict[str, list[tuple[float, bool]]] = {kind: [] for kind in KINDS}
+    for held in held_out:
+        ranked = model.ranked(held.readings)
+        for kind, chance, is_right in judged(held.observed, held.instruction, ranked[0][0], belief_of(ranked)):
+            seen[kind].append((chance, is_right))
+    train_calibration(folder / "calibration.json", seen)
+
+
+def judged(
+    observed: Observed, instruction: Instruction, reading: Reading, belief: Belief
+) -> Iterator[tuple[str, float, bool]]:
+    """Of everything believed of a reading its kind, how much it is believed, and whether it is right."""
+    marked = marked_tasks(observed, instruction)
+    gold = {task.token: task.type for task in marked}
+    numbers = {task.token: instruction.flow.dependencies().get(k, "") for k, task in enumerate(marked, start=1)}
+    arguments = {(kind, task.token, tokens) for task in marked for kind, tokens in task.arguments}
+    labels = reading.flow.dependencies()
+    for k, task in enumerate(reading.tasks, start=1):
+        yield "task", belief.tasks[task.token], gold.get(task.token) == task.type
+        yield "dependency", belief.dependencies[task.token], numbers.get(task.token) == labels.get(k)
+    for argument, chance in belief.arguments.items():
+        yield "argument", chance, (argument.type, argument.owner, argument.tokens) in arguments
+    yield "flow", belief.flow, {t.token: t.type for t in reading.tasks} == gold and reading.flow == instruction.flow
 
 
 @dataclass(frozen=True)
@@ -130,8 +219,8 @@ def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
     return train_flow(folder, data.plain)
 
 
-def _choices(data: Corpus, domain: Domain, progress: Progress) -> Iterator[tuple[tuple[Reading, ...], int]]:
-    """For every instruction that can be read right, its readings by stages that never saw its voice, and which is."""
+def _held_out_readings(data: Corpus, domain: Domain, progress: Progress) -> Iterator[Held]:
+    """Every instruction with its readings by stages that never saw its voice."""
     held_out = _folds(data.voices)
     for fold in range(max(held_out) + 1):
         progress(f"readings {fold + 1}/{max(held_out) + 1}")
@@ -139,10 +228,7 @@ def _choices(data: Corpus, domain: Domain, progress: Progress) -> Iterator[tuple
             _train_stages(Path(scratch), data.only([f != fold for f in held_out]), lambda stage: None)
             stages = load_stages(Path(scratch))
             for observed, instruction in data.only([f == fold for f in held_out]).plain:
-                readings = readings_of(observed, stages, domain.ontology)
-                right = _right(observed, instruction, readings)
-                if right is not None:
-                    yield readings, right
+                yield Held(observed, instruction, readings_of(observed, stages, domain.ontology))
 
 
 def _folds(voices: Sequence[str]) -> list[int]:
@@ -151,11 +237,6 @@ def _folds(voices: Sequence[str]) -> list[int]:
     if len(names) < FOLDS:
         return [i % 2 for i in range(len(voices))]
     return [names.index(voice) % FOLDS for voice in voices]
-
-
-def _right(observed: Observed, instruction: Instruction, readings: Sequence[Reading]) -> int | None:
-    gold = gold_tasks(observed.document, instruction)
-    return next((i for i, r in enumerate(readings) if {t.token: t.type for t in r.tasks} == gold), None)
 
 
 def observe(

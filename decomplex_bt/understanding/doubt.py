@@ -1,0 +1,112 @@
+"""Doubt: where two control flows are nearly as likely, the question that tells them apart, and what it changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rapidfuzz import fuzz, process
+
+from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.domain.sentences import say_condition, say_task
+from decomplex_bt.flow import Do, Flow, If, Node
+from decomplex_bt.instruction import Choice, Doubt, Instruction
+
+THRESHOLD = 0.6
+"""Below this confidence in the flow a question pays; see docs/understanding.md for what it costs and gains."""
+SIMILAR = 60.0
+"""How like a choice an answer must be [percent]."""
+
+
+def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float = THRESHOLD) -> Doubt | None:
+    """The question to ask about an instruction whose flow is less certain than `threshold`; None where it is certain
+    enough, or where no other flow is known.
+
+    The question is about the first task that stands elsewhere in the likeliest other flow. The choices are the ways
+    that task stands in any of the flows, likeliest first, each with the likeliest flow that has it so.
+    """
+    if instruction.confidence >= threshold or not instruction.alternatives:
+        return None
+    best, other = instruction.flow, instruction.alternatives[0].flow
+    for task in instruction.tasks:
+        if _place(best, task.id) == _place(other, task.id):
+            continue
+        says = say_task(task, ontology)
+        flows = [(best, instruction.confidence), *((a.flow, a.probability) for a in instruction.alternatives)]
+        choices: dict[str, Choice] = {}
+        for flow, probability in flows:
+            text = _when(flow, task.id, instruction, ontology)
+            known = choices.get(text)
+            if known is None:
+                choices[text] = Choice(text, flow, probability)
+            else:
+                choices[text] = replace(known, probability=known.probability + probability)
+        if len(choices) > 1:
+            return Doubt(task.id, f"Should I {says} {', or '.join(choices)}?", tuple(choices.values()))
+    return None
+
+
+def resolved(instruction: Instruction, doubt: Doubt, answer: str) -> Instruction | None:
+    """The instruction with the flow that an answer chooses: the number of a choice, from 1, or its words in part. None
+    for an answer that fits none of them."""
+    answer = answer.strip().lower()
+    if answer.isdigit():
+        number = int(answer)
+        chosen = doubt.choices[number - 1] if 1 <= number <= len(doubt.choices) else None
+    else:
+        found = process.extractOne(
+            answer, [choice.text.lower() for choice in doubt.choices], scorer=fuzz.token_set_ratio, score_cutoff=SIMILAR
+        )
+        chosen = doubt.choices[found[2]] if found is not None else None
+    if chosen is None:
+        return None
+    return replace(instruction, flow=chosen.flow, confidence=1.0, alternatives=())
+
+
+def settled(
+    instruction: Instruction,
+    ontology: Ontology,
+    ask: Callable[[Doubt], str | None],
+    *,
+    threshold: float = THRESHOLD,
+) -> Instruction:
+    """The instruction after at most one question; as it was where there is no doubt, or no answer that fits."""
+    doubt = doubt_of(instruction, ontology, threshold=threshold)
+    answer = ask(doubt) if doubt is not None else None
+    if doubt is None or answer is None:
+        return instruction
+    return resolved(instruction, doubt, answer) or instruction
+
+
+def _place(flow: Flow, number: int) -> tuple[tuple[int, str], ...]:
+    """The conditions above a task with the side of each, outermost first; its own mentions, where it is one."""
+    found = _path(flow.nodes, number)
+    return found if found is not None else ()
+
+
+def _path(nodes: tuple[Node, ...], number: int) -> tuple[tuple[int, str], ...] | None:
+    for node in nodes:
+        if isinstance(node, If):
+            if number in node.tasks:
+                return ((node.task, "is"),)
+            for side, branch in (("then", node.then), ("else", node.orelse)):
+                inner = _path(branch, number)
+                if inner is not None:
+                    return ((node.task, side), *inner)
+        elif isinstance(node, Do) and number in node.tasks and not node.is_repeat:
+            return ()
+    return None
+
+
+def _when(flow: Flow, number: int, instruction: Instruction, ontology: Ontology) -> str:
+    """When a flow has a task done, in words."""
+    path = [(condition, side) for condition, side in _place(flow, number) if side != "is"]
+    if any(number in node.tasks for node, _ in flow.walk() if isinstance(node, If)):
+        return "to find out what to do next"
+    if not path:
+        return "in any case"
+    words = []
+    for condition, side in path:
+        said = say_condition(say_task(instruction.task(condition), ontology))
+        words.append(said if side == "then" else f"not {said}")
+    return "only " + " and ".join(words)

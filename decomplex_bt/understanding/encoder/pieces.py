@@ -1,0 +1,45 @@
+"""From spaCy's tokens to the word pieces of the pretrained encoder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from decomplex_bt.errors import DataFileError
+
+START, END, UNKNOWN = "[CLS]", "[SEP]", "[UNK]"
+MAX_PIECES = 512
+
+
+@dataclass(frozen=True, slots=True)
+class Pieced:
+    """The piece ids of a text between start and end mark, and where each token's first piece stands. Tokens behind the
+    limit of the encoder share the last place."""
+
+    ids: tuple[int, ...]
+    firsts: tuple[int, ...]
+
+
+class Pieces:
+    """The encoder's own word pieces, from `tokenizer.json`. Raises `DataFileError` where it cannot be read."""
+
+    def __init__(self, path: Path) -> None:
+        from tokenizers import Tokenizer
+
+        try:
+            self._tokenizer = Tokenizer.from_str(path.read_text(encoding="utf-8"))
+        except Exception as error:  # the library raises plain exceptions for whatever it cannot read
+            raise DataFileError(path, f"no word pieces ({error})") from None
+        self._tokenizer.no_truncation()
+        self._tokenizer.no_padding()
+        self._start, self._end, self._unknown = (self._tokenizer.token_to_id(t) for t in (START, END, UNKNOWN))
+
+    def of(self, tokens: Sequence[str]) -> Pieced:
+        """The pieces of a text's tokens."""
+        ids, firsts = [self._start], []
+        for encoding in self._tokenizer.encode_batch(list(tokens), add_special_tokens=False):
+            firsts.append(len(ids))
+            ids += encoding.ids or [self._unknown]
+        last = MAX_PIECES - 2
+        return Pieced((*ids[: last + 1], self._end), tuple(min(first, last) for first in firsts))
