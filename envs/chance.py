@@ -75,6 +75,8 @@ class Draw:
         start.states = np.where(prior.has_state, prior.chance >= 0.5, -1).astype(np.int8)
         for row in self.geometry.thing_rows:
             rows, weights = prior.places(row)
+            # Where it may lie at many places, being nowhere is likelier than each, and still not what is likely.
+            weights = np.where((rows == ABSENT) & (weights < 0.5), 0.0, weights)
             by_weight = rows[np.argsort(-weights, kind="stable")].tolist()
             next(place for place in by_weight if self.lay(row, place, rng))
         for index, row in enumerate(self.geometry.people_rows):

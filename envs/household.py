@@ -491,7 +491,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             earshot=world.speak_reach,
             sight=(sensing.range, sensing.inside_range),
         )
-        return path.length(*self._judging.carried_out())
+        length = path.length(*self._judging.carried_out())
+        # What was driven is a way to do it: the shortest is no longer than that.
+        return None if length is None else min(length, self._path_length)
 
     def _take_verdict(self) -> None:
         world = self.world

@@ -335,8 +335,19 @@ def _without_what_is_out_of_reach(domain: Domain, house: House) -> House | None:
         left = {name: piece for name, piece in house.furniture.items() if name not in missing}
         while orphans := [name for name, piece in left.items() if piece.part_of not in (None, *left)]:
             left = {name: piece for name, piece in left.items() if name not in orphans}
-        house = House.model_validate({**house.model_dump(), "furniture": {n: p.model_dump() for n, p in left.items()}})
+        house = _with_furniture(house, left)
     return None
+
+
+def _with_furniture(house: House, furniture: dict[str, Furniture]) -> House:
+    """The house with this furniture alone, and the things that can still lie somewhere."""
+    kinds = {piece.kind for piece in furniture.values()} | {"floor"}
+    things: dict[str, Item] = {}
+    for name, item in house.things.items():
+        places = {place: weight for place, weight in item.places.items() if place in kinds}
+        if places:
+            things[name] = item.model_copy(update={"places": places})
+    return house.model_copy(update={"furniture": furniture, "things": things})
 
 
 def _lacks(domain: Domain, house: House) -> str | None:
@@ -357,7 +368,4 @@ def _lacks(domain: Domain, house: House) -> str | None:
             return ability
     if not any(person.home > 0 for person in list(house.people.values())[1:]):
         return "company"
-    present = {piece.kind for piece in house.furniture.values()} | {"floor"}
-    if any(not set(item.places) & present for item in house.things.values() if item.places):
-        return "a place for a thing"
     return None if house.things else "things"

@@ -7,7 +7,8 @@ can be done:
 - to take, put, switch, open, fill, ...: within reach of the place (of the spot, on a floor), in its room;
 - to speak, to hand over, to fetch somebody who leads the way: within earshot of where the person stood at first;
 - to be at a place: within 1 m of it; to be in a room: anywhere in it;
-- to find something out: where it is in range and in line of sight, through open doors, whatever the heading.
+- to find something out: where it is in range and in line of sight, through open doors, whatever the heading. One of
+  several that a phrase means is enough; what is not there is looked for wherever the task says.
 
 Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do. What
 holds already needs no stop. The path is sought on a grid and then drawn tight, so that a drive that cuts corners finer
@@ -106,8 +107,7 @@ class ShortestPath:
         asks_value = task.state is not None and task.state != HERE
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
         if found and (asks_value or not task.places or self._is_there(found[0], task.places, bindings)):
-            for group in _groups(task.objects, bindings):
-                yield self._any(group, self._view)
+            yield from (self._any(candidates(thing, bindings), self._view) for thing in task.objects)
             return
         for group in _groups(task.places, bindings):
             yield self._any(group, self._view)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
 
@@ -11,7 +11,7 @@ _BY = {  # abilities of kinds of places that bring about a value of a thing's st
 }  # fmt: skip
 
 
-@cache
+@lru_cache(maxsize=4096)
 def bringable_values(name: str, pair: str, domain: Domain) -> frozenset[str]:
     """The values of a state pair that the robot can bring about for an entity of the house."""
     values = domain.kinds.state_pairs[pair].values
@@ -24,7 +24,7 @@ def bringable_values(name: str, pair: str, domain: Domain) -> frozenset[str]:
     return frozenset(value for value in values if devices_for(name, value, domain))
 
 
-@cache
+@lru_cache(maxsize=4096)
 def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
     """The places of the house that can bring a thing into a state, in the order of the house."""
     tags = frozenset(domain.kind(thing).tags)
@@ -34,14 +34,14 @@ def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
     )
 
 
-@cache
+@lru_cache(maxsize=4096)
 def wipers_of(place: str, domain: Domain) -> tuple[str, ...]:
     """The things that wipe a place clean."""
     tags = frozenset(domain.kind(place).tags)
     return tuple(thing for thing in domain.house.things if tags & set(domain.kind(thing).wipes))
 
 
-@cache
+@lru_cache(maxsize=4096)
 def holds_things(name: str, domain: Domain) -> bool:
     """Whether things lie on or in a place."""
     if domain.room_of(name) is None or name in domain.house.rooms:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import UnknownWordError
@@ -73,7 +73,7 @@ def split_preposition(text: str, domain: Domain) -> tuple[str, str]:
     return found, words
 
 
-@cache
+@lru_cache(maxsize=32)
 def _state_words(domain: Domain) -> dict[str, dict[str, frozenset[str]]]:
     return {
         name: {value: frozenset((value, *pair.words.get(value, ()))) for value in pair.values}
@@ -81,7 +81,7 @@ def _state_words(domain: Domain) -> dict[str, dict[str, frozenset[str]]]:
     }
 
 
-@cache
+@lru_cache(maxsize=32)
 def _prepositions(domain: Domain) -> tuple[str, ...]:
     return tuple(sorted(domain.lexicon.prepositions, key=lambda word: (-len(word.split()), word)))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from decomplex_bt.domain.goals import pddl_sections
 from decomplex_bt.domain.loader import Domain
@@ -58,7 +58,7 @@ def values_after(step: GroundAction, domain: Domain) -> dict[tuple[str, str], st
     }
 
 
-@cache
+@lru_cache(maxsize=32)
 def _values_of_fluents(domain: Domain) -> dict[str, tuple[str, str]]:
     """State pair and value of every fluent that says a state."""
     pairs = domain.kinds.state_pairs.items()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator
-from functools import cache
+from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.abilities import holds_things
@@ -41,7 +41,7 @@ def _stands_for(name: str, belief: Belief, for_people: bool) -> Iterator[str]:
         yield name
 
 
-@cache
+@lru_cache(maxsize=1024)
 def places_in(room: str, domain: Domain) -> tuple[str, ...]:
     """The places of a room on or in which things lie, its floor included, in the order of the house."""
     places = domain.house.places()
@@ -87,7 +87,7 @@ def _cost(place: str, belief: Belief) -> float:
     return hops * HOP_COST + is_closed * DOOR_COST
 
 
-@cache
+@lru_cache(maxsize=1024)
 def room_distances(domain: Domain, start: str) -> dict[str, int]:
     """How many doorways lie between a room and each other."""
     distances = {start: 0}

@@ -1,0 +1,207 @@
+"""Generated houses hang together, have room for every type of task, and are lived in like the default one."""
+
+from __future__ import annotations
+
+import gymnasium as gym
+import networkx as nx
+import numpy as np
+import pytest
+import yaml
+
+import decomplex_bt
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.chance import Draw
+from decomplex_bt.envs.feasibility import find_cause
+from decomplex_bt.envs.geometry import Geometry
+from decomplex_bt.envs.household import HouseholdEnv
+from decomplex_bt.envs.houses import MOST_ROOMS, SIZES, generate_house, generated_domain, with_house
+from decomplex_bt.envs.reach import is_reachable
+from decomplex_bt.envs.registration import HOUSEHOLD_LARGE, HOUSEHOLD_MEDIUM, HOUSEHOLD_SMALL
+from decomplex_bt.envs.sensing import SensingConfig, Sensor
+from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.world import World, WorldConfig
+from decomplex_bt.envs.world_truth import WorldTruth
+from decomplex_bt.errors import InputError
+from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
+
+DOMAIN = load_domain("household")
+SEEDS = range(52)
+
+
+def house_of(seed):
+    return generate_house(DOMAIN, 2 + seed * 3 % (MOST_ROOMS - 1), seed)
+
+
+def referent(*names):
+    return Referent(names[0], tuple(names))
+
+
+def truth_of(domain, seed=0):
+    setting = setting_of(domain)
+    draw, rng = Draw(setting.prior, setting.spots), np.random.default_rng(seed)
+    draw.likeliest()
+    draw.robot(None)
+    world = World(setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=rng)
+    return WorldTruth(world, Sensor(world, SensingConfig(), rng))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_house_is_connected_and_all_of_it_in_reach(seed):
+    house = house_of(seed)
+    rooms = nx.Graph()
+    rooms.add_nodes_from(house.rooms)
+    rooms.add_edges_from(doorway.rooms for doorway in house.doorways.values())
+    assert len(house.rooms) == 2 + seed * 3 % (MOST_ROOMS - 1)
+    assert nx.is_connected(rooms)
+    domain = with_house(DOMAIN, house)
+    assert all(is_reachable(domain, name) for name in (*house.rooms, *house.doorways, *house.places()))
+    named = {entity for entities in domain.nouns.entities.values() for entity in entities}
+    assert named >= {*house.rooms, *house.places(), *house.things, *house.people}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_every_type_of_task_can_be_done(seed):
+    domain = with_house(DOMAIN, house_of(seed))
+    house, truth = domain.house, truth_of(domain)
+    lying = [thing for thing in house.things if truth.place(thing) is not None]
+    food = next(thing for thing in lying if "food" in domain.kind(thing).tags)
+    device = next(name for name in house.furniture if domain.kind(name).is_device)
+    surface = next(name for name in house.furniture if domain.kind(name).surface)
+    box = next(name for name in house.furniture if domain.kind(name).inside and domain.kind(name).has_door)
+    others = [person for person in house.people if truth.place(person) is not None and person != house.user]
+    room, thing, user = referent(next(reversed(house.rooms))), referent(lying[0]), referent(house.user)
+    tasks = [
+        GroundTask(1, "motion", "go", goal=room),
+        GroundTask(2, "searching", "look for", objects=(thing,), places=(referent(box),)),
+        GroundTask(3, "taking", "take", objects=(thing,)),
+        GroundTask(4, "placing", "put", objects=(thing,), goal=referent(surface)),
+        GroundTask(5, "bringing", "bring", objects=(thing,), recipient=user),
+        GroundTask(6, "change_state", "turn on", objects=(referent(device),), state="on"),
+        GroundTask(7, "change_state", "heat", objects=(referent(food),), state="hot"),
+        GroundTask(8, "check_state", "is", objects=(thing,), places=(referent(box),), state=HERE),
+        GroundTask(9, "following", "follow", objects=(referent(*others),), goal=room),
+        GroundTask(10, "informing", "tell", recipient=user),
+    ]
+    assert {task.type for task in tasks} == set(DOMAIN.ontology.task_types)
+    assert [find_cause(task, {}, domain, truth) for task in tasks] == [None] * len(tasks)
+
+
+def test_a_seed_makes_the_house():
+    assert generate_house(DOMAIN, 9, 3) == generate_house(DOMAIN, 9, 3)
+    assert generate_house(DOMAIN, 9, 3) != generate_house(DOMAIN, 9, 4)
+
+
+@pytest.mark.parametrize("rooms", [1, 41])
+def test_houses_of_other_sizes_are_refused(rooms):
+    with pytest.raises(InputError, match="2 to 40"):
+        generate_house(DOMAIN, rooms, 0)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_spaces_of_a_size_hold_its_largest_houses(size):
+    for seed in range(3):
+        house = generate_house(DOMAIN, SIZES[size].rooms[1], seed)
+        assert len(house.entities()) <= SIZES[size].rows
+        assert max(Geometry(house, DOMAIN.kinds).bounds) <= SIZES[size].bounds
+
+
+@pytest.mark.parametrize("identity", [HOUSEHOLD_SMALL, HOUSEHOLD_MEDIUM, HOUSEHOLD_LARGE])
+def test_episodes_in_drawn_houses_stay_in_their_spaces(identity):
+    env = gym.make(identity)
+    houses = set()
+    for seed in range(3):
+        observation, _ = env.reset(seed=seed)
+        assert observation in env.observation_space
+        env.action_space.seed(seed)
+        for _ in range(15):
+            observation, _, terminated, truncated, _ = env.step({**env.action_space.sample(), "interact": seed + 1})
+            assert observation in env.observation_space
+            if terminated or truncated:
+                break
+        houses.add(env.unwrapped.domain.house.name)
+    assert len(houses) == 3
+
+
+def go(where):
+    return read_markup(f"[Go](1:motion) [to the {where}](1:goal).", DOMAIN.ontology, flow=[1])
+
+
+BRING = read_markup("[Bring](1:bringing) [me](1:recipient) [the plate](1:object).", DOMAIN.ontology, flow=[1])
+
+
+@pytest.mark.parametrize("policy", ["tree", "oracle"])
+@pytest.mark.parametrize(("identity", "seed"), [(HOUSEHOLD_SMALL, 1), (HOUSEHOLD_MEDIUM, 2), (HOUSEHOLD_LARGE, 3)])
+def test_agents_live_in_any_house(identity, seed, policy):
+    env = gym.make(identity, house_seed=seed)
+    done = 0
+    for k, instruction in enumerate((go("kitchen"), BRING)):
+        observation, info = env.reset(seed=k, options={"instruction": instruction, "noise": False})
+        agent = env.unwrapped.policy(policy, reading=instruction)
+        agent.reset(observation, info)
+        for _ in range(4000):
+            observation, _, terminated, truncated, info = env.step(agent.act(observation))
+            if terminated or truncated:
+                break
+        done += info["is_success"] or not info["feasible"]
+    assert done == 2
+
+
+def test_an_agent_moves_house_with_its_environment():
+    env = gym.make(HOUSEHOLD_SMALL)
+    agent = None
+    for seed in (4, 9):
+        observation, info = env.reset(seed=seed, options={"instruction": go("kitchen"), "house_seed": seed})
+        agent = agent or decomplex_bt.TreeAgent(env, flow=go("kitchen"))
+        agent.reset(observation, info)
+        assert agent.session.belief.domain.house == generated_domain(DOMAIN, "small", seed).house
+        while not agent.done:
+            observation, _, terminated, truncated, info = env.step(agent.act(observation))
+        assert info["is_success"]
+
+
+def test_a_seed_of_a_house_stays_until_another_is_given():
+    env = gym.make(HOUSEHOLD_SMALL)
+    env.reset(seed=0, options={"house_seed": 5})
+    first = env.unwrapped.domain.house
+    env.reset()
+    assert env.unwrapped.domain.house is first
+    env.reset(options={"house_seed": 6})
+    assert env.unwrapped.domain.house is not first
+
+
+def test_a_house_comes_from_a_file(tmp_path):
+    house = generate_house(DOMAIN, 3, 0)
+    path = tmp_path / "house.yaml"
+    path.write_text(yaml.safe_dump(house.model_dump(mode="json"), sort_keys=False))
+    env = HouseholdEnv(go("kitchen"), house=path)
+    assert env.reset(seed=0)[0] in env.observation_space
+    assert env.domain.house == house
+    small = HouseholdEnv(go("kitchen"), size="small")
+    small.reset(seed=0, options={"house": path})
+    assert small.domain.house == house
+    with pytest.raises(InputError, match="spaces are made for"):
+        HouseholdEnv(go("kitchen"), house=path).reset(options={"house": str(DOMAIN.folder / "house.yaml")})
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"house_seed": -1}, "from 0"),
+        ({"house_seed": "x"}, "whole number"),
+        ({"house": 3}, "path"),
+        ({"house": "nowhere.yaml"}, "nowhere.yaml"),
+        ({"house": "a", "house_seed": 1}, "exclude"),
+    ],
+    ids=str,
+)
+def test_houses_that_cannot_be_had_are_refused(options, says):
+    with pytest.raises(ValueError, match=says):
+        HouseholdEnv(size="small").reset(seed=0, options=options)
+
+
+def test_the_default_house_has_no_seed():
+    with pytest.raises(InputError, match="generates no houses"):
+        HouseholdEnv().reset(seed=0, options={"house_seed": 1})
+    with pytest.raises(InputError, match="small, medium, large"):
+        HouseholdEnv(size="vast")
