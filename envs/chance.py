@@ -18,7 +18,7 @@ from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Spots
 from decomplex_bt.errors import InputError
 
 TRIES = 12
-"""Places tried before a thing counts as not placeable, and spots before people stand in each other's way."""
+"""Places tried before a thing is laid anywhere else, and spots before people stand in each other's way."""
 POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
 
 
@@ -157,16 +157,13 @@ class Draw:
             tries = 0
             while place != ABSENT:
                 spot = self._free_spot(thing, place, rng)
+                if spot is None and tries == TRIES:
+                    place, spot = self._anywhere(thing, rng)
                 if spot is not None:
                     laid.append((thing, place, *spot))
                     self._discs.setdefault(place, {})[thing] = (*spot, prior.radius[thing])
                     break
                 tries += 1
-                if tries > TRIES:
-                    raise InputError(
-                        f"{self.geometry.names[thing]} found no free spot in {TRIES} places; give it more places in "
-                        "house.yaml, or the house fewer things"
-                    )
                 rows, weights = prior.places(thing)
                 place = int(rows[_choose(weights, rng)])
         if not laid:
@@ -174,6 +171,16 @@ class Draw:
         rows = [thing for thing, _, _, _ in laid]
         self.start.place[rows] = [place for _, place, _, _ in laid]
         self.start.position[rows] = [(x, y) for _, _, x, y in laid]
+
+    def _anywhere(self, thing: int, rng: Generator) -> tuple[int, tuple[float, float]]:
+        """Some place with a free spot: where the places of a thing are all full, it lies elsewhere."""
+        for place in np.flatnonzero(self.prior.holds).tolist():
+            spot = self._free_spot(thing, place, rng)
+            if spot is not None:
+                return place, spot
+        raise InputError(
+            f"{self.geometry.names[thing]} finds no free spot in the whole house; give it more places, or fewer things"
+        )
 
     def _everybody(self, rng: Generator) -> None:
         for row, home, rooms in zip(self.geometry.people_rows, self.prior.homes, self.prior.room_sums, strict=True):

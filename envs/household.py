@@ -58,6 +58,8 @@ INSTRUCTION_TRIES = 200
 """Corpus examples tried before none is found that can be asked for in this house."""
 HOUSE_TRIES = 50
 """Houses drawn before none is found in which the instruction can be asked for."""
+UNKNOWN_LENGTH = -1.0
+"""What `shortest_length` is until there is one: a number that equals itself, or infos could not be compared."""
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
@@ -397,7 +399,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._reward_kind = options.reward or self.config.reward
         self._recording = Recording(generator, request, options)
         self._result = Result.NONE
-        self._path_length, self._shortest_length = 0.0, None
+        self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH
         self._start = start = self._draw_start(options, base, mixing)
         setting = self.setting
         self._world = World(
@@ -478,7 +480,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             if body is not None:
                 body.end(HouseholdEnv._observe(self))
 
-    def _measure_shortest_path(self) -> float | None:
+    def _measure_shortest_path(self) -> float:
         from decomplex_bt.envs.shortest import ShortestPath
 
         assert self._judging is not None
@@ -493,7 +495,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         )
         length = path.length(*self._judging.carried_out())
         # What was driven is a way to do it: the shortest is no longer than that.
-        return None if length is None else min(length, self._path_length)
+        return UNKNOWN_LENGTH if length is None else min(length, self._path_length)
 
     def _take_verdict(self) -> None:
         world = self.world

@@ -72,7 +72,7 @@ class Judge:
                 "is_success": verdict.is_success,
                 "goal_conditions_met": verdict.met,
                 "goal_conditions_total": verdict.total,
-                "unsettled": verdict.unsettled,
+                "unsettled": verdict.unsettled or 0,  # one type for each key, or a vector cannot hold them
             }
         report = self._report.copy()
         report["branches"] = [branch.to_json() for branch in verdict.branches]

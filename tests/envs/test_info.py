@@ -182,7 +182,7 @@ def test_an_agent_is_not_done_before():
 
 def test_the_shortest_path_is_told_with_success_and_not_before():
     _, steps = play(gym.make(HOUSEHOLD), GO, 0, chance=False)
-    assert all(info["shortest_length"] is None for _, info in steps[:-1])
+    assert all(info["shortest_length"] == -1 for _, info in steps[:-1])
     assert 0 < steps[-1][1]["shortest_length"] <= steps[-1][1]["path_length"] + 0.1
 
 
