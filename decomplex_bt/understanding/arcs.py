@@ -11,14 +11,14 @@ attachment  `top`, or direction, rank and side: `<1+` is the branch of the neare
             Conditions count by groups of mentions. "As stated" includes the clause's own negation, so that `+` is the
             plain case after "if it is not there" too; the negation is a matter of grammar and handed in.
 order       `keep` (text order), `before` (ahead of the sibling before it), `first` (ahead of all siblings),
-            `after` (behind the sibling after it), `last` (behind all siblings)
+            `after` (behind the siblings after it in its sentence, at least one), `last` (behind all siblings)
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations, product
+from itertools import combinations
 
 from decomplex_bt.flow import Do, Flow, If, Node
 
@@ -37,15 +37,29 @@ class Arc:
 
 
 @dataclass(frozen=True, slots=True)
-class Polarity:
-    """Of one task as a condition: whether its clause is negated, and a state it tests (for antonyms), if any."""
+class Wording:
+    """What the words of a task's clause say for certain: whether it is negated, a state it tests with its opposite, if
+    any, the number of its sentence, the order labels that its own cues speak for ("before you ...": `after`), and the
+    `and` or `or` that joins it to the clause before it without an "if" of its own. `is_contrary`: by its word alone it
+    says that something failed or is not there ("if it sticks", "if she is gone")."""
 
     is_negated: bool = False
     state: str | None = None
     opposite: str | None = None
+    sentence: int = 0
+    orders: tuple[str, ...] = ()
+    joins: str = ""
+    is_contrary: bool = False
 
-    def is_opposite_of(self, other: Polarity) -> bool:
+    def is_opposite_of(self, other: Wording) -> bool:
         return self.state is not None and self.opposite is not None and other.state == self.opposite
+
+    def contradicts(self, first: Wording) -> bool:
+        """Whether a mention, its negation aside, says the opposite of what it mentions: another state of the same
+        thing (else why say it), or that it failed."""
+        if self.state is not None and first.state is not None:
+            return self.state != first.state
+        return self.is_contrary and not first.is_contrary
 
 
 @dataclass(slots=True)
@@ -59,25 +73,26 @@ class _Group:
     sides: dict[str, list[int]] = field(default_factory=lambda: {"then": [], "else": []})
 
 
-def flow_of(arcs: Sequence[Arc], polarities: Sequence[Polarity]) -> Flow:
+def flow_of(arcs: Sequence[Arc], wordings: Sequence[Wording]) -> Flow:
     """The control flow that these arcs say; total: an arc that points nowhere leads to the top."""
-    return Flow(_Builder(arcs, polarities).build())
+    return Flow(_Builder(arcs, wordings).build())
 
 
-def arcs_of(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | None:
+def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
     """The arcs that say this flow, or None where no arcs can (the inverse of `flow_of`)."""
-    plain = _arcs_in_text_order(flow, polarities)
+    plain = _arcs_in_text_order(flow, wordings)
     if plain is None:
         return None
-    for arcs in _with_orders(plain):
-        if flow_of(arcs, polarities) == flow:
-            return arcs
+    for start in (*_with_joins(plain, wordings), plain):
+        for arcs in _with_orders(start, wordings):
+            if flow_of(arcs, wordings) == flow:
+                return arcs
     return None
 
 
 def targets_of(arcs: Sequence[Arc]) -> tuple[int | None, ...]:
     """Of every task the condition token that its attachment points at, counted from 0; None at the top."""
-    builder = _Builder(arcs, [Polarity()] * len(arcs))
+    builder = _Builder(arcs, [Wording()] * len(arcs))
     builder._collect_groups()
     return tuple(
         None if arc.role == "again" else builder._find(i, arc.attachment, before_only=arc.role == "mention")
@@ -85,10 +100,10 @@ def targets_of(arcs: Sequence[Arc]) -> tuple[int | None, ...]:
     )
 
 
-def is_flipped(mention: int, first: int, polarities: Sequence[Polarity]) -> bool:
+def is_flipped(mention: int, first: int, wordings: Sequence[Wording]) -> bool:
     """Whether a mention as stated is by grammar the opposite of its first mention without that one's negation."""
-    flipped = polarities[mention].is_negated
-    if mention != first and polarities[mention].is_opposite_of(polarities[first]):
+    flipped = wordings[mention].is_negated
+    if mention != first and wordings[mention].contradicts(wordings[first]):
         flipped = not flipped
     return flipped
 
@@ -97,19 +112,19 @@ def _side(is_opposite: bool) -> str:
     return "else" if is_opposite else "then"
 
 
-def _flip_of(token: int, first: int, polarities: Sequence[Polarity], used: set[str]) -> bool:
+def _flip_of(token: int, first: int, wordings: Sequence[Wording], used: set[str]) -> bool:
     """`is_flipped`, but who states a condition again whose one side has its tasks already means the other side:
     "if it is dry, fold it; if it is damp, hang it up" needs no word list to know that damp is not dry."""
-    flipped = is_flipped(token, first, polarities)
+    flipped = is_flipped(token, first, wordings)
     if token != first and _side(flipped) in used and len(used) == 1:
         return not flipped
     return flipped
 
 
 class _Builder:
-    def __init__(self, arcs: Sequence[Arc], polarities: Sequence[Polarity]) -> None:
+    def __init__(self, arcs: Sequence[Arc], wordings: Sequence[Wording]) -> None:
         self.arcs = arcs
-        self.polarities = polarities
+        self.wordings = wordings
         self.groups: dict[int, _Group] = {}
         self.group_of: dict[int, int] = {}
         self.again: dict[int, list[int]] = {}
@@ -155,7 +170,7 @@ class _Builder:
                 found = self._find(i, self.arcs[i].attachment) if self.group_of.get(i, i) == i else None
                 if found is not None and found < token and self.group_of[found] == group:
                     used.add(self._side_of(i, found))
-            self.flips[token] = _flip_of(token, group, self.polarities, used)
+            self.flips[token] = _flip_of(token, group, self.wordings, used)
 
     def _side_of(self, i: int, token: int) -> str:
         return _side(self.flips[token] != self.arcs[i].attachment.endswith("-"))
@@ -253,7 +268,9 @@ class _Builder:
     def _arranged(self, members: list[int]) -> list[int]:
         """Siblings in the order of execution."""
         in_text = sorted(members, key=self._first_token)
-        return _reorder(in_text, [self.arcs[i].order for i in in_text])
+        return _reorder(
+            in_text, [self.arcs[i].order for i in in_text], [self.wordings[i].sentence for i in in_text]
+        )
 
     def _first_token(self, i: int) -> int:
         if i not in self.groups:
@@ -273,7 +290,7 @@ def _repeats(nodes: Sequence[Node]) -> tuple[Node, ...]:
     return tuple(Do((node.task,), is_repeat=True) for node in nodes if isinstance(node, Do))
 
 
-def _reorder(items: list[int], orders: Sequence[str]) -> list[int]:
+def _reorder(items: list[int], orders: Sequence[str], sentences: Sequence[int]) -> list[int]:
     arranged: list[int] = []
     run: list[int] = []  # neighbours that all go before the sibling ahead of them, in text order
     for item, order in zip(items, orders, strict=True):
@@ -285,10 +302,14 @@ def _reorder(items: list[int], orders: Sequence[str]) -> list[int]:
         arranged.append(item)
     _insert_run(arranged, run)
     order_of = dict(zip(items, orders, strict=True))
+    sentence_of = dict(zip(items, sentences, strict=True))
     for item in [i for i in arranged if order_of[i] == "after"]:
         position = arranged.index(item)
         arranged.remove(item)
-        arranged.insert(position + 1, item)
+        end = position + 1
+        while end < len(arranged) and sentence_of[arranged[end]] == sentence_of[item]:
+            end += 1
+        arranged.insert(end, item)
     first = [i for i in arranged if order_of[i] == "first"]
     last = [i for i in arranged if order_of[i] == "last"]
     middle = [i for i in arranged if order_of[i] not in ("first", "last")]
@@ -300,8 +321,8 @@ def _insert_run(arranged: list[int], run: list[int]) -> None:
         arranged[-1:-1] = run
 
 
-def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc, ...] | None:
-    count = len(polarities)
+def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
+    count = len(wordings)
     arcs = [Arc() for _ in range(count)]
     group_of: dict[int, int] = {}
     again: list[tuple[int, int]] = []
@@ -311,7 +332,7 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
                 group_of[number - 1] = node.task - 1
         elif not node.is_repeat:
             again += [(number - 1, node.task - 1) for number in node.tasks[1:]]
-    joins = dict(_joins(flow, polarities))
+    joins = dict(_joins(flow, wordings))
     # "if A or B, X": in the tree X is a child of A, in the text it follows B
     alternatives = {
         (parent[0], _other(parent[1])): node.task - 1
@@ -335,7 +356,7 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
             side = _other(side)
         elif parent in alternatives:
             group = alternatives[parent]
-            side = _side(is_flipped(group, group, polarities))
+            side = _side(is_flipped(group, group, wordings))
         pointer = _pointer(i, group, group_of)
         if pointer is None:
             return None
@@ -343,7 +364,7 @@ def _arcs_in_text_order(flow: Flow, polarities: Sequence[Polarity]) -> tuple[Arc
     for i, first in again:
         rank = sum(arcs[j].role == "task" and j not in dict(again) for j in range(first, i))
         arcs[i] = Arc("again", f"<{min(9, rank)}")
-    flips = _flips_of(targets, group_of, polarities)
+    flips = _flips_of(targets, group_of, wordings)
     for i, (pointer, token, side) in targets.items():
         arcs[i] = replace(arcs[i], attachment=pointer + ("-" if _side(flips[token]) != side else "+"))
     return tuple(arcs)
@@ -363,7 +384,7 @@ def _with_parents(
             yield from _with_parents(node.orelse, (node.task - 1, "else"))
 
 
-def _joins(flow: Flow, polarities: Sequence[Polarity]) -> Iterator[tuple[int, str]]:
+def _joins(flow: Flow, wordings: Sequence[Wording]) -> Iterator[tuple[int, str]]:
     """The conditions (from 0) joined to the one they lie in, told by the tasks that stand in both."""
     for node, _ in flow.walk():
         if not isinstance(node, If):
@@ -412,7 +433,7 @@ def _pointed_at(i: int, group: int, pointer: str, group_of: dict[int, int], coun
 
 
 def _flips_of(
-    targets: Mapping[int, tuple[str, int, str]], group_of: dict[int, int], polarities: Sequence[Polarity]
+    targets: Mapping[int, tuple[str, int, str]], group_of: dict[int, int], wordings: Sequence[Wording]
 ) -> dict[int, bool]:
     flips: dict[int, bool] = {}
     for token in sorted(group_of):
@@ -420,18 +441,35 @@ def _flips_of(
         used = {
             side for i, (_, j, side) in targets.items() if i < token and j < token and group_of[j] == group
         }
-        flips[token] = _flip_of(token, group, polarities, used)
+        flips[token] = _flip_of(token, group, wordings, used)
     return flips
 
 
-def _with_orders(arcs: tuple[Arc, ...]) -> Iterator[tuple[Arc, ...]]:
-    """The arcs with every small set of order labels, fewest first."""
+def _with_joins(plain: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:
+    """The arcs with every condition that the words join to the one before it said to be joined, if there is one.
+
+    Without an else the tree cannot tell a joint condition from a nested one; the words can.
+    """
+    joined = list(plain)
+    for i in range(1, len(plain)):
+        before, own = plain[i - 1], plain[i]
+        if wordings[i].joins and own.role == "condition" and before.role in CONDITION_ROLES and own.attachment[:2] == "<1":
+            place = "<1+" if wordings[i].joins == "or" else own.attachment
+            joined[i] = Arc(wordings[i].joins, place, own.order)
+    if tuple(joined) != plain:
+        yield tuple(joined)
+
+
+def _with_orders(arcs: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:
+    """The arcs with every small set of order labels: few labels first, and those that the words speak for."""
     yield arcs
     movable = [i for i, arc in enumerate(arcs) if arc.role not in ("mention", "again")]
-    for size in (1, 2):
-        for chosen in combinations(movable, size):
-            for orders in product(ORDERS[1:], repeat=size):
-                changed = list(arcs)
-                for i, order in zip(chosen, orders, strict=True):
-                    changed[i] = replace(changed[i], order=order)
-                yield tuple(changed)
+    changes = [(i, order) for i in movable for order in ORDERS[1:]]
+    cost = {(i, order): 2 if order in wordings[i].orders else 5 for i, order in changes}
+    sets = [(change,) for change in changes]
+    sets += [pair for pair in combinations(changes, 2) if pair[0][0] != pair[1][0]]  # type: ignore[misc]
+    for chosen in sorted(sets, key=lambda labels: sum(cost[label] for label in labels)):
+        changed = list(arcs)
+        for i, order in chosen:
+            changed[i] = replace(changed[i], order=order)
+        yield tuple(changed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from decomplex_bt.understanding.arcs import Polarity
+from decomplex_bt.understanding.arcs import Wording
 from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS
 from decomplex_bt.understanding.features import Observed
 
@@ -25,6 +25,8 @@ class Clause:
 
     `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there to
     the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
+    `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument is
+    a pronoun.
     """
 
     task: MarkedTask
@@ -35,12 +37,14 @@ class Clause:
     behind: tuple[str, ...]
     sentence: int
     boundary: str
-    polarity: Polarity
+    wording: Wording
     objects: tuple[str, ...]
+    nouns: frozenset[str]
+    has_pronoun: bool
 
 
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
-_SPEAKING = ("informing",)
+_REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
 
 
 def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause, ...]:
@@ -48,8 +52,8 @@ def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause,
     return tuple(_clause(observed, tasks, k) for k in range(len(tasks)))
 
 
-def polarities_of(clauses: Sequence[Clause]) -> tuple[Polarity, ...]:
-    return tuple(clause.polarity for clause in clauses)
+def wordings_of(clauses: Sequence[Clause]) -> tuple[Wording, ...]:
+    return tuple(clause.wording for clause in clauses)
 
 
 def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
@@ -72,6 +76,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
     first = max(opening, default=split) + 1 if opening else split + 1
     closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
     last = min([end, *closing]) - 1
+    is_joined = previous >= 0 and document.sentences[previous] == document.sentences[token]
     return Clause(
         task=tasks[k],
         first=min(first, token),
@@ -81,7 +86,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
         behind=behind,
         sentence=document.sentences[token],
         boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
-        polarity=_polarity(observed, tasks[k], min(first, token), max(last, token), near),
+        wording=_wording(observed, tasks[k], min(first, token), max(last, token), (far, near, behind), is_joined),
         objects=tuple(
             document.tokens[j].lemma
             for kind, indices in tasks[k].arguments
@@ -89,18 +94,59 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
             for j in indices
             if document.tokens[j].pos in ("NOUN", "PROPN")
         ),
+        nouns=frozenset(
+            document.tokens[j].lemma
+            for _, indices in tasks[k].arguments
+            for j in indices
+            if document.tokens[j].pos in ("NOUN", "PROPN")
+        ),
+        has_pronoun=any(
+            document.tokens[indices[-1]].lower in _REFERRING for _, indices in tasks[k].arguments if len(indices)
+        ),
     )
 
 
-def _polarity(observed: Observed, task: MarkedTask, first: int, last: int, near: Sequence[str]) -> Polarity:
+_Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
+
+
+def _wording(
+    observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool
+) -> Wording:
+    far, near, behind = cues
     names = [cue.name for cue in observed.cues if first <= cue.first <= last]
     negations = names.count("not") + ("unless" in near)
-    state = next(
-        (
-            observed.document.tokens[j].lower
-            for j in range(min(task.token, last), last + 1)
-            if observed.document.tokens[j].lower in OPPOSITES
-        ),
-        None,
+    state = _state(observed, task, last)
+    leading = {*far, *near}
+    orders = [
+        *(label for name in near for label in _SUBORDINATE.get(name, ())),
+        *(label for name in ("before_that", "first", "last") if name in leading for label in _ADVERBIAL[name]),
+        *(label for name in ("first", "last") if name in behind for label in _ADVERBIAL[name]),
+    ]
+    token = observed.document.tokens[task.token]
+    return Wording(
+        negations % 2 == 1,
+        state,
+        OPPOSITES.get(state) if state else None,
+        observed.document.sentences[task.token],
+        tuple(dict.fromkeys(orders)),
+        next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
+        token.lemma in _CONTRARY or state in _CONTRARY,
     )
-    return Polarity(negations % 2 == 1, state, OPPOSITES.get(state) if state else None)
+
+
+def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
+    """The word for the state that a clause tests: the end of its state argument, else a word with an opposite."""
+    tokens = observed.document.tokens
+    said = next((indices[-1] for kind, indices in task.arguments if kind == "state" and len(indices)), None)
+    if said is not None:
+        return tokens[said].lower
+    inside = range(min(task.token, last), last + 1)
+    return next((tokens[j].lower for j in inside if tokens[j].lower in OPPOSITES), None)
+
+
+_CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
+
+
+_SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
+_ADVERBIAL = {"before_that": ("before", "first"), "first": ("first", "before"), "last": ("last",)}
+"""The order labels that a cue speaks for: one that makes its clause subordinate, and one that is an adverb in it."""

@@ -26,14 +26,16 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "so": (
             "if so", "if yes", "if yeah", "if that is the case", "in that case", "in which case", "if true", "if possible", "if you can",
             "if that works", "if it works", "if it does", "if you do", "if you succeed", "if successful", "if that is so", "if positive", "if you manage",
-            "if any", "if that is fine", "if that is ok", "if that goes well",
+            "if any", "in the positive case", "in the affirmative case", "on success", "if affirmative", "in that event", "in which event", "if that is fine", "if that is ok", "if that goes well",
         ),
         "else": (
             "otherwise", "or else", "else", "elsewise", "alternatively", "as an alternative", "if not", "or if not", "and if not", "if no",
-            "in the other case", "in the opposite case", "on the other hand", "if otherwise",
+            "in the other case", "in the opposite case", "in the negative case", "if negative", "if not yet", "failing which", "in its absence", "if neither", "if none", "in case not",
+            "if not even that", "on the other hand", "if otherwise",
         ),
         "fail": (
-            "failing that", "failing this", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
+            "failing that", "failing this", "failing both", "failing either", "on failure", "in case of failure", "should that fail", "should this fail", "should it fail", "if nothing happens", "still nothing",
+            "if that does nothing", "if that does not help", "if that does not do it", "if that does not do the trick", "if it does not help", "if nothing", "if you strike out", "if you come up empty", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
             "if it does not work", "if this does not work", "if that will not work", "if it will not work", "if that is not possible", "if it is not possible", "if not possible",
             "if you can not", "if u can not", "if you could not", "if you are unable", "if unable", "if unsuccessful", "if impossible", "if that is impossible", "no luck", "no joy",
             "no dice", "no good", "no success", "no go", "nothing doing", "as a last resort", "last resort", "as a fallback", "fallback", "plan b", "worst case",
@@ -42,7 +44,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         # ends what a condition governs
         "either_way": (
-            "either way", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
+            "either way", "in either event", "in any event", "whichever", "whichever way", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
             "whatever happens", "whatever the case", "whatever you find", "whatever the outcome", "whatever the answer", "whichever it is", "come what may", "at any rate", "one way or another",
             "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
         ),
@@ -123,7 +125,32 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
-    return tuple(cues)
+    cues += _answers(document, words)
+    return tuple(sorted(cues, key=lambda cue: cue.first))
+
+
+def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
+    """Short negative or positive replies between two marks ("No?", "not there?", "no bread?"): they stand for a whole
+    condition as "if not" and "if so" do."""
+    found = []
+    start = 0
+    for i, token in enumerate(document.tokens):
+        if token.text not in _MARKS:
+            continue
+        inside = words[start:i]
+        if 0 < len(inside) <= _LONGEST_ANSWER and (token.text == "?" or len(inside) == 1):
+            lead = inside[1] if inside[0] in ("still", "and", "also", "or") and len(inside) > 1 else inside[0]
+            name = "else" if lead in _NO else "so" if lead in _YES and len(inside) == 1 else None
+            if name is not None:
+                found.append(Cue(name, start, i - 1))
+        start = i + 1
+    return found
+
+
+_MARKS = frozenset((".", ",", "?", "!", ";", ":", "-", "–", "—"))
+_NO = frozenset(("no", "not", "nope", "nothing", "none", "nowhere", "neither", "nobody"))
+_YES = frozenset(("yes", "yep", "yeah"))
+_LONGEST_ANSWER = 4
 
 
 def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]:

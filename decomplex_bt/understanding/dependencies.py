@@ -14,7 +14,7 @@ from pathlib import Path
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc, arcs_of, flow_of
-from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, polarities_of
+from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, wordings_of
 from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
@@ -69,7 +69,7 @@ class FlowModel:
                 orders = self.orders.label(order_features(observed, clauses, chained, attachments.labels))
                 arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                found.append(FoundFlow(flow_of(arcs, polarities_of(clauses)), arcs, clauses, chances))
+                found.append(FoundFlow(flow_of(arcs, wordings_of(clauses)), arcs, clauses, chances))
         return likeliest(found)
 
 
@@ -99,7 +99,7 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
     mended = list(roles)
     for k in range(2, len(clauses)):
         clause = clauses[k]
-        says_either = "either" in (*clause.near, *clause.behind) and clause.polarity.is_negated
+        says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
         if not says_either or roles[k] not in CONDITION_ROLES or clauses[k - 1].task.type != "searching":
             continue
         if mended[k - 1] == "task" and any(role in CONDITION_ROLES for role in mended[: k - 1]):
@@ -120,7 +120,7 @@ def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> in
         if not instruction.tasks:
             continue
         clauses = clauses_of(observed, marked_tasks(observed, instruction))
-        arcs = arcs_of(instruction.flow, polarities_of(clauses))
+        arcs = arcs_of(instruction.flow, wordings_of(clauses))
         if arcs is None:
             left_out += 1
             continue

@@ -94,6 +94,18 @@ def order_features(
             "boundary": clause.boundary,
             "tag": document.tokens[clause.task.token].tag,
         }
+        alike = [j for j, place in enumerate(attachments) if place == attachments[k]]
+        ahead = [j for j in alike if j < k]
+        behind = [j for j in alike if j > k]
+        place = f"{min(2, len(ahead))}.{min(2, len(behind))}"
+        opens = k == 0 or clauses[k - 1].sentence != clause.sentence
+        for label in clause.wording.orders:
+            item[f"says.{label}"] = 1.0
+            item[f"says.{label}.place"] = f"{place}.{roles[k]}"
+            item[f"says.{label}.opens"] = f"{opens}.{len(ahead) > 0}"
+        for label in ("before", "after", "first", "last"):
+            item[f"others.{label}.ahead"] = any(label in clauses[j].wording.orders for j in ahead)
+            item[f"others.{label}.behind"] = any(label in clauses[j].wording.orders for j in behind)
         for name in ("near", "far", "behind"):
             for cue in _ORDER_CUES.intersection(getattr(clause, name)):
                 item[f"{name}.{cue}"] = 1.0
@@ -151,7 +163,7 @@ def _own_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Feat
         "has_advcl": any(child.dep == "advcl" for child in children),
         "conj": min(2, sum(child.dep == "conj" for child in children)),
         "subject": subject if subject in _PRONOUNS | {"you", "i"} else ("noun" if subject else "none"),
-        "negated": clause.polarity.is_negated,
+        "negated": clause.wording.is_negated,
         "boundary": clause.boundary,
         "governing": governing,
         "governing.type": f"{governing}.{clause.task.type}",
@@ -165,6 +177,10 @@ def _own_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Feat
         for cue in dict.fromkeys(getattr(clause, name)):
             if cue in _SIGNALS:
                 item[f"{name}.{cue}"] = 1.0
+    if k and clause.wording.joins:
+        item["joins"] = clause.wording.joins
+        item["joins.types"] = f"{clause.wording.joins}.{clauses[k - 1].task.type}.{clause.task.type}"
+        item["joins.opened"] = f"{clause.wording.joins}.{_last_of(clauses[k - 1].near, GOVERNING)}.{clause.task.type}"
     first_word = document.tokens[min(clause.first, i)].lower
     item["first_word"] = first_word
     item["type.new_sentence"] = f"{clause.task.type}.{item['new_sentence']}"
@@ -188,7 +204,7 @@ def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, o
         f"{mark}.same_sentence": other.sentence == clauses[k].sentence,
         f"{mark}.governing": _last_of(other.near, GOVERNING),
         f"{mark}.tag": token.tag,
-        f"{mark}.negated": other.polarity.is_negated,
+        f"{mark}.negated": other.wording.is_negated,
         f"{mark}.question": observed.question[other.task.token],
     }
     for name in ("near", "far", "behind"):
@@ -241,18 +257,49 @@ def _resemblance_features(observed: Observed, clauses: Sequence[Clause], k: int)
     item: Features = {}
     for j in range(k - 1, -1, -1):
         other = clauses[j]
-        if clause.polarity.is_opposite_of(other.polarity):
+        if clause.wording.is_opposite_of(other.wording):
             item["opposite_state"] = min(3, k - j)
-        if clause.polarity.state is not None and clause.polarity.state == other.polarity.state:
+        if clause.wording.state is not None and clause.wording.state == other.wording.state:
             item["same_state"] = min(3, k - j)
         if set(clause.objects) & set(other.objects):
             item.setdefault("same_object", min(3, k - j))
             item.setdefault("same_object.types", f"{other.task.type}|{clause.task.type}")
+    item.update(_mention_features(observed, clauses, k))
     item["object"] = "noun" if clause.objects else "pronoun" if _speaks_of_pronoun(observed, clause) else "none"
     item["object.type"] = f"{item['object']}.{clause.task.type}.{_last_of(clause.near, GOVERNING)}"
     item["earlier_search"] = any(other.task.type == "searching" for other in clauses[:k])
     item["earlier_check"] = any(other.task.type == "check_state" for other in clauses[:k])
     item["argument_count"] = min(3, len(clause.task.arguments))
+    return item
+
+
+def _mention_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
+    """How a clause compares with the nearest earlier one that can be asked about: a check, a search, a question."""
+    clause = clauses[k]
+    earlier = [j for j in range(k - 1, -1, -1) if clauses[j].task.type in ("check_state", "searching")]
+    if not earlier or clause.task.type not in ("check_state", "searching"):
+        return {}
+    tokens = observed.document.tokens
+    lemma = tokens[clause.task.token].lemma
+    says = "state" if any(kind == "state" for kind, _ in clause.task.arguments) else (
+        "place" if any(kind == "location" for kind, _ in clause.task.arguments) else "nothing"
+    )
+    what = "noun" if clause.objects else "pronoun" if _speaks_of_pronoun(observed, clause) else "none"
+    opens = _last_of(clause.near, GOVERNING)
+    item: Features = {"says": f"{says}.{what}.{opens}.{clause.wording.is_negated}"}
+    for rank, j in enumerate(earlier[:2]):
+        other = clauses[j]
+        same = tokens[other.task.token].lemma == lemma
+        shared = bool(set(clause.objects) & set(other.objects))
+        differs = clause.wording.is_negated != other.wording.is_negated
+        opposite = clause.wording.is_opposite_of(other.wording)
+        asked = "question" if observed.question[other.task.token] else _last_of(other.near, GOVERNING)
+        mark = f"asked{rank}"
+        item[f"{mark}.pair"] = f"{says}.{what}.{same}.{shared}.{differs}.{opposite}"
+        item[f"{mark}.opens"] = f"{opens}.{asked}.{says}.{what}"
+        item[f"{mark}.gap"] = f"{min(4, k - j)}.{says}.{what}.{opens}.{other.task.type}"
+        item[f"{mark}.differs"] = f"{differs}.{opposite}.{other.task.type}.{clause.task.type}.{opens}"
+        item[f"{mark}.first_word"] = f"{tokens[min(clause.first, clause.task.token)].lower}.{other.task.type}"
     return item
 
 
@@ -267,7 +314,7 @@ def pair_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
     gap = max(-5, min(5, k - j))
     sentences = max(-2, min(2, clause.sentence - condition.sentence))
     shape = _shape(clauses, j)
-    polarity, other = clause.polarity, condition.polarity
+    wording, other = clause.wording, condition.wording
     item: Features = {
         "gap": gap,
         "sentences": sentences,
@@ -277,9 +324,9 @@ def pair_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
         "shape": f"{shape}.{gap > 0}",
         "shape.gap": f"{shape}.{max(-3, min(3, gap))}.{sentences}",
         "negated": f"{other.is_negated}.{gap > 0}",
-        "negated.both": f"{polarity.is_negated}.{other.is_negated}",
-        "opposite": polarity.is_opposite_of(other),
-        "same_state": polarity.state is not None and polarity.state == other.state,
+        "negated.both": f"{wording.is_negated}.{other.is_negated}",
+        "opposite": wording.is_opposite_of(other),
+        "same_state": wording.state is not None and wording.state == other.state,
         "same_object": bool(set(clause.objects) & set(condition.objects)),
     }
     item.update(_behind_pair(clauses, k, j, shape, governing) if k > j else _ahead_pair(clauses, k, j, governing))
@@ -300,7 +347,7 @@ def _behind_pair(clauses: Sequence[Clause], k: int, j: int, shape: str, governin
         "turn": f"{turn}.{stretch}",
         "turn.shape": f"{turn}.{stretch}.{shape}",
         "turn.gap": f"{turn}.{stretch}.{gap}.{sentences}",
-        "turn.governing": f"{turn}.{stretch}.{governing}.{condition.polarity.is_negated}",
+        "turn.governing": f"{turn}.{stretch}.{governing}.{condition.wording.is_negated}",
         "turns": "+".join(cue for cue in ("either_way", "else", "fail", "so") if cue in between),
         "openings": min(3, sum(_opens(clauses[m]) for m in range(j + 1, k + 1))),
     }
@@ -366,7 +413,7 @@ def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int], rol
         "left.sentences": sentences,
         "left.type": condition.task.type,
         "left.types": f"{condition.task.type}|{clause.task.type}",
-        "left.negated": condition.polarity.is_negated,
+        "left.negated": condition.wording.is_negated,
         "left.governing": governing,
         "left.role": roles[j],
         "left.shape": shape,
@@ -380,8 +427,21 @@ def _left_features(clauses: Sequence[Clause], k: int, before: Sequence[int], rol
     item["turn.shape"] = f"{turn}.{stretch}.{shape}"
     item["turn.gap"] = f"{turn}.{stretch}.{min(3, k - j)}.{sentences}"
     item["turn.role"] = f"{turn}.{stretch}.{roles[k]}.{roles[j]}"
-    item["turn.governing"] = f"{turn}.{stretch}.{governing}.{condition.polarity.is_negated}"
+    item["turn.governing"] = f"{turn}.{stretch}.{governing}.{condition.wording.is_negated}"
     item["turn.boundary"] = f"{turn}.{clause.boundary}.{sentences}"
+    within = [m for m in range(j + 1, k) if roles[m] not in CONDITION_ROLES]
+    link = ".".join(
+        (
+            str(clause.has_pronoun),
+            str(bool(clause.nouns & condition.nouns)),
+            str(any(clause.nouns & clauses[m].nouns for m in within)),
+            str(bool(clause.nouns)),
+        )
+    )
+    item["link"] = f"{link}.{sentences}"
+    item["link.turn"] = f"{link}.{turn}.{stretch}"
+    item["link.gap"] = f"{link}.{min(2, len(within))}.{sentences}.{clause.boundary}"
+    item["link.role"] = f"{link}.{roles[k]}.{roles[j]}"
     between: set[str] = set(condition.behind)
     for m in range(j + 1, k + 1):
         between |= {*clauses[m].far, *clauses[m].near}
@@ -410,7 +470,9 @@ def _right_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
     opens = {*clauses[k + 1].far, *clauses[k + 1].near, *clause.behind}
     shape = _shape(clauses, j)
     sentences = min(2, condition.sentence - clause.sentence)
-    return {
+    joiner = next((word for word in ("but", "or", "and") if word in (*condition.near, *condition.far)), "none")
+    item = _replacement_features(clauses, k, j, joiner)
+    return item | {
         "right.gap": min(4, j - k),
         "right.sentences": sentences,
         "right.type": condition.task.type,
@@ -418,11 +480,34 @@ def _right_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
         "right.boundary": condition.boundary,
         "right.near": f"{j - k == 1}.{sentences == 0}.{governing}",
         "right.boundary.governing": f"{condition.boundary}.{governing}.{min(2, j - k)}",
-        "right.negated": condition.polarity.is_negated,
+        "right.negated": condition.wording.is_negated,
         "right.opens": "+".join(sorted(opens & _STRONG)),
         "right.shape": f"{shape}.{sentences}",
         "right.shape.gap": f"{shape}.{sentences}.{min(3, j - k)}.{governing}",
         "right.but": f"{'but' in (*condition.near, *condition.far)}.{shape}.{sentences}",
+    }
+
+
+def _replacement_features(clauses: Sequence[Clause], k: int, j: int, joiner: str) -> Features:
+    """Whether what follows the condition `j` takes the place of task `k` ahead of it ("bring me the tea, but if it is
+    cold, the milk instead"): then `k` belongs to the other side."""
+    consequences = [
+        m for m in range(j + 1, min(j + 4, len(clauses))) if clauses[m].sentence <= clauses[j].sentence + 1
+    ]
+    if not consequences:
+        return {"right.replaces": "nothing"}
+    instead = any("instead" in (*clauses[m].near, *clauses[m].far, *clauses[m].behind) for m in (j, *consequences))
+    nearest = clauses[consequences[0]]
+    alike = any(clauses[m].task.type == clauses[k].task.type for m in consequences)
+    shared = bool(set(clauses[k].objects) & {noun for m in consequences for noun in clauses[m].objects})
+    negated = clauses[j].wording.is_negated
+    sentences = min(2, clauses[j].sentence - clauses[k].sentence)
+    between = any(clauses[m].task.type == clauses[k].task.type for m in range(k + 1, j))
+    return {
+        "right.replaces": f"{instead}.{alike}",
+        "right.replaces.joiner": f"{instead}.{alike}.{joiner}.{sentences}.{negated}",
+        "right.replaces.types": f"{clauses[k].task.type}|{nearest.task.type}.{negated}",
+        "right.replaces.what": f"{alike}.{shared}.{bool(nearest.objects)}.{between}.{min(3, j - k)}",
     }
 
 

@@ -6,10 +6,10 @@ from hypothesis import strategies as st
 
 from decomplex_bt.corpus import read_corpus
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.arcs import ORDERS, Arc, Polarity, arcs_of, flow_of
+from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, arcs_of, flow_of
 
-PLAIN = Polarity()
-NEGATED = Polarity(is_negated=True)
+PLAIN = Wording()
+NEGATED = Wording(is_negated=True)
 
 FLOWS = {
     "sequence": [1, 2, 3],
@@ -34,18 +34,18 @@ NEGATED_FLOWS = {name: value for name, value in FLOWS.items() if name not in ("a
 
 
 @pytest.mark.parametrize(
-    ("value", "polarity"),
+    ("value", "wording"),
     [
         *(pytest.param(value, PLAIN, id=f"{name}, plain") for name, value in FLOWS.items()),
         *(pytest.param(value, NEGATED, id=f"{name}, negated") for name, value in NEGATED_FLOWS.items()),
     ],
 )
-def test_arcs_say_the_flow(value, polarity):
+def test_arcs_say_the_flow(value, wording):
     flow = Flow.from_json(value)
-    polarities = [polarity] * len(flow.numbers())
-    arcs = arcs_of(flow, polarities)
+    wordings = [wording] * len(flow.numbers())
+    arcs = arcs_of(flow, wordings)
     assert arcs is not None
-    assert flow_of(arcs, polarities) == flow
+    assert flow_of(arcs, wordings) == flow
 
 
 def test_as_stated_is_the_plain_case_for_a_negated_condition():
@@ -62,7 +62,7 @@ def test_a_condition_stated_again_means_the_other_side():
 
 
 def test_an_antonym_means_the_other_side():
-    on, off = Polarity(state="on", opposite="off"), Polarity(state="off", opposite="on")
+    on, off = Wording(state="on", opposite="off"), Wording(state="off", opposite="on")
     arcs = [Arc("condition"), Arc("mention", "<1"), Arc("task", "<1+")]
     assert flow_of(arcs, [on, off, PLAIN]).to_json() == [{"if": [1, 2], "else": [3]}]
 
@@ -87,5 +87,5 @@ _ARCS = st.lists(
 @settings(max_examples=400, deadline=None)
 @given(_ARCS)
 def test_any_arcs_give_a_valid_flow_with_every_task_once(labelled):
-    flow = flow_of([arc for arc, _ in labelled], [polarity for _, polarity in labelled])
+    flow = flow_of([arc for arc, _ in labelled], [wording for _, wording in labelled])
     assert Flow.from_json(flow.to_json(), task_count=len(labelled)) == flow

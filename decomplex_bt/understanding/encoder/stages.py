@@ -17,7 +17,7 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.flow import Flow
 from decomplex_bt.understanding.arcs import CONDITION_ROLES, TOP, Arc, flow_of, pointer_to
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
-from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, polarities_of
+from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, wordings_of
 from decomplex_bt.understanding.dependencies import (
     MAX_VARIED_PLACES,
     MODELS,
@@ -158,7 +158,7 @@ class EncoderFlow:
         typed = heads.typed(vectors, [self._types.index(task.type) for task in tasks])
         context, features = heads.context(typed, task_names(observed, clauses))
         pairs = pair_names(clauses)
-        polarities = polarities_of(clauses)
+        wordings = wordings_of(clauses)
         found = []
         for roles in _varied(self._roles(observed, clauses, heads.roles(context, features))):
             chained = chained_roles(clauses, roles.labels)
@@ -167,7 +167,7 @@ class EncoderFlow:
                 orders = self._orders(observed, clauses, chained, attachments.labels, scores)
                 arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                found.append(FoundFlow(flow_of(arcs, polarities), arcs, clauses, chances))
+                found.append(FoundFlow(flow_of(arcs, wordings), arcs, clauses, chances))
         return likeliest(found)
 
     def _roles(self, observed: Observed, clauses: Sequence[Clause], scores: Array) -> list[Scores]:

@@ -21,7 +21,7 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arcs import Arc, arcs_of, targets_of
-from decomplex_bt.understanding.clauses import clauses_of, polarities_of
+from decomplex_bt.understanding.clauses import clauses_of, wordings_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.labels import (
     ORDER_LABELS,
@@ -148,7 +148,7 @@ class Coder:
             tasks[task.token] = task.type
         arguments, owners = self._arguments(marked, len(document))
         clauses = clauses_of(observed, marked)
-        arcs = arcs_of(instruction.flow, polarities_of(clauses)) if marked else None
+        arcs = arcs_of(instruction.flow, wordings_of(clauses)) if marked else None
         return Sample(
             self._pieces.of([token.text for token in document.tokens]),
             len(document),
