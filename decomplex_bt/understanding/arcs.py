@@ -90,16 +90,6 @@ def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
     return None
 
 
-def targets_of(arcs: Sequence[Arc]) -> tuple[int | None, ...]:
-    """Of every task the condition token that its attachment points at, counted from 0; None at the top."""
-    builder = _Builder(arcs, [Wording()] * len(arcs))
-    builder._collect_groups()
-    return tuple(
-        None if arc.role == "again" else builder._find(i, arc.attachment, before_only=arc.role == "mention")
-        for i, arc in enumerate(arcs)
-    )
-
-
 def is_flipped(mention: int, first: int, wordings: Sequence[Wording]) -> bool:
     """Whether a mention as stated is by grammar the opposite of its first mention without that one's negation."""
     flipped = wordings[mention].is_negated
@@ -415,15 +405,6 @@ def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:
             if other == group:
                 return f"{direction}{len(seen)}"
     return None
-
-
-def pointer_to(i: int, j: int, group_of: Mapping[int, int]) -> str:
-    """Direction and rank by which task `i` points at the condition token `j`; `group_of` tells of every condition token
-    the first mention of its group."""
-    own = group_of.get(i) if group_of.get(i) == i else None
-    tokens = range(i - 1, j - 1, -1) if j < i else range(i + 1, j + 1)
-    groups = dict.fromkeys(group_of[m] for m in tokens if m in group_of and group_of[m] != own)
-    return f"{'<' if j < i else '>'}{min(9, list(groups).index(group_of[j]) + 1)}"
 
 
 def _pointed_at(i: int, group: int, pointer: str, group_of: dict[int, int], count: int) -> int:

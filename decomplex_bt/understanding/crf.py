@@ -50,10 +50,6 @@ class Crf:
                 found[i] = likely
         return found
 
-    def marginals(self, length: int) -> list[dict[str, float]]:
-        """Of the sequence labelled last, `length` items long: for every item each label's probability."""
-        return [{label: self._tagger.marginal(label, i) for label in self.labels} for i in range(length)]
-
     def probability(self, labels: Sequence[str]) -> float:
         """The joint probability of labels for the sequence labelled last."""
         return float(self._tagger.probability(list(labels)))

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of
 from decomplex_bt.understanding.coreference import ReferenceModel
+from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
@@ -42,7 +43,7 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
-            self._stages = load_encoder(folder, domain, parser.model_name)
+            self._stages = load_encoder(folder, FlowModel(models), domain, parser.model_name)
         else:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")

