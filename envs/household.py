@@ -402,6 +402,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH
         self._start = start = self._draw_start(options, base, mixing)
         setting = self.setting
+        if self._world is not None:
+            self._world.dismantle()
         self._world = World(
             setting.geometry,
             setting.prior,

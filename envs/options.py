@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -204,6 +204,8 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
     states: dict[str, tuple[str, ...]] = {}
     for name, value in wanted.items():
         _known("states", name, geometry.names)
+        if not isinstance(value, Iterable):
+            raise InputError(f"states.{name} is {value!r}; expected a state or a list of them")
         states[name] = (value,) if isinstance(value, str) else tuple(value)
         for state in states[name]:
             _known(f"states.{name}", state, known)
@@ -213,14 +215,15 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
 def _devices(wanted: Any, geometry: Geometry) -> tuple[str, ...] | None:
     if wanted is None:
         return None
-    if isinstance(wanted, str):
+    if isinstance(wanted, str) or not isinstance(wanted, Iterable):
         raise InputError(f"broken is {wanted!r}; expected a list of devices")
+    wanted = tuple(wanted)
     devices = tuple(
         name for name in geometry.names[: geometry.place_count] if geometry.house.kind(name, geometry.kinds).is_device
     )
     for name in wanted:
         _known("broken", name, devices)
-    return tuple(wanted)
+    return wanted
 
 
 def _number(given: Mapping[str, Any], key: str, low: float, high: float) -> float | None:

@@ -6,6 +6,7 @@ SI units; world frame with the origin bottom left; headings in radians, counter-
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import IntFlag
 from math import cos, pi, sin
@@ -206,7 +207,7 @@ class World:
     def is_leaf_clear(self, door: str) -> bool:
         """Whether nobody and nothing stands where the door's leaf closes."""
         ax, ay, bx, by = self.geometry.leaves[door]
-        leaf = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
+        leaf = pymunk.Segment(self._ground, (ax, ay), (bx, by), LEAF_RADIUS)
         everything = pymunk.ShapeFilter.ALL_CATEGORIES()
         hits = self.space.shape_query(leaf)
         return not any(hit.shape is not None and hit.shape.filter.categories != everything for hit in hits)
@@ -225,6 +226,20 @@ class World:
         self.room[person] = self.geometry.room_at(*self.position[person].tolist())
         self.arrangement += 1
 
+    def dismantle(self) -> None:
+        """Takes everything out of the space; the world is of no more use then.
+
+        A space that still holds something when it is thrown away is taken to pieces by callbacks from within the garbage
+        collector, where what they touch may be gone already: the process may crash.
+        """
+        space = self.space
+        space.remove(*space.constraints, *space.shapes, *space.bodies)
+        self._bodies.clear()
+
+    def __del__(self) -> None:
+        with suppress(Exception):  # half made, or the interpreter is shutting down
+            self.dismantle()
+
     # -- building -----------------------------------------------------------------------------------------------------
 
     def _build(self, stage: Stage) -> None:
@@ -233,6 +248,9 @@ class World:
         self.space.sleep_time_threshold = 0.4
         self.space.idle_speed_threshold = 0.02
         self.space.collision_slop = 0.002  # [m]; the default suits pixels
+        # The space's own static body could not be taken out of it again.
+        self._ground = pymunk.Body(body_type=pymunk.Body.STATIC)
+        self.space.add(self._ground)
         stage.set_up(self.space)
         self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
         self._people: dict[int, pymunk.Shape] = {}
@@ -266,7 +284,7 @@ class World:
         kind = self.prior.kinds[thing]
         body = pymunk.Body(kind.mass, pymunk.moment_for_circle(kind.mass, 0, kind.radius))
         body.position = self.position[thing].tolist()
-        ground = self.space.static_body
+        ground = self._ground
         slide, spin = pymunk.PivotJoint(ground, body, (0, 0), (0, 0)), pymunk.GearJoint(ground, body, 0.0, 1.0)
         for joint, force in ((slide, 1.0), (spin, kind.radius * 2 / 3)):
             joint.max_bias = 0
@@ -296,7 +314,7 @@ class World:
         self.arrangement += 1
 
     def _stand(self, person: int) -> None:
-        shape = pymunk.Circle(self.space.static_body, PERSON_RADIUS, self.position[person].tolist())
+        shape = pymunk.Circle(self._ground, PERSON_RADIUS, self.position[person].tolist())
         self._people[person] = _shaped(shape, Collision.PERSON)
         self.space.add(shape)
 
@@ -305,7 +323,7 @@ class World:
         is_closed = self.states[self.geometry.row[door], APERTURE] == 0
         if is_closed and door not in self._leaf_shapes:
             ax, ay, bx, by = self.geometry.leaves[door]
-            shape = pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), LEAF_RADIUS)
+            shape = pymunk.Segment(self._ground, (ax, ay), (bx, by), LEAF_RADIUS)
             self._leaf_shapes[door] = shape
             self.space.add(shape)
         elif not is_closed and door in self._leaf_shapes:
