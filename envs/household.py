@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.baselines import Policy
     from decomplex_bt.envs.embodiment import HouseholdEmbodiment
     from decomplex_bt.envs.rendering.camera import Camera
+    from decomplex_bt.envs.rendering.scene import Scene
     from decomplex_bt.envs.verdict import Verdict
 
 INSTRUCTION_TRIES = 200
@@ -228,8 +229,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self.render_mode is None:
             gym.logger.warn("render() needs a render mode; give gym.make one, as in render_mode='rgb_array'")
             return None
-        scene = self.camera.scene(self.world, instruction=self._text, **self._captions())
-        return self.camera.show(scene, self.render_mode)  # type: ignore[arg-type]
+        return self.camera.show(self._scene(), self.render_mode)  # type: ignore[arg-type]
+
+    def render_svg(self) -> str:
+        """This moment as vectors, an SVG document; in any render mode."""
+        return self.camera.svg(self._scene())
+
+    def render_pdf(self) -> bytes:
+        """This moment as vectors, a PDF document of one page; in any render mode."""
+        return self.camera.pdf(self._scene())
 
     def close(self) -> None:
         if self._camera is not None:
@@ -553,6 +561,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             met = before.met if before is not None else 0
             return (now.met - met) / now.total if now.total else float(now.is_success and terminated)
         return float(now.is_success and terminated)
+
+    def _scene(self) -> Scene:
+        return self.camera.scene(self.world, instruction=self._text, **self._captions())
 
     def _captions(self) -> dict[str, str]:
         """What a picture says besides the instruction: the verdict, or the task that is due."""

@@ -46,14 +46,14 @@ def draw_backdrop(geometry: Geometry, scale: float) -> Image.Image:
     cast_shadow(canvas, [house_shape], offset=0.07, blur=0.09, strength=110)
     pen = canvas.pen()
     for number, room in enumerate(geometry.house.rooms.values()):
-        _draw_floor(pen, room, number)
+        draw_floor(pen, room, number)
     cast_shadow(canvas, [_corners(rect) for rect in geometry.blocks], offset=0.035, blur=0.04, strength=95)
     for name, piece in geometry.house.furniture.items():
         if not geometry.house.kind(name, geometry.kinds).states:
             draw_piece(canvas, geometry, name, {})
         elif piece.part_of is None and geometry.house.kind(name, geometry.kinds).category == "furniture":
             draw_piece(canvas, geometry, name, {})  # a base for what is built into it, until its state is drawn over it
-    _draw_walls(pen, geometry)
+    draw_walls(pen, geometry)
     return canvas.finish()
 
 
@@ -127,7 +127,8 @@ def _room_name(geometry: Geometry, room: str, box: Box, taken: Sequence[Box], sc
     text = printable(geometry.kinds.kinds[geometry.house.rooms[room].kind].words[0]).upper()
     size = max(9, round(0.215 * scale))
     colour = darker(_floor_colour(geometry.house.rooms[room].kind, 0), 0.48)
-    picture = lettering((" ".join(text.replace(" ", "  ")) if len(text) < 9 else text,), size, colour)
+    lines = (" ".join(text.replace(" ", "  ")) if len(text) < 9 else text,)
+    picture = lettering(lines, size, colour)
     left, top, right, bottom = box
 
     def crowding(spot: tuple[float, float]) -> float:
@@ -144,7 +145,8 @@ def _room_name(geometry: Geometry, room: str, box: Box, taken: Sequence[Box], sc
         if left + picture.width / 2 < left + (right - left) * column / 24 < right - picture.width / 2
     ]
     x, y = min(spots, key=crowding) if spots else ((left + right) / 2, (top + bottom) / 2)
-    return Placed(picture, round(x - picture.width / 2), round(y - text_size(text, size)[1] / 2))
+    left, top = round(x - picture.width / 2), round(y - text_size(text, size)[1] / 2)
+    return Placed(picture, left, top, lines, size, colour)
 
 
 def _piece_frame(canvas: Canvas, piece: Furniture) -> tuple[Pen, float, float]:
@@ -154,7 +156,8 @@ def _piece_frame(canvas: Canvas, piece: Furniture) -> tuple[Pen, float, float]:
     return canvas.pen(*piece.centre, HEADING[piece.sides[0]]), depth, width
 
 
-def _draw_floor(pen: Pen, room: Room, number: int) -> None:
+def draw_floor(pen: Pen, room: Room, number: int) -> None:
+    """One room's floor; `number`: of the room in the house."""
     colour = _floor_colour(room.kind, number)
     x0, y0, x1, y1 = room.rect
     pen.box(x0, y0, x1, y1, colour, None)
@@ -185,7 +188,8 @@ def _floor_colour(kind: str, number: int) -> style.Colour:
     return style.ROOMS.get(kind, style.OTHER_ROOMS[number % len(style.OTHER_ROOMS)])
 
 
-def _draw_walls(pen: Pen, geometry: Geometry) -> None:
+def draw_walls(pen: Pen, geometry: Geometry) -> None:
+    """All walls, their ends squared."""
     half = WALL_RADIUS
     for ax, ay, bx, by in geometry.walls:
         pen.box(min(ax, bx) - half, min(ay, by) - half, max(ax, bx) + half, max(ay, by) + half, style.WALL, None)

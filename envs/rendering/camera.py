@@ -12,6 +12,7 @@ from decomplex_bt.envs.rendering.text_map import text_map
 if TYPE_CHECKING:
     from decomplex_bt.envs.geometry import Geometry
     from decomplex_bt.envs.rendering.renderer import Frame, Renderer
+    from decomplex_bt.envs.rendering.vector import Drawing
     from decomplex_bt.envs.rendering.window import Window
     from decomplex_bt.envs.world import World
 
@@ -102,6 +103,19 @@ class Camera:
             self._window = Window(self.size)
         self._window.show(self.renderer.draw(scene))
         return None
+
+    def svg(self, scene: Scene) -> str:
+        """The scene as vectors: an SVG document, its texts escaped."""
+        return self._plate(scene).to_svg()
+
+    def pdf(self, scene: Scene) -> bytes:
+        """The scene as vectors: a PDF document of one page."""
+        return self._plate(scene).to_pdf()
+
+    def _plate(self, scene: Scene) -> Drawing:
+        from decomplex_bt.envs.rendering.plate import draw_plate
+
+        return draw_plate(self.geometry, scene, self.size)
 
     @property
     def renderer(self) -> Renderer:

@@ -6,14 +6,9 @@ import pygame
 
 from decomplex_bt.envs.rendering import style
 from decomplex_bt.envs.rendering.layout import CAPTION_LINES, Layout
-from decomplex_bt.envs.rendering.lettering import printable, shorten, text_size, wrap
+from decomplex_bt.envs.rendering.lettering import doing_of, printable, shorten, text_size, wrap
 from decomplex_bt.envs.rendering.scene import Scene
 from decomplex_bt.envs.rendering.sprites import bubble, put, text
-
-
-def spoken(name: str) -> str:
-    """An entity's name as people say it: "mug_1" is a mug."""
-    return printable(name.rstrip("_0123456789").replace("_", " "))
 
 
 def draw_caption(surface: pygame.Surface, layout: Layout, scene: Scene) -> None:
@@ -32,7 +27,7 @@ def draw_caption(surface: pygame.Surface, layout: Layout, scene: Scene) -> None:
     clock = f"{scene.seconds:.0f} s"
     clock_width = text_size(clock, size)[0]
     put(surface, text(clock, size, style.FADED_INK), layout.width - pad - clock_width, bottom)
-    put(surface, text(shorten(_doing(scene), size, width - clock_width - pad), size, colour), 2 * pad, bottom)
+    put(surface, text(shorten(doing_of(scene), size, width - clock_width - pad), size, colour), 2 * pad, bottom)
 
 
 def draw_speech(surface: pygame.Surface, layout: Layout, scene: Scene) -> None:
@@ -45,9 +40,3 @@ def draw_speech(surface: pygame.Surface, layout: Layout, scene: Scene) -> None:
     x, y = layout.pixel(scene.robot.x, scene.robot.y)
     left = min(max(4, x - picture.get_width() // 2), layout.width - picture.get_width() - 4)
     put(surface, picture, left, max(4, y - 0.32 * layout.scale - picture.get_height()))
-
-
-def _doing(scene: Scene) -> str:
-    carried = ", ".join(spoken(thing) for thing in (scene.held, *scene.tray) if thing is not None)
-    parts = (printable(scene.verdict or scene.doing), f"carrying {carried}" if carried else "")
-    return " | ".join(part for part in parts if part)

@@ -16,6 +16,8 @@ class Layout:
     """How a house fits a picture of `width` x `height` pixels, above the caption.
 
     `scale`: pixels a metre. `left`, `top`: where the backdrop's corner stands. `caption_size`: of its letters, pixels.
+    `origin`: the picture's point, y down, that is the world's (0, 0).
+    `origin`: the picture's point, y down, that is the world's (0, 0).
     """
 
     def __init__(self, geometry: Geometry, width: int, height: int) -> None:
@@ -30,11 +32,11 @@ class Layout:
         self.scale = min(width / wide, self.house_height / high)
         self.left = round((width - wide * self.scale) / 2)
         self.top = round(max(0.0, (self.house_height - high * self.scale) / 2))
-        self._origin = (self.left + (style.MARGIN - x0) * self.scale, self.top + (y1 + style.MARGIN) * self.scale)
+        self.origin = (self.left + (style.MARGIN - x0) * self.scale, self.top + (y1 + style.MARGIN) * self.scale)
 
     def pixel(self, x: float, y: float) -> tuple[int, int]:
         """World metres to a pixel, y down."""
-        return round(self._origin[0] + x * self.scale), round(self._origin[1] - y * self.scale)
+        return round(self.origin[0] + x * self.scale), round(self.origin[1] - y * self.scale)
 
     def box(self, rect: Rect) -> Box:
         """A rectangle in metres to one in pixels."""

@@ -10,6 +10,7 @@ from functools import lru_cache
 from PIL import Image, ImageDraw
 
 from decomplex_bt.envs.rendering.canvas import font
+from decomplex_bt.envs.rendering.scene import Scene
 from decomplex_bt.envs.rendering.style import INK, Colour
 
 Box = tuple[float, float, float, float]
@@ -24,6 +25,18 @@ def printable(text: str) -> str:
     """The text in the letters of the typeface (ASCII): accents are dropped, other letters become "?"."""
     plain = unicodedata.normalize("NFKD", " ".join(text.translate(_TYPOGRAPHIC).split()))
     return "".join(letter if " " <= letter <= "~" else "?" for letter in plain if not unicodedata.combining(letter))
+
+
+def spoken(name: str) -> str:
+    """An entity's name as people say it: "mug_1" is a mug."""
+    return printable(name.rstrip("_0123456789").replace("_", " "))
+
+
+def doing_of(scene: Scene) -> str:
+    """The caption's last line: the verdict or what is being done, and what is carried."""
+    carried = ", ".join(spoken(thing) for thing in (scene.held, *scene.tray) if thing is not None)
+    parts = (printable(scene.verdict or scene.doing), f"carrying {carried}" if carried else "")
+    return " | ".join(part for part in parts if part)
 
 
 @lru_cache(maxsize=512)
@@ -97,11 +110,15 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A picture of lettering with its top left corner in pixels."""
+    """A picture of lettering with its top left corner in pixels, and what is written: `is_turned`, upwards."""
 
     picture: Image.Image
     left: int
     top: int
+    lines: tuple[str, ...] = ()
+    size: int = 0
+    ink: Colour = INK
+    is_turned: bool = False
 
     @property
     def box(self) -> Box:
@@ -154,12 +171,14 @@ def _inside(label: Label, size: int, wrappings: Sequence[tuple[str, ...]]) -> It
     left, top, right, bottom = label.box
     centre = ((left + right) / 2, (top + bottom) / 2)
     for lines in wrappings:
-        for picture in (lettering(lines, size), lettering(lines, size).transpose(Image.Transpose.ROTATE_90)):
+        upright = lettering(lines, size)
+        for picture, is_turned in ((upright, False), (upright.transpose(Image.Transpose.ROTATE_90), True)):
             free_x, free_y = right - left + 2 - picture.width, bottom - top + 2 - picture.height
             if free_x < 0 or free_y < 0:
                 continue
             for share in (0.0, -0.25, 0.25, -0.48, 0.48):
-                yield _centred(picture, centre[0] + share * free_x, centre[1] + share * free_y * (free_y > free_x))
+                x, y = centre[0] + share * free_x, centre[1] + share * free_y * (free_y > free_x)
+                yield _centred(picture, x, y, lines, size, is_turned)
 
 
 def _beside(label: Label, size: int, wrappings: Sequence[tuple[str, ...]]) -> Iterator[Placed]:
@@ -172,7 +191,7 @@ def _beside(label: Label, size: int, wrappings: Sequence[tuple[str, ...]]) -> It
                 x = centre[0] + direction[0] * ((right - left + picture.width) / 2 + gap)
                 y = centre[1] + direction[1] * ((bottom - top + picture.height) / 2 + gap)
                 for shift in (0.0, -0.3, 0.3):
-                    yield _centred(picture, x + shift * picture.width * abs(direction[1]), y)
+                    yield _centred(picture, x + shift * picture.width * abs(direction[1]), y, lines, size, False)
 
 
 def _around(front: tuple[int, int]) -> list[tuple[int, int]]:
@@ -180,8 +199,11 @@ def _around(front: tuple[int, int]) -> list[tuple[int, int]]:
     return [(x, y), (-y, x), (y, -x), (-x, -y)]
 
 
-def _centred(picture: Image.Image, x: float, y: float) -> Placed:
-    return Placed(picture, round(x - picture.width / 2), round(y - picture.height / 2))
+def _centred(
+    picture: Image.Image, x: float, y: float, lines: tuple[str, ...], size: int, is_turned: bool
+) -> Placed:
+    left, top = round(x - picture.width / 2), round(y - picture.height / 2)
+    return Placed(picture, left, top, lines, size, is_turned=is_turned)
 
 
 def _area(box: Box) -> float:

@@ -17,11 +17,11 @@ from pygame import gfxdraw
 from decomplex_bt.envs.geometry import WALL_RADIUS, Geometry, Rect
 from decomplex_bt.envs.rendering import style
 from decomplex_bt.envs.rendering.canvas import Canvas
-from decomplex_bt.envs.rendering.caption import draw_caption, draw_speech, spoken
+from decomplex_bt.envs.rendering.caption import draw_caption, draw_speech
 from decomplex_bt.envs.rendering.figures import draw_person, draw_robot, draw_thing, tray_slots
 from decomplex_bt.envs.rendering.interior import Interior
 from decomplex_bt.envs.rendering.layout import Layout
-from decomplex_bt.envs.rendering.lettering import printable
+from decomplex_bt.envs.rendering.lettering import printable, spoken
 from decomplex_bt.envs.rendering.scene import Pose, Scene
 from decomplex_bt.envs.rendering.sight import view_polygon
 from decomplex_bt.envs.rendering.sprites import SpriteBook, corner_around, dot, put, put_around, text
