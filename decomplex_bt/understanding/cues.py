@@ -35,7 +35,10 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "fail": (
             "failing that", "failing this", "failing both", "failing either", "on failure", "in case of failure", "should that fail", "should this fail", "should it fail", "if nothing happens", "still nothing",
-            "if that does nothing", "if that does not help", "if that does not do it", "if that does not do the trick", "if it does not help", "if nothing", "if you strike out", "if you come up empty", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
+            "if that does nothing", "if that does not help", "if that does not do it", "if that does not do the trick", "if it does not help", "if nothing", "if you strike out", "if you come up empty", "if you really can not", "if you just can not", "if you simply can not", "if you absolutely can not",
+            "should this prove impossible", "should that prove impossible", "if that proves impossible", "that proving impossible", "should the attempt fail", "if that is beyond you",
+            "should you fail", "should you not succeed", "should that not work", "should this not work", "should it not work", "if you can not manage it", "if you can not manage that",
+            "if you can not do it", "if you can not do that", "if you are not able to", "if not able", "if you get nowhere", "if that gets you nowhere", "if there is no answer", "no answer", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
             "if it does not work", "if this does not work", "if that will not work", "if it will not work", "if that is not possible", "if it is not possible", "if not possible",
             "if you can not", "if u can not", "if you could not", "if you are unable", "if unable", "if unsuccessful", "if impossible", "if that is impossible", "no luck", "no joy",
             "no dice", "no good", "no success", "no go", "nothing doing", "as a last resort", "last resort", "as a fallback", "fallback", "plan b", "worst case",
@@ -126,7 +129,23 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
     cues += _answers(document, words)
+    cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
     return tuple(sorted(cues, key=lambda cue: cue.first))
+
+
+def _inverts(document: Document, i: int) -> bool:
+    """Whether token `i` opens a condition by inversion: "should there be any", "were it to rain"."""
+    tokens = document.tokens
+    if tokens[i].lower not in _INVERTING or i + 1 >= len(tokens):
+        return False
+    opens = i == 0 or tokens[i - 1].text in _MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
+    if not opens or tokens[i + 1].tag in ("VB", "VBP", "MD") or tokens[i + 1].lower in ("i", "we"):
+        return False
+    end = next((t.text for t in tokens[i:] if t.text in (".", "?", "!", ";")), "")
+    return end != "?" or any(t.text == "," for t in tokens[i : i + 14])
+
+
+_INVERTING = frozenset(("should", "were", "had"))
 
 
 def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
