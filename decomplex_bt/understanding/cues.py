@@ -128,7 +128,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
-    cues += _answers(document, words)
+    said = {i for cue in cues if cue.name in PRO_FORMS for i in range(cue.first, cue.last + 1)}
+    cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
     return tuple(sorted(cues, key=lambda cue: cue.first))
 
