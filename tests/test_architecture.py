@@ -34,7 +34,8 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "evaluation": BASIC | {"understanding", "planning", "behaviour", ""},
     "reproduction": BASIC | {"formats", "understanding", "evaluation", "corpus_statistics"},
     "": BASIC | {"understanding", "behaviour", "envs"},
-    "cli": BASIC | {"understanding", "planning", "behaviour", "envs", "evaluation", "corpus_statistics", "formats", "reproduction", ""},
+    "cli": BASIC
+    | {"understanding", "planning", "behaviour", "envs", "evaluation", "corpus_statistics", "formats", "reproduction", ""},
 }
 """Which rooms each room may import, itself apart; "" is the package's own front door. Lazy imports count, too."""
 

@@ -16,6 +16,7 @@ FolderOption = Annotated[Path | None, typer.Option(help="Default: the domain's o
 def train(
     corpus: FolderOption = None,
     output: FolderOption = None,
+    encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
     format: FormatOption = Format.text,
     json: JsonOption = False,
     domain: DomainOption = "household",
@@ -27,7 +28,9 @@ def train(
     use_utf8()
     from decomplex_bt.understanding import training
 
-    report = training.train(corpus, output, domain=domain_of(domain), progress=lambda stage: remark(f"{stage} ..."))
+    report = training.train(
+        corpus, output, domain=domain_of(domain), encoder=encoder, progress=lambda stage: remark(f"{stage} ...")
+    )
     if chosen(format, json) is Format.json:
         print_json(
             {

@@ -25,8 +25,8 @@ class Clause:
 
     `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there to
     the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
-    `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument is
-    a pronoun.
+    `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
+    is a pronoun.
     """
 
     task: MarkedTask

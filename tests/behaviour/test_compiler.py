@@ -4,8 +4,8 @@ from py_trees.behaviours import Dummy
 
 from decomplex_bt.behaviour.compiler import compile_flow
 from decomplex_bt.behaviour.conditional import IfThenElse
-from decomplex_bt.domain.sentences import say_condition, say_task
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.domain.sentences import say_condition, say_task
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Span, Task
 

@@ -33,7 +33,13 @@ class Pieces:
             raise DataFileError(path, f"no word pieces ({error})") from None
         self._tokenizer.no_truncation()
         self._tokenizer.no_padding()
-        self._start, self._end, self._unknown = (self._tokenizer.token_to_id(t) for t in (START, END, UNKNOWN))
+        self._start, self._end, self._unknown = (self._id(name, path) for name in (START, END, UNKNOWN))
+
+    def _id(self, piece: str, path: Path) -> int:
+        number = self._tokenizer.token_to_id(piece)
+        if number is None:
+            raise DataFileError(path, f"the word piece {piece} is missing; run `decomplex-bt train --encoder`")
+        return int(number)
 
     def of(self, tokens: Sequence[str]) -> Pieced:
         """The pieces of a text's tokens."""

@@ -72,7 +72,7 @@ def train_encoder(
     """
     try:
         import torch
-        from transformers import BertModel  # type: ignore[import-untyped]
+        from transformers import BertModel
 
         from decomplex_bt.understanding.encoder.network import Network, Sizes
 
@@ -231,7 +231,7 @@ def _export(network: Any, folder: Path) -> None:
     import tempfile
 
     import torch
-    from onnxruntime.quantization import QuantType, quantize_dynamic  # type: ignore[import-untyped]
+    from onnxruntime.quantization import QuantType, quantize_dynamic
 
     class Exported(torch.nn.Module):
         def __init__(self, encoder: Any) -> None:
