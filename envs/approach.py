@@ -138,9 +138,7 @@ def drive_to(
     driver = body.driver(cells, second_best=second_best)
     senses = body.senses
     while not is_there():
-        course = driver.steer(
-            senses.pose, closed=senses.closed_doors(), obstacles=senses.obstacles(besides=besides)
-        )
+        course = driver.steer(senses.pose, closed=senses.closed_doors(), obstacles=senses.obstacles(besides=besides))
         if course.has_arrived:
             return
         if course.problem:

@@ -168,9 +168,9 @@ class Draw:
                 place = int(rows[_choose(weights, rng)])
         if not laid:
             return
-        rows = [thing for thing, _, _, _ in laid]
-        self.start.place[rows] = [place for _, place, _, _ in laid]
-        self.start.position[rows] = [(x, y) for _, _, x, y in laid]
+        lying = [thing for thing, _, _, _ in laid]
+        self.start.place[lying] = [place for _, place, _, _ in laid]
+        self.start.position[lying] = [(x, y) for _, _, x, y in laid]
 
     def _anywhere(self, thing: int, rng: Generator) -> tuple[int, tuple[float, float]]:
         """Some place with a free spot: where the places of a thing are all full, it lies elsewhere."""
@@ -210,7 +210,9 @@ class Draw:
 
     def _free_spot(self, thing: int, place: int, rng: Generator) -> tuple[float, float] | None:
         discs = self._discs.get(place, {})
-        taken: Collection[Disc] = discs.values() if thing not in discs else [disc for row, disc in discs.items() if row != thing]
+        taken: Collection[Disc] = discs.values()
+        if thing in discs:
+            taken = [disc for row, disc in discs.items() if row != thing]
         if self._people and self.spots.is_floor(place):
             taken = [*taken, *self._standing()]
         return self.spots.draw_lying(place, self.prior.radius[thing], taken, rng)

@@ -1,15 +1,15 @@
 """Furnishing: sets the furniture of a pattern room up in another room, so that all of it can be got at.
 
-A group is a piece with what is built into it or stands on it. Groups against a wall are moved along the walls and turned
-with them; the others stand free. In front of each side from which a group is used, and of each doorway, room is left for
-the robot.
+A group is a piece with what is built into it or stands on it. Groups against a wall are moved along the walls and
+turned with them; the others stand free. In front of each side from which a group is used, and of each doorway, room is
+left for the robot.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, get_args
+from typing import Literal
 
 from numpy.random import Generator
 
@@ -29,7 +29,7 @@ _SIDES: tuple[Side, ...] = ("south", "east", "north", "west")
 
 @dataclass(frozen=True)
 class Group:
-    """A piece of the pattern and its parts, by name, as seen with its back to the south wall (`is_at_wall`) or as it is.
+    """A piece of the pattern and its parts, by name: with its back to the south wall (`is_at_wall`), or as it stands.
 
     Rects are relative to the middle of the piece's south edge. `width`, `depth`: of the piece, along the wall and away
     from it.
@@ -81,15 +81,18 @@ def _stands_on(house: House, part: Furniture, root: str) -> bool:
 def _wall_of(piece: Furniture, room: Rect) -> Wall | None:
     """The wall that a piece stands against, if it is used from the side opposite."""
     (cx, cy), (width, depth) = piece.centre, piece.size
-    gaps = {
+    gaps: dict[Wall, float] = {
         "south": cy - depth / 2 - room[1],
         "west": cx - width / 2 - room[0],
         "north": room[3] - cy - depth / 2,
         "east": room[2] - cx - width / 2,
     }
     opposite = {"south": "north", "north": "south", "east": "west", "west": "east"}
-    walls: list[Wall] = [wall for wall in get_args(Wall) if gaps[wall] < AT_WALL and opposite[wall] in piece.sides]
-    return min(walls, key=lambda wall: gaps[wall]) if walls else None
+    return min(
+        (wall for wall in gaps if gaps[wall] < AT_WALL and opposite[wall] in piece.sides),
+        key=lambda wall: gaps[wall],
+        default=None,
+    )
 
 
 @dataclass

@@ -147,9 +147,7 @@ class Geometry:
                 first, last = complex(ax, ay), complex(bx, by)
                 right, left = (first, last) if side > 0 else (last, first)
                 leaf = name if name in self.leaves else None
-                portal = Portal(
-                    self.room_index[there], right, left, leaf, (right + left) / 2, abs(left - right) / 2
-                )
+                portal = Portal(self.room_index[there], right, left, leaf, (right + left) / 2, abs(left - right) / 2)
                 of_room[index].append(portal)
         return tuple(tuple(portals) for portals in of_room)
 

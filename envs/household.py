@@ -15,15 +15,13 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.envs.balance import mix
-from decomplex_bt.envs.chance import Draw, Start
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.judge import Judge
+from decomplex_bt.envs.opening import can_be_asked, draw_asked, draw_start, judge_for
 from decomplex_bt.envs.options import (
     Options,
     Request,
-    apply_options,
     check_keys,
     read_house,
     read_options,
@@ -32,7 +30,7 @@ from decomplex_bt.envs.options import (
 from decomplex_bt.envs.recording import Recording
 from decomplex_bt.envs.residence import Residence
 from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, SensingConfig, Sensor
-from decomplex_bt.envs.setting import draw_request, setting_of
+from decomplex_bt.envs.setting import Setting, setting_of
 from decomplex_bt.envs.spaces import (
     MAX_SPEED,
     MAX_TURN_RATE,
@@ -55,8 +53,6 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.rendering.scene import Scene
     from decomplex_bt.envs.verdict import Verdict
 
-INSTRUCTION_TRIES = 200
-"""Corpus examples tried before none is found that can be asked for in this house."""
 HOUSE_TRIES = 50
 """Houses drawn before none is found in which the instruction can be asked for."""
 UNKNOWN_LENGTH = -1.0
@@ -130,18 +126,38 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
     `finish`. `truncated`: the time limit, 600 s of simulated time by default.
 
+    ## Houses
+    The default is the domain's house. `house=` (the path of a house file) makes an environment for another one;
+    `size="small"`, `"medium"` or `"large"` one for generated houses of 2 to 4, 6 to 10 or 20 to 40 rooms (the ids
+    HouseholdSmall-v0, HouseholdMedium-v0 and HouseholdLarge-v0): `house_seed=` fixes which, without it each reset draws
+    one. Their entity tables have as many rows as the largest house needs; rows that stand for nothing are masked, and
+    `entities` is of the house of the episode.
+
     ## Reset options
+    `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
     `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
     the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `chance`,
     `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused. Without an instruction each reset draws
     one from the corpus. A text without a gold reading is understood by the interpreter, which is loaded then.
 
     ## Info keys
-    `instruction` (the exact text), `seconds`, `path_length` (m driven), `result` (name), `events` (what was tried
-    in this step, in words), `is_success`, `judged_by` ("gold" or "interpreted"),
-    `goal_conditions_met`, `goal_conditions_total`, `branches` (truth and side taken of each condition reached),
-    `violations`, `unsettled` (the task due now), `feasible`, `infeasible_cause`; after reset also `exempt` (what the
-    balance could not mix). They are for people and judges; an agent may use `instruction` alone.
+    | key | meaning |
+    |---|---|
+    | `instruction` | the exact text |
+    | `is_success` | everything due was done; as of this step, at most one step late |
+    | `goal_conditions_met`, `goal_conditions_total` | tasks and conditions settled, and all that are due in this world |
+    | `branches` | of each condition reached, in order: `task`, `truth` (None: undecided), `taken` ("then", "else", None) |
+    | `violations` | what was brought about that was not due, in words; one ends the episode |
+    | `unsettled` | the number of the task due now, 0 when nothing is left |
+    | `feasible`, `infeasible_cause` | whether one who knows the world could succeed; if not, why (else None) |
+    | `path_length` | metres driven |
+    | `shortest_length` | with success the shortest path there was (`shortest`), in metres; -1 before and without |
+    | `seconds` | simulated time |
+    | `result`, `events` | what came of the last interaction; what was tried in this step, in words |
+    | `judged_by` | "gold" or "interpreted": whose reading the judge goes by |
+    | `exempt` | after reset only: what the balance could not mix |
+
+    They are for people and judges; an agent may use `instruction` alone.
 
     ## Version history
     v0: first version.
@@ -172,11 +188,18 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._camera: Camera | None = None
         self._judge: Judge | None = None
         path, self._house_seed = read_house({"house": house, "house_seed": house_seed})
+        self.domain: Domain
+        self.setting: Setting
+        self.entities: tuple[str, ...]
         self._residence = Residence(self._base, path=path, size=size)
         self._move_into(self._residence.domain(self._house_seed))
         self._rows, self._bounds = self._residence.extent(self.setting.geometry)
         self._request = read_request(instruction, gold)
         self._world: World | None = None
+        self._sensor: Sensor
+        self._judging: Judge
+        self._recording: Recording
+        self._house: tuple[str | None, int | None]
         self._verdict: Verdict | None = None
         self.observation_space = self._make_observation_space()
         self.action_space = self._make_action_space()
@@ -362,17 +385,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         for _ in range(HOUSE_TRIES):
             self._house = None, int(self.np_random.integers(2**31))
             self._move_into(self._residence.domain(self._house[1]))
-            if request is None or self._can_be_asked(request):
+            if request is None or can_be_asked(request, self.domain):
                 return
         assert request is not None
         raise InputError(f"none of {HOUSE_TRIES} houses drawn is one in which {request.text!r} can be asked for")
-
-    def _can_be_asked(self, request: Request) -> bool:
-        try:
-            self._judge_for(request)
-        except InputError:
-            return False
-        return True
 
     def _move_into(self, domain: Domain) -> None:
         """Lives in the domain's house from now on; whoever has the map of another one gets the new one."""
@@ -408,7 +424,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._recording = Recording(generator, request, options)
         self._result = Result.NONE
         self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH
-        self._start = start = self._draw_start(options, base, mixing)
+        self._start = draw_start(self.setting, options, judge.tests, self.config.balance, base, mixing)
         setting = self.setting
         if self._world is not None:
             self._world.dismantle()
@@ -416,7 +432,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             setting.geometry,
             setting.prior,
             setting.spots,
-            start,
+            self._start,
             config=self.config.world,
             rng=noise,
             whims=whims,
@@ -427,9 +443,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._world.grasp_slip = self._sensor.missed_detection = 0.0
         self._sensor.look()
         self._judged_arrangement = self._world.arrangement
-        self._verdict = None if judge is None else judge.begin(self._world, self._sensor)
+        self._verdict = judge.begin(self._world, self._sensor)
         self._held_version = -1
-        self._constant_info = {"instruction": self._text, **self._feasibility()}
+        self._constant_info = {"instruction": self._text, **judge.feasibility()}
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
@@ -438,54 +454,22 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
-        if request is not None:
-            if self._judge is None:
-                self._judge = self._judge_for(request)
-            return request, self._judge
-        for _ in range(INSTRUCTION_TRIES):
-            drawn = draw_request(self._base, rng)
-            try:
-                return drawn, self._judge_for(drawn)
-            except InputError:
-                continue  # most corpora ask for more than one house has
-        raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples suits this house; give an instruction")
-
-    def _judge_for(self, request: Request) -> Judge:
-        if request.gold is not None:
-            return Judge(request.gold, self.domain, judged_by="gold")
-        from decomplex_bt.understanding.interpreter import Interpreter
-
-        reading = Interpreter.load(self._base.folder).interpret(request.text)
-        return Judge(reading, self.domain, judged_by="interpreted")
-
-    def _draw_start(self, options: Options, base: Generator, mixing: Generator) -> Start:
-        draw = Draw(self.setting.prior, self.setting.spots)
-        if options.chance:
-            draw.everything(base)
-        else:
-            draw.likeliest()
-        if options.chance and self._judging is not None:
-            balance = self.config.balance if options.balance is None else options.balance
-            mix(draw, self._judging.tests, balance, mixing)
-        apply_options(options, draw, mixing)
-        draw.robot(base if options.chance else None)
-        return draw.start
-
-    def _feasibility(self) -> dict[str, Any]:
-        unknown = {"feasible": None, "infeasible_cause": None, "is_success": False}
-        return unknown if self._judging is None else self._judging.feasibility()
+        if request is None:
+            return draw_asked(self._base, self.domain, rng)
+        if self._judge is None:
+            self._judge = judge_for(request, self.domain)
+        return request, self._judge
 
     # -- a step's parts -----------------------------------------------------------------------------------------------
 
     def _has_news(self) -> bool:
         """Whether something happened between two looks that the judge may go by."""
-        world, judging = self._world, self._judging
-        assert world is not None
+        world = self.world
         is_rearranged = world.arrangement != self._judged_arrangement
-        return is_rearranged or world.event is not None or (judging is not None and judging.minds_position)
+        return is_rearranged or world.event is not None or self._judging.minds_position
 
     def _tell_bodies(self) -> None:
-        """Tells the bodies that were handed out that the episode is over; they do not ask the environment for anything."""
+        """Tells the bodies that were handed out that the episode is over; they ask for nothing themselves."""
         for body in (reference() for reference in self._bodies):
             if body is not None:
                 body.end(HouseholdEnv._observe(self))
@@ -493,7 +477,6 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def _measure_shortest_path(self) -> float:
         from decomplex_bt.envs.shortest import ShortestPath
 
-        assert self._judging is not None
         world, sensing = self.config.world, self.config.sensing
         path = ShortestPath(
             self.domain,
@@ -510,8 +493,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def _take_verdict(self) -> None:
         world = self.world
         self._judged_arrangement = world.arrangement
-        if self._judging is not None:
-            self._verdict = self._judging.update(world.event)
+        self._verdict = self._judging.update(world.event)
 
     def _observe(self) -> Observation:
         world = self._world
@@ -543,9 +525,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return full
 
     def _inform(self) -> dict[str, Any]:
-        world, judging = self._world, self._judging
-        assert world is not None
-        info = self._constant_info.copy() if judging is None else judging.report(self._constant_info)
+        world = self.world
+        info = self._judging.report(self._constant_info)
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
         info["shortest_length"] = self._shortest_length
@@ -567,10 +548,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _captions(self) -> dict[str, str]:
         """What a picture says besides the instruction: the verdict, or the task that is due."""
-        verdict, judge = self._verdict, self._judging
-        if verdict is None or judge is None or verdict.is_success or verdict.unsettled is None:
+        verdict = self._verdict
+        if verdict is None or verdict.is_success or verdict.unsettled is None:
             return {"verdict": "success"} if verdict is not None and verdict.is_success else {}
-        return {"due": f"due: {judge.reading.phrase(verdict.unsettled)}"}
+        return {"due": f"due: {self._judging.reading.phrase(verdict.unsettled)}"}
 
     def _film(self) -> None:
         self.camera.note(self.world)

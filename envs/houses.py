@@ -42,7 +42,7 @@ ATTEMPTS = 30
 
 @dataclass(frozen=True, slots=True)
 class HouseSize:
-    """A class of houses. `rooms`: from, to. `rows` of the entity table and `bounds` [m] of coordinates hold them all."""
+    """A class of houses. `rooms`: from, to. `rows` of the entity table and `bounds` [m] hold them all."""
 
     rooms: tuple[int, int]
     rows: int
@@ -74,9 +74,9 @@ def generate_house(domain: Domain, rooms: int, seed: int) -> House:
     for attempt in range(ATTEMPTS):
         rng = np.random.default_rng((seed, rooms, attempt))
         house = _Builder(pattern, rooms, rng).build(f"{rooms} rooms, seed {seed}")
-        house = _without_what_is_out_of_reach(domain, house)
-        if house is not None and _lacks(domain, house) is None:
-            return house
+        usable = _without_what_is_out_of_reach(domain, house)
+        if usable is not None and _lacks(domain, usable) is None:
+            return usable
     raise InputError(f"no house of {rooms} rooms came out of seed {seed}; the pattern's furniture takes too much room")
 
 
@@ -106,7 +106,7 @@ def domain_with_file(domain: Domain, path: str) -> Domain:
         raise InputError(f"the house {path}: {error}") from None
 
 
-# -- the pattern ----------------------------------------------------------------------------------------------------------
+# -- the pattern ------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ def _pattern_of(domain: Domain) -> _Pattern:
     return _Pattern(house, groups, widths, depths, doors, hall, domain.kinds)
 
 
-# -- building -------------------------------------------------------------------------------------------------------------
+# -- building ---------------------------------------------------------------------------------------------------------
 
 
 class _Builder:
@@ -257,7 +257,7 @@ class _Builder:
         x, y = (round(value, 3) for value in centre)
         self.doorways[name] = Doorway(rooms=(one, other), centre=(x, y), width=width, kind=kind)
 
-    # -- what is in it ----------------------------------------------------------------------------------------------------
+    # -- what is in it ------------------------------------------------------------------------------------------------
 
     def _furnish(self) -> dict[str, Furniture]:
         furniture: dict[str, Furniture] = {}
@@ -320,7 +320,7 @@ def _line(doorway: Doorway, one: Room, other: Room) -> Rect:
     return (x, y - half, x, y + half) if is_upright else (x - half, y, x + half, y)
 
 
-# -- checking -------------------------------------------------------------------------------------------------------------
+# -- checking ---------------------------------------------------------------------------------------------------------
 
 
 def _without_what_is_out_of_reach(domain: Domain, house: House) -> House | None:

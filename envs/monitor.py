@@ -104,7 +104,7 @@ class Monitor:
         return self.verdict
 
     def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
-        """What was due up to now and is settled, in order, each with its truth; and what the phrases turned out to mean."""
+        """What was due and is settled, in order, each with its truth; and what the phrases turned out to mean."""
         best = self._best()
         false = {branch.task for branch in best.branches if branch.truth is False}
         return [(self.instruction.task(number), number not in false) for number in best.met], best.bindings

@@ -1,9 +1,9 @@
-"""The motor: sets one body going, lets time run, and reads the body, with as little around Chipmunk's calls as can be.
+"""The motor: sets one body going, lets time run, and reads the body, with as little as can be around Chipmunk's calls.
 
-`pymunk.Space.step` spends most of its time on what may be added or removed meanwhile, and a property of a body on making
-vectors. Nothing is added within a control step here, so that only the first of its substeps goes through pymunk, and the
-others straight to the Chipmunk function that pymunk itself calls. Where a version of pymunk does not have it in the same
-place, pymunk's own calls are made: the numbers are the same.
+`pymunk.Space.step` spends most of its time on what may be added or removed meanwhile, and a property of a body on
+making vectors. Nothing is added within a control step here, so that only the first of its substeps goes through pymunk,
+and the others straight to the Chipmunk function that pymunk itself calls. Where a version of pymunk does not have it in
+the same place, pymunk's own calls are made: the numbers are the same.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import pymunk
 try:
     from pymunk._chipmunk_cffi import lib as _chipmunk
 
-    _FUNCTIONS = (
+    _FUNCTIONS: tuple[Any, ...] = (
         _chipmunk.cpSpaceStep,
         _chipmunk.cpBodySetVelocity,
         _chipmunk.cpBodySetAngularVelocity,

@@ -21,8 +21,8 @@ class Prior:
 
     `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
     `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
-    `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`: rows
-    of what may be hot or cold.
+    `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`:
+    rows of what may be hot or cold.
     """
 
     def __init__(self, geometry: Geometry) -> None:

@@ -1,7 +1,7 @@
 """The scene: points that stand for what is in the rooms in sight, and which of them can be seen from where.
 
-Everything is asked of all points at once, as the signs of one product of matrices: being within a distance, in the field
-of view, or in the wedge that a doorway leaves, is linear in the features of a point (its coordinates, its squared
+Everything is asked of all points at once, as the signs of one product of matrices: being within a distance, in the
+field of view, or in the wedge that a doorway leaves, is linear in the features of a point (its coordinates, its squared
 distance from the origin, and the squared distances from which it can be seen and looked over).
 """
 
@@ -86,11 +86,11 @@ class Samples:
 class Scene:
     """What is in some rooms, the first of which is the robot's: fixed places, and the things and people there now.
 
-    Each room's points lie together (`spans`), those of its places first. Segment `i` is the entity `rows[i]`, its points
-    begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides its last one, with its
-    row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`: which points are a
-    floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points `where`;
-    `moved_at` is the caller's note of when they were brought in line last.
+    Each room's points lie together (`spans`), those of its places first. Segment `i` is the entity `rows[i]`, its
+    points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides its last one,
+    with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`: which points
+    are a floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points
+    `where`; `moved_at` is the caller's note of when they were brought in line last.
     """
 
     def __init__(self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[Rows], limit: Floats) -> None:

@@ -83,7 +83,7 @@ class Senses:
         self.near: frozenset[str] = frozenset()
         self._near: list[str] = []
         self._near_places: list[str] = []
-        self._near_from = (0.0, 0.0, None, 0.0)
+        self._near_from = (0.0, 0.0, "", -1.0)
         self._position = np.full((count, 2), np.nan)
         self._data = b""
         self._visible = np.zeros(count, dtype=bool)

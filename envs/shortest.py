@@ -1,8 +1,8 @@
 """The shortest path: how far a robot that knew the world would have to drive for the branch that was taken.
 
-It is measured on the free space of the house's map, with every door open and nobody and nothing in the way: the shortest
-polyline from where the robot started through one stop after the other. A stop is all of the floor from which something
-can be done:
+It is measured on the free space of the house's map, with every door open and nobody and nothing in the way: the
+shortest polyline from where the robot started through one stop after the other. A stop is all of the floor from which
+something can be done:
 
 - to take, put, switch, open, fill, ...: within reach of the place (of the spot, on a floor), in its room;
 - to speak, to hand over, to fetch somebody who leads the way: within earshot of where the person stood at first;
@@ -10,15 +10,16 @@ can be done:
 - to find something out: where it is in range and in line of sight, through open doors, whatever the heading. One of
   several that a phrase means is enough; what is not there is looked for wherever the task says.
 
-Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do. What
-holds already needs no stop. The path is sought on a grid and then drawn tight, so that a drive that cuts corners finer
-may come out some centimetres shorter; divide by the longer of the two, as SPL does.
+Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do.
+What holds already needs no stop. The path is sought on a grid and then drawn tight, so that a drive that cuts corners
+finer may come out some centimetres shorter; divide by the longer of the two, as SPL does.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
+from itertools import pairwise
 from math import dist, sqrt
 from typing import TYPE_CHECKING
 
@@ -85,7 +86,7 @@ class ShortestPath:
         x, y = self._start.position[self._geometry.robot_row].tolist()
         return _through(self._plan, (x, y), stops)
 
-    # -- the stops of a task --------------------------------------------------------------------------------------------
+    # -- the stops of a task ------------------------------------------------------------------------------------------
 
     def _stops(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
         if task.type in FINDING_OUT:
@@ -145,7 +146,7 @@ class ShortestPath:
             where = house.floor_of(target) if target in house.rooms else self._places.get(target, target)
             self._places.update(dict.fromkeys(_names(task.objects, bindings), where))
 
-    # -- regions of the floor -------------------------------------------------------------------------------------------
+    # -- regions of the floor -----------------------------------------------------------------------------------------
 
     def _any(self, names: Sequence[str], region: Callable[[str], Mask]) -> Mask:
         masks = [region(name) for name in names]
@@ -265,7 +266,7 @@ def _groups(referents: Sequence[Referent], bindings: Bindings) -> Iterator[tuple
             yield from [among] * needed(referent, among)
 
 
-# -- the path -------------------------------------------------------------------------------------------------------------
+# -- the path ---------------------------------------------------------------------------------------------------------
 
 
 def _through(plan: Floorplan, start: Point, stops: Sequence[Mask]) -> float | None:
@@ -345,4 +346,4 @@ def _tight_length(plan: Floorplan, cells: Sequence[int]) -> float:
                 high = middle - 1
         index = step
         tight.append(points[index])
-    return sum(dist(one, other) for one, other in zip(tight, tight[1:], strict=False))
+    return sum(dist(one, other) for one, other in pairwise(tight))

@@ -95,9 +95,9 @@ class World:
     lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
-    `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms that are closed. `rng` is for slips, `whims` for where people
-    go who may go wherever they like. `stage`: the fixed shapes to use, which leave the world they were in before; None:
-    this world gets its own.
+    `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
+    that are closed. `rng` is for slips, `whims` for where people go who may go wherever they like. `stage`: the fixed
+    shapes to use, which leave the world they were in before; None: this world gets its own.
     """
 
     def __init__(
@@ -128,6 +128,7 @@ class World:
         self.room = np.full(len(geometry.names), -1)
         self.is_somewhere = self.home | (self.place != ABSENT)
         """`(rows,)`: of things and people, whether they are in the house."""
+        self.robot_room = 0
         self.held = NOTHING
         self.tray = [NOTHING] * config.tray_slots
         self.speed = self.turn_rate = 0.0
@@ -229,8 +230,8 @@ class World:
     def dismantle(self) -> None:
         """Takes everything out of the space; the world is of no more use then.
 
-        A space that still holds something when it is thrown away is taken to pieces by callbacks from within the garbage
-        collector, where what they touch may be gone already: the process may crash.
+        A space that still holds something when it is thrown away is taken to pieces by callbacks from within the
+        garbage collector, where what they touch may be gone already: the process may crash.
         """
         space = self.space
         space.remove(*space.constraints, *space.shapes, *space.bodies)

@@ -14,9 +14,9 @@ from decomplex_bt.behaviour.embodiment import Embodiment
 from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
-from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.behaviour.session import Session
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction, Missing
 from decomplex_bt.planning.belief import Belief

@@ -199,9 +199,7 @@ def _around(front: tuple[int, int]) -> list[tuple[int, int]]:
     return [(x, y), (-y, x), (y, -x), (-x, -y)]
 
 
-def _centred(
-    picture: Image.Image, x: float, y: float, lines: tuple[str, ...], size: int, is_turned: bool
-) -> Placed:
+def _centred(picture: Image.Image, x: float, y: float, lines: tuple[str, ...], size: int, is_turned: bool) -> Placed:
     left, top = round(x - picture.width / 2), round(y - picture.height / 2)
     return Placed(picture, left, top, lines, size, is_turned=is_turned)
 

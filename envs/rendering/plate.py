@@ -181,7 +181,8 @@ class _Plate:
             if is_thing:
                 size = self.layout.letters(0.155)
                 ((x, y),) = self.canvas.pixels([(pose.x, pose.y + radius)])
-                self.canvas.text(spoken(name), x - text_size(spoken(name), size)[0] / 2, y - size * 1.2, size, style.POINTER)
+                words = spoken(name)
+                self.canvas.text(words, x - text_size(words, size)[0] / 2, y - size * 1.2, size, style.POINTER)
 
     # -- what is written over and under it ----------------------------------------------------------------------------
 

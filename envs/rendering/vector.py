@@ -55,7 +55,7 @@ class Drawing:
             '<?xml version="1.0" encoding="UTF-8"?>\n'
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(self.width)}" height="{_n(self.height)}" '
             f'viewBox="0 0 {_n(self.width)} {_n(self.height)}" stroke-linecap="round" stroke-linejoin="round" '
-            f'font-family="Helvetica, Arial, \'DejaVu Sans\', sans-serif">\n{body}\n</svg>\n'
+            f"font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n{body}\n</svg>\n"
         )
 
     def to_pdf(self) -> bytes:
@@ -84,7 +84,7 @@ class Drawing:
 
 
 class VectorCanvas:
-    """A canvas of vectors, `scale` units a metre; world point (0, 0) lies at `origin`. `opacity`, 0 to 1, of all ink."""
+    """A canvas of vectors, `scale` units a metre; the world's (0, 0) lies at `origin`. `opacity`: of all ink."""
 
     def __init__(self, origin: Point, scale: float) -> None:
         self.origin = origin
@@ -102,7 +102,7 @@ class VectorCanvas:
         x0, y0 = self.origin
         return [(x0 + x * self.scale, y0 - y * self.scale) for x, y in points]
 
-    # -- what pens call, in the words of Pillow ---------------------------------------------------------------------------
+    # -- what pens call, in the words of Pillow -----------------------------------------------------------------------
 
     def polygon(self, points: Sequence[Point], fill: Ink) -> None:
         self.marks.append(Shape(tuple(points), self._ink(fill)))
@@ -113,7 +113,7 @@ class VectorCanvas:
     def ellipse(self, box: tuple[float, float, float, float], fill: Ink) -> None:
         """Round ends of lines: lines of vectors have them anyway."""
 
-    # -- what is written --------------------------------------------------------------------------------------------------
+    # -- what is written ----------------------------------------------------------------------------------------------
 
     def text(self, words: str, left: float, top: float, size: float, ink: Ink, *, is_turned: bool = False) -> None:
         """One line with its top left corner there; turned, with its bottom left corner there."""

@@ -22,7 +22,11 @@ from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
 TELL = read_markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", ONTOLOGY, flow=[1])
-FINISH = {"drive": np.zeros((2, 2), dtype=np.float32), "interact": np.full(2, int(Interaction.FINISH)), "target": [0, 0]}
+FINISH = {
+    "drive": np.zeros((2, 2), dtype=np.float32),
+    "interact": np.full(2, int(Interaction.FINISH)),
+    "target": np.zeros(2, dtype=np.int64),
+}
 MODES = {
     "sync": {"vectorization_mode": "sync"},
     "async shared": {"vectorization_mode": "async", "vector_kwargs": {"shared_memory": True}},

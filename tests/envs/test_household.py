@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import pickle
 import warnings
 
@@ -290,3 +291,15 @@ def test_the_body_knows_the_map_and_not_the_world():
     body = HouseholdEnv(GO).embodiment()
     assert body.house == load_domain("household").house
     assert not any("world" in name for name in vars(body))
+
+
+def test_resets_leave_nothing_behind():
+    env = HouseholdEnv(TV)
+    for seed in range(120):  # until what is remembered of the house has been asked for
+        env.reset(seed=seed)
+    gc.collect()
+    before = len(gc.get_objects())
+    for seed in range(120):
+        env.reset(seed=seed)
+    gc.collect()
+    assert len(gc.get_objects()) - before < 60

@@ -156,7 +156,7 @@ def test_an_agent_moves_house_with_its_environment():
         agent.reset(observation, info)
         assert agent.session.belief.domain.house == generated_domain(DOMAIN, "small", seed).house
         while not agent.done:
-            observation, _, terminated, truncated, info = env.step(agent.act(observation))
+            observation, _, _, _, info = env.step(agent.act(observation))
         assert info["is_success"]
 
 

@@ -43,8 +43,10 @@ def markup(text, flow):
 
 
 GO = markup("[Go](1:motion) [to the kitchen](1:goal).", [1])
-TV = markup("If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
-            [{"if": 1, "then": [2]}])  # fmt: skip
+TV = markup(
+    "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
+    [{"if": 1, "then": [2]}],
+)
 
 
 def play(env, example, seed, **options):
@@ -71,7 +73,7 @@ def test_info_has_all_its_keys_in_every_step(instruction):
 
 def test_info_follows_the_episode_through_its_branches():
     env = gym.make(HOUSEHOLD)
-    agent, steps = play(env, TV, 3, chance=False, states={"tv": "on"})
+    _, steps = play(env, TV, 3, chance=False, states={"tv": "on"})
     first, last = steps[0][1], steps[-1][1]
     assert (first["goal_conditions_met"], first["goal_conditions_total"]) == (0, 2)
     assert (last["goal_conditions_met"], last["goal_conditions_total"]) == (2, 2)
@@ -124,10 +126,8 @@ def test_the_judge_is_at_most_one_step_late(index):
     _, steps = play(prompt, EXAMPLES[index], index)
     asked.reset(seed=index, options={"instruction": EXAMPLES[index]})
     asked.unwrapped._has_news = lambda: True
-    for count, (action, _) in enumerate(steps, start=1):
-        if any(asked.step(action)[2:4]):
-            break
-    assert len(steps) - count <= 1
+    ends = [any(asked.step(action)[2:4]) for action, _ in steps[:-2]]
+    assert not any(ends)
 
 
 def test_somebody_who_walks_into_the_goal_is_noticed_at_once():

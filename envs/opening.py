@@ -1,0 +1,69 @@
+"""The opening of an episode: what is asked and by which reading it is judged, and how the world is to begin."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from numpy.random import Generator
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.envs.balance import mix
+from decomplex_bt.envs.chance import Draw, Start
+from decomplex_bt.envs.judge import Judge
+from decomplex_bt.envs.options import Options, Request, apply_options
+from decomplex_bt.envs.setting import Setting, draw_request
+from decomplex_bt.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from decomplex_bt.envs.balance import Test
+
+INSTRUCTION_TRIES = 200
+"""Corpus examples tried before none is found that can be asked for in a house."""
+
+
+def judge_for(request: Request, domain: Domain) -> Judge:
+    """The judge of a request, by its gold reading or else by ours. Raises `InputError` where it suits no such house."""
+    if request.gold is not None:
+        return Judge(request.gold, domain, judged_by="gold")
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+    # The words are those of the domain's folder, whatever house is in it.
+    reading = Interpreter.load(domain.folder).interpret(request.text)
+    return Judge(reading, domain, judged_by="interpreted")
+
+
+def can_be_asked(request: Request, domain: Domain) -> bool:
+    """Whether a request suits a house."""
+    try:
+        judge_for(request, domain)
+    except InputError:
+        return False
+    return True
+
+
+def draw_asked(base: Domain, domain: Domain, rng: Generator) -> tuple[Request, Judge]:
+    """A request from the corpus of `base` that suits the house of `domain`, with its judge. Raises `InputError`."""
+    for _ in range(INSTRUCTION_TRIES):
+        request = draw_request(base, rng)
+        try:
+            return request, judge_for(request, domain)
+        except InputError:
+            continue  # most corpora ask for more than one house has
+    raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples suits this house; give an instruction")
+
+
+def draw_start(
+    setting: Setting, options: Options, tests: Sequence[Test], balance: float, base: Generator, mixing: Generator
+) -> Start:
+    """How the world begins: drawn, mixed towards the tests, and as the options want it."""
+    draw = Draw(setting.prior, setting.spots)
+    if options.chance:
+        draw.everything(base)
+        mix(draw, tests, balance if options.balance is None else options.balance, mixing)
+    else:
+        draw.likeliest()
+    apply_options(options, draw, mixing)
+    draw.robot(base if options.chance else None)
+    return draw.start
