@@ -207,21 +207,26 @@ def _verdicts_text(results: Results) -> str:
     for line in results.paper.verdicts:
         found = verdict_json(line, results)
         cells = [
-            _cell(protocol, key, found["beats"][protocol.name].get(who))
+            _cell(protocol, key, found["beats"][protocol.name].get(who), found["paper"])
             for who, key in (("systems", line.key), ("interpreter", line.ours))
             for protocol in results.protocols
         ]
         lines.append(_line(line.says, f"{found['paper']:.3f}", *cells, width=30))
         if found["why_not"]:
             notes.append(f"  {line.says}: {found['why_not']}")
-    where = "yes: ours is at least as good; first the paper's own system on our data, then our default interpreter"
-    return _titled("Does ours beat the paper?", where, [*lines, *(["why not:", *notes] if notes else [])])
+    where = "first the paper's own system on our data, then our default interpreter"
+    notes_on_signs = "  yes: at least as good as the paper's figure; ?: that figure lies within our interval"
+    return _titled(
+        "Does ours beat the paper?", where, [*lines, notes_on_signs, *(["why not:", *notes] if notes else [])]
+    )
 
 
-def _cell(protocol: ProtocolResult, key: str | None, won: bool | None) -> str:
+def _cell(protocol: ProtocolResult, key: str | None, won: bool | None, paper: float) -> str:
     if key is None or won is None:
         return "-"
-    return f"{protocol.estimates[key].mean:.3f} {YES if won else NO}"
+    found = protocol.estimates[key]
+    is_open = found.interval is not None and found.interval[0] <= paper <= found.interval[1]
+    return f"{found.mean:.3f} {YES if won else NO}{'?' if is_open else ''}"
 
 
 def _reasons(line: VerdictLine, results: Results) -> Iterator[str]:
