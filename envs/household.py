@@ -145,8 +145,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     |---|---|
     | `instruction` | the exact text |
     | `is_success` | everything due was done; as of this step, at most one step late |
-    | `goal_conditions_met`, `goal_conditions_total` | tasks and conditions settled, and all that are due in this world |
-    | `branches` | of each condition reached, in order: `task`, `truth` (None: undecided), `taken` ("then", "else", None) |
+    | `goal_conditions_met`, `goal_conditions_total` | tasks and conditions settled, and all that are due |
+    | `branches` | of each condition reached: `task`, `truth` (None: undecided), `taken` ("then", "else", None) |
     | `violations` | what was brought about that was not due, in words; one ends the episode |
     | `unsettled` | the number of the task due now, 0 when nothing is left |
     | `feasible`, `infeasible_cause` | whether one who knows the world could succeed; if not, why (else None) |
