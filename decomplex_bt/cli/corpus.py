@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
+from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, SeedOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, track, use_utf8
 
 if TYPE_CHECKING:
-    from decomplex_bt.corpus import Example
-    from decomplex_bt.evaluation.metrics import LanguageScores
     from decomplex_bt.instruction import Instruction
 
 app = typer.Typer(
@@ -83,31 +82,106 @@ def score(
     models: Annotated[
         Path | None, typer.Option("--models", help="A folder of trained models; default: the domain's own.")
     ] = None,
+    split: Annotated[
+        str | None, typer.Option("--split", help="Of a folder, only the voices of train, development or test.")
+    ] = None,
+    noise: Annotated[bool, typer.Option("--noise", help="Also score the same instructions under noise.")] = False,
+    calibration: Annotated[
+        bool, typer.Option("--calibration", help="Also hold confidence against what is right.")
+    ] = False,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE.png|.svg|.pdf", help="Draw the calibration; needs the extra plots.")
+    ] = None,
+    ask: Annotated[
+        bool, typer.Option("--ask", help="Also ask back in doubt, and let the annotation answer.")
+    ] = False,
+    seed: SeedOption = 0,
 ) -> int:
     """Understand every instruction of a corpus and score it against the annotation, simple and complex ones apart.
 
     Only voices that the models were not trained on say how strangers are understood; `corpus stats` shows the splits.
     """
     use_utf8()
-    from decomplex_bt.corpus import read_corpus
+    from decomplex_bt.cli import scoring
     from decomplex_bt.domain.loader import load_domain
+    from decomplex_bt.evaluation import metrics, questions, reliability, robustness
     from decomplex_bt.understanding.interpreter import Interpreter
 
+    if plot is not None:
+        reliability.check_plot(plot)
     loaded = load_domain(domain_of(domain))
-    examples = read_corpus(path, loaded.ontology)
+    gold = [example.instruction for example in scoring.examples_of(path, split, loaded.ontology)]
     interpreter = Interpreter.load(loaded, models=models)
-    texts = [example.instruction.text for example in examples]
+    texts = [instruction.text for instruction in gold]
     readings = list(track(interpreter.interpret_batch(texts), total=len(texts), label="understanding"))
-    scores = _scores_by_complexity(examples, readings)
+    parts: list[scoring.Part] = [scoring.Scores(metrics.score_by_complexity(readings, gold))]
+    if noise:
+        follow = partial(_follow, total=len(gold))
+        parts.append(scoring.Noise(robustness.score_noise(interpreter, gold, seed=seed, track=follow)))
+    if calibration or plot is not None:
+        measured = reliability.reliability(readings, gold)
+        parts.append(scoring.Calibration(measured))
+        if plot is not None:
+            reliability.write_plot(measured, plot)
+    if ask:
+        parts.append(scoring.Asking(questions.score_asking(readings, gold, loaded.ontology)))
     if chosen(format, json) is Format.json:
-        print_json({name: {"instructions": n, **part.to_json()} for name, (n, part) in scores.items()})
+        print_json({key: value for part in parts for key, value in part.to_json().items()})
+    else:
+        print("\n\n".join(map(str, parts)))
+    return 0
+
+
+@app.command()
+def agreement(
+    first: Annotated[
+        Path | None, typer.Argument(metavar="[FIRST", help="A corpus.", show_default="the domain's own")
+    ] = None,
+    second: Annotated[
+        Path | None,
+        typer.Argument(
+            metavar="SECOND]",
+            help="Another annotation of all or some of its instructions, with the same ids.",
+            show_default="the second annotation beside it",
+        ),
+    ] = None,
+    is_listed: Annotated[bool, typer.Option("--list", help="Also list what the two do not agree on.")] = False,
+    format: FormatOption = Format.text,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
+) -> int:
+    """Hold two annotations of the same instructions against each other, over all and by voice."""
+    use_utf8()
+    from decomplex_bt.corpus import SECOND_ANNOTATION, read_corpus
+    from decomplex_bt.domain.loader import load_domain
+    from decomplex_bt.errors import InputError
+    from decomplex_bt.evaluation import agreement as measures
+
+    if first is not None and second is None:
+        raise InputError(f"there is nothing to hold {first} against; give FIRST and SECOND, or neither")
+    loaded = load_domain(domain_of(domain))
+    first = first or loaded.folder / "corpus"
+    second = second or loaded.folder / "corpus" / SECOND_ANNOTATION
+    both = measures.matched(read_corpus(first, loaded.ontology), read_corpus(second, loaded.ontology))
+    groups: dict[str, list[measures.Pair]] = {}
+    for one, other in both:
+        groups.setdefault(one.voice, []).append((one.instruction, other.instruction))
+    whole = measures.agreement([pair for pairs in groups.values() for pair in pairs])
+    by_voice = {voice: measures.agreement(pairs) for voice, pairs in sorted(groups.items())}
+    listed = list(measures.disagreements(both)) if is_listed else []
+    if chosen(format, json) is Format.json:
+        lists = {"disagreements": [one.to_json() for one in listed]} if is_listed else {}
+        voices = {voice: part.to_json() for voice, part in by_voice.items()}
+        print_json({"all": whole.to_json(), "voices": voices, **lists})
         return 0
-    for name, (n, part) in scores.items():
-        print(f"{name}: {n} instructions")
-        print(f"  F1: tasks {part.tasks.overall.value:.3f}, arguments {part.arguments.overall.value:.3f}, "
-              f"dependencies {part.dependencies.overall.value:.3f}")  # fmt: skip
-        print(f"  control flow exactly right: {part.flow}; and all argument values: {part.strict}")
-        print(f"  ordering error rate: {part.oer:.3f}")
+    print(whole)
+    print(f"\n{'voice':<12}{'instructions':>14}{'tasks F1':>10}{'arguments F1':>14}{'flow identical':>16}")
+    for voice, part in by_voice.items():
+        tasks, arguments = part.scores.tasks.overall.value, part.scores.arguments.overall.value
+        flows = f"{part.scores.flow.count}/{part.scores.flow.total}"
+        print(f"{voice:<12}{part.instructions:>14}{tasks:>10.3f}{arguments:>14.3f}{flows:>16}")
+    for disagreement in listed:
+        print(f"\n{disagreement}")
     return 0
 
 
@@ -141,21 +215,5 @@ def convert(
     return 0
 
 
-def _scores_by_complexity(
-    examples: Sequence[Example], readings: Sequence[Instruction]
-) -> dict[str, tuple[int, LanguageScores]]:
-    """Number and scores of all instructions, of simple, complex and long ones; empty groups are left out."""
-    from decomplex_bt.evaluation import metrics
-
-    pairs = [(reading, example.instruction) for example, reading in zip(examples, readings, strict=True)]
-    groups = {
-        "all": pairs,
-        "one task or none": [pair for pair in pairs if len(pair[1].tasks) < 2],
-        "complex": [pair for pair in pairs if len(pair[1].tasks) >= 2],
-        "above five tasks": [pair for pair in pairs if len(pair[1].tasks) > 5],
-    }
-    return {
-        name: (len(group), metrics.score([found for found, _ in group], [wanted for _, wanted in group]))
-        for name, group in groups.items()
-        if group
-    }
+def _follow(readings: Iterable[Instruction], label: str, *, total: int) -> Iterator[Instruction]:
+    return track(readings, total=total, label=label)

@@ -123,6 +123,24 @@ def score(predicted: Sequence[Instruction], gold: Sequence[Instruction]) -> Lang
     )
 
 
+def score_by_complexity(
+    predicted: Sequence[Instruction], gold: Sequence[Instruction]
+) -> dict[str, tuple[int, LanguageScores]]:
+    """Number and scores of all instructions, of simple, complex and long ones; empty groups are left out."""
+    pairs = list(zip(predicted, gold, strict=True))
+    groups = {
+        "all": pairs,
+        "one task or none": [pair for pair in pairs if len(pair[1].tasks) < 2],
+        "complex": [pair for pair in pairs if len(pair[1].tasks) >= 2],
+        "above five tasks": [pair for pair in pairs if len(pair[1].tasks) > 5],
+    }
+    return {
+        name: (len(group), score([found for found, _ in group], [wanted for _, wanted in group]))
+        for name, group in groups.items()
+        if group
+    }
+
+
 def has_same_flow(found: Instruction, wanted: Instruction) -> bool:
     """Whether two readings have the same tasks (token and type) and the same control flow."""
     return _typed_tokens(found) == _typed_tokens(wanted) and found.flow == wanted.flow

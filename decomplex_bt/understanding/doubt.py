@@ -35,7 +35,7 @@ def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float =
         flows = [(best, instruction.confidence), *((a.flow, a.probability) for a in instruction.alternatives)]
         choices: dict[str, Choice] = {}
         for flow, probability in flows:
-            text = _when(flow, task.id, instruction, ontology)
+            text = said_when(flow, task.id, instruction, ontology)
             known = choices.get(text)
             if known is None:
                 choices[text] = Choice(text, flow, probability)
@@ -98,7 +98,7 @@ def _path(nodes: tuple[Node, ...], number: int) -> tuple[tuple[int, str], ...] |
     return None
 
 
-def _when(flow: Flow, number: int, instruction: Instruction, ontology: Ontology) -> str:
+def said_when(flow: Flow, number: int, instruction: Instruction, ontology: Ontology) -> str:
     """When a flow has a task done, in words."""
     path = [(condition, side) for condition, side in _place(flow, number) if side != "is"]
     if any(number in node.tasks for node, _ in flow.walk() if isinstance(node, If)):

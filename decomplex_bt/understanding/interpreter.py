@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Alternative, Argument, Instruction, Task
+from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of
@@ -82,6 +82,10 @@ class Interpreter:
         """
         for document in self._parser.parse_batch(_checked(texts, check_text)):
             yield self._understand(document)
+
+    def tokens(self, text: str) -> tuple[Span, ...]:
+        """Where the tokens of a text stand; every span of a reading begins and ends with one."""
+        return self._parser.tokens(text)
 
     def _understand(self, document: Document) -> Instruction:
         observed = Observed(document, self._gazetteer)
