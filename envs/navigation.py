@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 from decomplex_bt.envs.floorplan import Cells, Disc, Floorplan, Point, Way
 
@@ -27,8 +28,7 @@ DITHERING = 6.0
 """[s] Moving about for so long without coming nearer to the goal counts as stuck as well."""
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+class Pose(NamedTuple):
     """Where the robot is and how it moves: metres, radians (counter-clockwise from +x), m/s, rad/s."""
 
     x: float

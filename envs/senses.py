@@ -27,10 +27,13 @@ NEAR_PLACE = 1.0
 NEAR_PERSON = 1.5
 """[m] Within this distance of their centre, and in their room, the robot is with a person."""
 _VISIBLE, _X, _Y, _PLACE, _INSPECTED = (COLUMNS.index(name) for name in ("visible", "x", "y", "place", "inspected"))
+_RESULTS = tuple(Result)
 _FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 _PERSON_RADIUS = 0.25
 _REPORTED = [COLUMNS.index(name) for name in ("place", *STATE_PAIRS)]
 
+Obstacle = tuple[str, Disc, float]
+"""Who or what it is, where, and until when [s] it is reckoned with."""
 Places = Mapping[str, str]
 States = Mapping[tuple[str, str], str]
 
@@ -62,6 +65,7 @@ class Senses:
             ]
             for room in house.rooms
         }
+        self._floor_rows = frozenset(self.row[house.floor_of(room)] for room in house.rooms)
         self._people_rows = [self.row[name] for name in house.people]
         self._radius = {name: house.kind(name, kinds).radius for name in house.things}
         self.clear()
@@ -91,7 +95,9 @@ class Senses:
         self._signature: tuple[bytes, bytes, tuple[str, ...]] | None = None
         self._recalled: tuple[str, ...] = ()
         self._door_states: dict[str, str] = {}
-        self._on_floors: list[str] = []
+        self._about: list[Obstacle] = []
+        self._lying: list[Obstacle] = []
+        self._on_floors: list[tuple[str, int]] = []
 
     def take(self, observation: Mapping[str, Any]) -> None:
         """Takes one observation in. Call it once per observation, in order."""
@@ -101,7 +107,7 @@ class Senses:
         held, *tray = observation["held"].tolist()
         self.held = self.names[held] if held >= 0 else None
         self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
-        self.result = Result(int(observation["result"]))
+        self.result = _RESULTS[int(observation["result"])]
         self.seconds = float(observation["seconds"][0])
         self._take_table(observation["entities"][: len(self.names)])
         self._take_near()
@@ -148,16 +154,11 @@ class Senses:
 
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
         """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
-        discs = []
-        for name in self.people:
-            if name != besides and self._was_seen(self.row[name], REMEMBERED):
-                x, y = self._position[self.row[name]].tolist()
-                discs.append(Disc(x, y, _PERSON_RADIUS))
-        for name in self._on_floors:
-            if name != besides:
-                x, y = self._position[self.row[name]].tolist()
-                discs.append(Disc(x, y, self._radius[name], gives_way=True))
-        return discs
+        return [
+            disc
+            for name, disc, until in (*self._about, *self._lying)
+            if name != besides and self.seconds < until
+        ]
 
     def _was_seen(self, row: int, within: float) -> bool:
         return bool(self._visible[row]) or self.seconds - self._seen_at[row] < within
@@ -174,11 +175,26 @@ class Senses:
         known = visible | ((table[:, _X] != 0) | (table[:, _Y] != 0))
         self._position[known] = table[known, _X : _Y + 1]
         inspected = table[:, _INSPECTED] > 0.5
+        self._take_people(visible)
         self._recalled = self._recall(visible, inspected)
         signature = visible.tobytes() + inspected.tobytes(), table[:, _REPORTED].tobytes(), self._recalled
         if signature != self._signature or self._has_moving_person(visible):
             self._signature = signature
             self._report(table, np.flatnonzero(visible), np.flatnonzero(inspected))
+        self._lying = [
+            (name, Disc(*self._position[row].tolist(), self._radius[name], gives_way=True), math.inf)
+            for name, row in self._on_floors
+        ]
+
+    def _take_people(self, visible: NDArray) -> None:
+        """Notes who is about, and until when they are reckoned with where they were seen."""
+        about = []
+        for name, row in zip(self.people, self._people_rows, strict=True):
+            until = math.inf if visible[row] else float(self._seen_at[row]) + REMEMBERED
+            if self.seconds < until:
+                x, y = self._position[row].tolist()
+                about.append((name, Disc(x, y, _PERSON_RADIUS), until))
+        self._about = about
 
     def _recall(self, visible: NDArray, inspected: NDArray) -> tuple[str, ...]:
         """The people out of view who are taken to be where they were: in a room whose floor counts as inspected.
@@ -210,8 +226,8 @@ class Senses:
             at = int(row[_PLACE])
             if at >= 0:
                 places[name] = names[at]
-                if names[at].endswith("_floor") and name in self._radius:
-                    on_floors.append(name)
+                if at in self._floor_rows and name in self._radius:
+                    on_floors.append((name, index))
             elif name in self.house.people:
                 places[name] = self.room_of_person(name) or ""
             for column, pair in enumerate(STATE_PAIRS):
@@ -237,11 +253,10 @@ class Senses:
         if room != self.room or math.hypot(x - ax, y - ay) >= margin:
             self._take_near_places()
         near = self._near_places
-        for name, row in zip(self.people, self._people_rows, strict=True):
-            if self._was_seen(row, STEADY):
-                px, py = self._position[row].tolist()
-                if math.hypot(px - x, py - y) <= NEAR_PERSON:
-                    near = [*near, name]
+        for name, disc, until in self._about:
+            is_seen = self.seconds < until - REMEMBERED + STEADY
+            if is_seen and math.hypot(disc.x - x, disc.y - y) <= NEAR_PERSON:
+                near = [*near, name]
         if near != self._near:
             self._near, self.near = near, frozenset(near)
 
