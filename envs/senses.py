@@ -181,10 +181,10 @@ class Senses:
         if signature != self._signature or self._has_moving_person(visible):
             self._signature = signature
             self._report(table, np.flatnonzero(visible), np.flatnonzero(inspected))
-        self._lying = [
-            (name, Disc(*self._position[row].tolist(), self._radius[name], gives_way=True), math.inf)
-            for name, row in self._on_floors
-        ]
+        self._lying = []
+        for name, row in self._on_floors:
+            x, y = self._position[row].tolist()
+            self._lying.append((name, Disc(x, y, self._radius[name], gives_way=True), math.inf))
 
     def _take_people(self, visible: NDArray) -> None:
         """Notes who is about, and until when they are reckoned with where they were seen."""

@@ -81,7 +81,7 @@ def glow(colour: Colour, radius: int) -> pygame.Surface:
     distance = np.hypot(axis[:, None], axis[None, :])
     alpha = (np.clip(1 - distance, 0, 1) ** 1.3 * 150).astype(np.uint8)
     pixels = np.dstack([np.full_like(alpha, value) for value in colour] + [alpha])
-    return to_surface(Image.fromarray(pixels, "RGBA"))
+    return to_surface(Image.fromarray(pixels))
 
 
 @lru_cache(maxsize=64)
