@@ -123,19 +123,39 @@ class Instruction:
         task = self.task(number)
         return " ".join([task.span.of(self.text), *(argument.value for argument in task.arguments)])
 
-    def to_json(self) -> dict[str, Any]:
-        """The object that `decomplex-bt parse --format json` prints; keys in that order."""
+    def to_json(self, *, alternatives: int | None = None) -> dict[str, Any]:
+        """The object that `decomplex-bt parse --format json` prints; keys in that order.
+
+        With `alternatives`, it also has how certain the flow and each task's place in it is, and at most that many
+        other flows.
+        """
         dependencies = self.flow.dependencies()
-        return {
+        tasks = [self._task_to_json(task, dependencies.get(task.id, "sequential")) for task in self.tasks]
+        value = {
             "text": self.text,
-            "tasks": [self._task_to_json(task, dependencies.get(task.id, "sequential")) for task in self.tasks],
+            "tasks": tasks,
             "flow": self.flow.to_json(),
             "missing": [{"task": m.task, "argument": m.argument, "question": m.question} for m in self.missing],
             "warnings": list(self.warnings),
         }
+        if alternatives is None:
+            return value
+        for told, task in zip(tasks, self.tasks, strict=True):
+            told["dependency_confidence"] = round(task.dependency_confidence, 4)
+        return value | {
+            "confidence": round(self.confidence, 4),
+            "alternatives": [
+                {"flow": other.flow.to_json(), "probability": round(other.probability, 4)}
+                for other in self.alternatives[:alternatives]
+            ],
+        }
+
+    def describe(self, flow: Flow) -> str:
+        """A control flow of these tasks in lines, each task with its type and its words."""
+        return flow.describe({task.id: f"{task.type}: {self.phrase(task.id)}" for task in self.tasks})
 
     def __str__(self) -> str:
-        return self.flow.describe({task.id: f"{task.type}: {self.phrase(task.id)}" for task in self.tasks})
+        return self.describe(self.flow)
 
     def _task_to_json(self, task: Task, dependency: str) -> dict[str, Any]:
         return {

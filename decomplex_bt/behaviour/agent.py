@@ -18,17 +18,20 @@ from decomplex_bt.behaviour.session import Session
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Instruction, Missing
+from decomplex_bt.instruction import Doubt, Instruction, Missing
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
+from decomplex_bt.understanding.doubt import THRESHOLD, settled
 
 LAST_TICKS = 3
 """Ticks in which an agent takes in with what the episode has ended; some things it believes only at second sight."""
 
-Ask = Callable[[Missing], str | None]
+Ask = Callable[[Missing | Doubt], str | None]
+"""Answers the `question` of what is missing or in doubt; None if it has no answer. A choice of a doubt is named by its
+number, from 1, or by its words."""
 
 
 class TreeAgent:
@@ -36,7 +39,8 @@ class TreeAgent:
 
     `env`: an environment whose `embodiment()` makes a body; nothing else of it is used, and nothing of it is kept.
     `flow`: a gold instruction to go by instead of understanding the text. `ask`: answers a question for what the
-    instruction does not say; None: such an instruction is an error.
+    instruction does not say (None: such an instruction is an error), and for what was meant where its control flow is
+    less certain than `threshold`, from 0 (never) to 1 (None: the likeliest is done).
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
     by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
@@ -44,13 +48,20 @@ class TreeAgent:
     """
 
     def __init__(
-        self, env: Any, *, flow: Instruction | None = None, ask: Ask | None = None, planner: Planner | None = None
+        self,
+        env: Any,
+        *,
+        flow: Instruction | None = None,
+        ask: Ask | None = None,
+        threshold: float = THRESHOLD,
+        planner: Planner | None = None,
     ) -> None:
         make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
         self._body = make_body()
         self._planner = planner or PyperplanPlanner()
         self._gold = flow
         self._ask = ask
+        self._threshold = threshold
         self._session: Session | None = None
         self._has_finished = self._has_concluded = False
 
@@ -161,7 +172,10 @@ class TreeAgent:
         from decomplex_bt.understanding.interpreter import Interpreter
 
         # The words are the folder's; the house may be another one.
-        return Interpreter.load(self._body.domain.folder).interpret(text)
+        instruction = Interpreter.load(self._body.domain.folder).interpret(text)
+        if self._ask is None:
+            return instruction
+        return settled(instruction, self._body.domain.ontology, self._ask, threshold=self._threshold)
 
 
 def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:

@@ -22,6 +22,17 @@ SeedOption = Annotated[int, typer.Option("--seed", "-s", min=0, help="Seed of al
 DomainOption = Annotated[
     str, typer.Option("--domain", "-d", help="A domain by name, or the folder of one (a path with a slash in it).")
 ]
+ThresholdOption = Annotated[
+    float | None,
+    typer.Option(
+        "--threshold",
+        min=0.0,
+        max=1.0,
+        help="On a terminal, ask back where the control flow is less certain than this; 0: never, 1: wherever there "
+        "is another.",
+        show_default="where it pays",
+    ),
+]
 TextArgument = Annotated[str, typer.Argument(metavar="TEXT", help="What the robot is to do, in English.")]
 
 

@@ -31,6 +31,10 @@ def parse(
         typer.Option("--format", "-f", help="How the result is printed.", show_default="text on a terminal, else json"),
     ] = None,
     json: JsonOption = False,
+    alternatives: Annotated[
+        int | None,
+        typer.Option(min=0, metavar="N", help="Also tell how certain the control flow is, and at most N others."),
+    ] = None,
     domain: DomainOption = "household",
 ) -> int:
     """Understand instructions, one a line: tasks, arguments and control flow.
@@ -48,7 +52,7 @@ def parse(
         is_typed = stream.isatty()
         understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)
         for number, instruction in enumerate(track(understood, total=None, label="parsing")):
-            _print(instruction, layout, is_first=number == 0)
+            _print(instruction, layout, alternatives, is_first=number == 0)
     return 2 if lines.has_errors else 0
 
 
@@ -107,12 +111,23 @@ def _open(source: str) -> Iterator[BinaryIO]:
         raise InputError(f"{source}: cannot be read: {error.strerror}; give a file, or - for standard input") from None
 
 
-def _print(instruction: Instruction, format: Format, *, is_first: bool) -> None:
+def _print(instruction: Instruction, format: Format, alternatives: int | None, *, is_first: bool) -> None:
     if format is Format.json:
-        print_json(instruction.to_json())
+        print_json(instruction.to_json(alternatives=alternatives))
         return
     lines = [] if is_first else [""]
     lines += [instruction.text, *(f"  {line}" for line in str(instruction).splitlines())]
+    if alternatives is not None:
+        lines += [f"  {line}" for line in _certainty(instruction, alternatives)]
     lines += [f"  missing: task {m.task} lacks its {m.argument}: {m.question}" for m in instruction.missing]
     lines += [f"  warning: {warning}" for warning in instruction.warnings]
     print("\n".join(lines), flush=True)
+
+
+def _certainty(instruction: Instruction, alternatives: int) -> Iterator[str]:
+    """How certain the control flow is and each task's place in it, then the other flows with their probabilities."""
+    places = ", ".join(f"[{task.id}] {task.dependency_confidence:.0%}" for task in instruction.tasks)
+    yield f"confidence: {instruction.confidence:.0%}{f'; of the places of the tasks: {places}' if places else ''}"
+    for other in instruction.alternatives[:alternatives]:
+        yield f"or, with {other.probability:.0%}:"
+        yield from (f"  {line}" for line in instruction.describe(other.flow).splitlines())

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, TextArgument, chosen, domain_of
+from decomplex_bt.cli.options import (
+    DomainOption,
+    Format,
+    FormatOption,
+    JsonOption,
+    TextArgument,
+    ThresholdOption,
+    chosen,
+    domain_of,
+)
 from decomplex_bt.cli.output import print_json, use_utf8
 
 
@@ -10,6 +19,7 @@ def plan(
     text: TextArgument,
     format: FormatOption = Format.text,
     json: JsonOption = False,
+    threshold: ThresholdOption = None,
     domain: DomainOption = "household",
 ) -> int:
     """Print a plan for every task and branch, in a house where everything is where it is likeliest to be."""
@@ -20,7 +30,7 @@ def plan(
     from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
     is_json = chosen(format, json) is Format.json
-    reading = read(text, domain_of(domain), may_ask=not is_json)
+    reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)
     conditional = plan_conditionally(reading.grounded, PyperplanPlanner(), world=AssumedWorld.likely(reading.domain))
     if is_json:
         print_json(conditional.to_json())

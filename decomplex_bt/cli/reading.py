@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from decomplex_bt.cli.output import remark
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Argument, Instruction, Missing
+from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing
 
 if TYPE_CHECKING:
     from decomplex_bt.domain.loader import Domain
@@ -25,13 +26,15 @@ class Reading:
     grounded: GroundInstruction
 
 
-def read(text: str, domain: str | Path, *, may_ask: bool) -> Reading:
-    """Understands and grounds a text. `may_ask`: what is missing is asked for on the terminal.
+def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | None = None) -> Reading:
+    """Understands and grounds a text. `may_ask`: what is missing is asked for on the terminal, and what was meant where
+    the control flow is less certain than `threshold` (0 to 1; None: `doubt.THRESHOLD`).
 
     Raises `InputError` for text without a known task, unknown words, impossible goals and unanswered questions.
     """
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.planning.grounding import ground
+    from decomplex_bt.understanding.doubt import THRESHOLD
     from decomplex_bt.understanding.interpreter import Interpreter
 
     loaded = load_domain(domain)
@@ -39,6 +42,9 @@ def read(text: str, domain: str | Path, *, may_ask: bool) -> Reading:
     if not instruction.tasks:
         kinds = (kind.description.split(",")[0] for kind in loaded.ontology.task_types.values())
         raise InputError(f"{text!r} holds no task that this robot knows; it {', '.join(kinds)}")
+    may_ask = may_ask and sys.stdin.isatty()
+    if may_ask:
+        instruction = _settled(instruction, loaded, THRESHOLD if threshold is None else threshold)
     answers: dict[int, list[Argument]] = defaultdict(list)
 
     def ask(missing: Missing) -> str | None:
@@ -47,12 +53,29 @@ def read(text: str, domain: str | Path, *, may_ask: bool) -> Reading:
             answers[missing.task].append(Argument(missing.argument, answer))
         return answer
 
-    grounded = ground(instruction, loaded, ask=ask if may_ask and sys.stdin.isatty() else None)
+    grounded = ground(instruction, loaded, ask=ask if may_ask else None)
     return Reading(loaded, _completed(instruction, answers), grounded)
 
 
-def _prompt(missing: Missing) -> str | None:
-    sys.stderr.write(f"{missing.question} ")
+def _settled(instruction: Instruction, domain: Domain, threshold: float) -> Instruction:
+    """The instruction after an answer that fits; as it was where nothing is in doubt, or nothing is answered."""
+    from decomplex_bt.understanding.doubt import doubt_of, resolved
+
+    doubt = doubt_of(instruction, domain.ontology, threshold=threshold)
+    while doubt is not None and (answer := _prompt(doubt)) is not None:
+        chosen = resolved(instruction, doubt, answer)
+        if chosen is not None:
+            return chosen
+        remark(f"{answer!r} is not one of these; answer with a number or in the words of one, or just press Enter")
+    return instruction
+
+
+def _prompt(question: Missing | Doubt) -> str | None:
+    """The answer from the terminal, None for none. The choices of a doubt are numbered, for a number will do."""
+    said = question.question
+    if isinstance(question, Doubt):
+        said += "".join(f"\n  {n}: {choice.text}" for n, choice in enumerate(question.choices, start=1)) + "\n"
+    sys.stderr.write(f"{said} ")
     sys.stderr.flush()
     return sys.stdin.readline().strip() or None
 

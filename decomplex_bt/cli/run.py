@@ -15,6 +15,7 @@ from decomplex_bt.cli.options import (
     JsonOption,
     SeedOption,
     TextArgument,
+    ThresholdOption,
     chosen,
     domain_of,
 )
@@ -36,6 +37,7 @@ def run(
     ] = 10.0,
     format: FormatOption = Format.text,
     json: JsonOption = False,
+    threshold: ThresholdOption = None,
     domain: DomainOption = "household",
 ) -> int:
     """Carry out one instruction in one world: its control flow, its tree at work, what was observed, the verdict.
@@ -51,7 +53,7 @@ def run(
 
     is_json = chosen(format, json) is Format.json
     film = Film(record) if record is not None else None
-    reading = read(text, domain_of(domain), may_ask=not is_json)
+    reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)
     render_mode = "human" if window else "rgb_array" if film else None
     env = gym.make(ENVIRONMENT, domain=reading.domain, render_mode=render_mode, disable_env_checker=True)
     display = _display(is_json, speed)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, JsonOption, TextArgument, domain_of
+from decomplex_bt.cli.options import DomainOption, JsonOption, TextArgument, ThresholdOption, domain_of
 from decomplex_bt.cli.output import print_json, use_utf8
 
 
@@ -27,6 +27,7 @@ def tree(
         TreeFormat, typer.Option("--format", "-f", help="xml: BehaviorTree.CPP 4; dot: Graphviz (dot -Tsvg draws it).")
     ] = TreeFormat.text,
     json: JsonOption = False,
+    threshold: ThresholdOption = None,
     domain: DomainOption = "household",
 ) -> int:
     """Print the behaviour tree that an instruction compiles to."""
@@ -36,7 +37,7 @@ def tree(
     from decomplex_bt.cli.reading import read
 
     wanted = TreeFormat.json if json else format
-    reading = read(text, domain_of(domain), may_ask=wanted is not TreeFormat.json)
+    reading = read(text, domain_of(domain), may_ask=wanted is not TreeFormat.json, threshold=threshold)
     root = compile_instruction(reading.instruction, reading.grounded, reading.domain).root
     if wanted is TreeFormat.json:
         print_json(export.to_json(root))

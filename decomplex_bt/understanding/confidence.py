@@ -64,6 +64,17 @@ def belief_of(ranked: Sequence[tuple[Reading, float]]) -> Belief:
     )
 
 
+def shrunk(chance: float, chosen: float, certainty: float) -> float:
+    """The chance of another flow, brought to scale once that of the chosen one, `chosen`, has become `certainty`.
+
+    None gets likelier than it was: where less is believed of the chosen one, others shrink with it, since what takes
+    its place is mostly no flow that was thought of; where more is, they share what that leaves.
+    """
+    if certainty < chosen:
+        return chance * certainty / chosen
+    return chance * (1.0 - certainty) / (1.0 - chosen) if chosen < 1.0 else 0.0
+
+
 def _labels(reading: Reading) -> dict[int, str]:
     """The paper's label of every task, by its token."""
     labels = reading.flow.dependencies()

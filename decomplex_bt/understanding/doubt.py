@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -10,12 +11,13 @@ from rapidfuzz import fuzz, process
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.domain.sentences import say_condition, say_task
 from decomplex_bt.flow import Do, Flow, If, Node
-from decomplex_bt.instruction import Choice, Doubt, Instruction
+from decomplex_bt.instruction import Choice, Doubt, Instruction, Task
 
 THRESHOLD = 0.6
 """Below this confidence in the flow a question pays; see docs/understanding.md for what it costs and gains."""
 SIMILAR = 60.0
 """How like a choice an answer must be [percent]."""
+_YOURS = {"me": "you", "my": "your", "mine": "yours", "myself": "yourself"}
 
 
 def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float = THRESHOLD) -> Doubt | None:
@@ -31,7 +33,7 @@ def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float =
     for task in instruction.tasks:
         if _place(best, task.id) == _place(other, task.id):
             continue
-        says = say_task(task, ontology)
+        says = _said(task, ontology)
         flows = [(best, instruction.confidence), *((a.flow, a.probability) for a in instruction.alternatives)]
         choices: dict[str, Choice] = {}
         for flow, probability in flows:
@@ -48,16 +50,17 @@ def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float =
 
 def resolved(instruction: Instruction, doubt: Doubt, answer: str) -> Instruction | None:
     """The instruction with the flow that an answer chooses: the number of a choice, from 1, or its words in part. None
-    for an answer that fits none of them."""
+    for an answer that fits none of them, or several alike."""
     answer = answer.strip().lower()
-    if answer.isdigit():
-        number = int(answer)
-        chosen = doubt.choices[number - 1] if 1 <= number <= len(doubt.choices) else None
+    if answer.isdecimal():
+        chosen = doubt.choices[int(answer) - 1] if 1 <= int(answer) <= len(doubt.choices) else None
     else:
-        found = process.extractOne(
-            answer, [choice.text.lower() for choice in doubt.choices], scorer=fuzz.token_set_ratio, score_cutoff=SIMILAR
-        )
-        chosen = doubt.choices[found[2]] if found is not None else None
+        sides = _sides(answer)
+        choices = [choice for choice in doubt.choices if not sides or _sides(choice.text) == sides]
+        texts = [choice.text.lower() for choice in choices]
+        found = process.extract(answer, texts, scorer=fuzz.token_set_ratio, score_cutoff=SIMILAR, limit=2)
+        is_plain = len(found) == 1 or (len(found) == 2 and found[0][1] > found[1][1])
+        chosen = choices[found[0][2]] if is_plain else None
     if chosen is None:
         return None
     return replace(instruction, flow=chosen.flow, confidence=1.0, alternatives=())
@@ -107,6 +110,19 @@ def said_when(flow: Flow, number: int, instruction: Instruction, ontology: Ontol
         return "in any case"
     words = []
     for condition, side in path:
-        said = say_condition(say_task(instruction.task(condition), ontology))
-        words.append(said if side == "then" else f"not {said}")
-    return "only " + " and ".join(words)
+        said = say_condition(_said(instruction.task(condition), ontology))
+        words.append(said if side == "then" else f"unless {said.removeprefix('if ')}")
+    return ("only " if path[0][1] == "then" else "") + ", and ".join(words)
+
+
+def _said(task: Task, ontology: Ontology) -> str:
+    """The task in the words of one who speaks to the user: "bring my cup to me" as "bring your cup to you"."""
+    said = say_task(task, ontology)
+    return re.sub(r"\b(me|my|mine|myself)\b", lambda match: _YOURS[match[0].lower()], said, flags=re.IGNORECASE)
+
+
+def _sides(text: str) -> tuple[str, ...]:
+    """Whether its conditions are to hold or to fail, one after the other, for "if it rains" is nearly "unless it
+    rains" to the letter."""
+    found = re.findall(r"\b(unless|if not|not if|if)\b", text.lower())
+    return tuple("if" if words == "if" else "unless" for words in found)

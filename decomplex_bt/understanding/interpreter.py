@@ -13,7 +13,7 @@ from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of
+from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
 from decomplex_bt.understanding.coreference import ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
@@ -92,14 +92,17 @@ class Interpreter:
         ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
         reading, belief = ranked[0][0], belief_of(ranked)
         tasks = self._references.resolve(observed, self._tasks_of(document, reading, belief), reading.flow)
+        certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,
             tasks=tasks,
             flow=reading.flow,
             missing=tuple(missing_arguments(observed, tasks, self.domain)),
             warnings=tuple(warnings_of(observed, tasks)),
-            confidence=self._calibration.of("flow", belief.flow),
-            alternatives=tuple(Alternative(flow, chance) for flow, chance in belief.flows[1:]),
+            confidence=certainty,
+            alternatives=tuple(
+                Alternative(flow, shrunk(chance, belief.flow, certainty)) for flow, chance in belief.flows[1:]
+            ),
         )
 
     def _tasks_of(self, document: Document, reading: Reading, belief: Belief) -> list[Task]:
