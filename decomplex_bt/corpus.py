@@ -18,6 +18,8 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Span, Task
 
 VOICES_FILE = "voices.yaml"
+SECOND_ANNOTATION = "second_annotation"
+"""Folder beside the voices with another annotator's reading of some of their instructions, under the same ids."""
 Split = Literal["train", "development", "test"]
 
 
@@ -237,6 +239,8 @@ def _implied(values: Mapping[str, str], ontology: Ontology, number: int) -> Iter
         yield Argument(argument_type, value)
 
 
+_IMPERSONAL = re.compile(r"\bit(?:\s+also)?\W*\[|\bits\]|\]\s+(?:if\s+)?it\b", re.IGNORECASE)
+"""The "it" of time and weather around a verb in brackets ("if it['s] raining"): it names nothing, is no argument."""
 PRONOUNS = frozenset("it them one ones him her there that this these those they he she another".split())
 
 
@@ -259,9 +263,16 @@ def lint(examples: Sequence[Example], ontology: Ontology) -> Iterator[tuple[Exam
             has = {argument.type for argument in task.arguments} | defaults.get(task.type, set())
             if task.type in ("change_state", "check_state"):
                 has |= {"state"}
+            if task.type == "check_state" and _IMPERSONAL.search(_around(instruction.text, task.span)):
+                has |= {"object"}
             for group in task_type.required:
                 if not has & set(group):
                     yield (
                         example,
                         f"task {task.id} ({task.type}) has no {' or '.join(group)}, neither marked nor implied",
                     )
+
+
+def _around(text: str, span: Span) -> str:
+    """A span in brackets with what stands near it."""
+    return f"{text[max(0, span.start - 12) : span.start]}[{span.of(text)}]{text[span.end : span.end + 12]}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,44 +11,59 @@ from statistics import fmean, stdev
 from typing import Any
 
 from decomplex_bt.corpus import VOICES_FILE, Example, read_corpus, read_voices
+from decomplex_bt.corpus_structures import COMPLEX, STRUCTURES
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import DataFileError, UnknownWordError
-from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.phrases import read_phrases, split_preposition
 
+__all__ = ["COMPLEX", "STRUCTURES", "CorpusStatistics", "Counts", "corpus_statistics", "count"]
+
 ENTITY_ARGUMENTS = ("object", "goal", "source", "location", "recipient")
 """Argument types whose values name something that is in a house, or is not."""
-COMPLEX = "complex"
+_JOINTS = re.compile(r"\s*(?:,|;|&|\b(?:and|or|nor|plus|as well as)\b)\s*")
+_AFTER_HEAD = re.compile(r"\s(?:of|that|which|who|whose|where|so that|because|if|to|for|with|without)\s.*$")
+_NO_NOUNS = frozenset(
+    "it its them they he him she her hers i me you your us we this that these those one ones another other others some "
+    "any none all both each either everything anything something nothing everyone everybody someone somebody anyone "
+    "anybody nobody myself yourself whoever whatever what mine yours same rest half first second third two three four "
+    "five six there here in out up down off on back inside outside upstairs downstairs away home the a an".split()
+)
+"""Last words of a phrase that are no noun of their own: pronouns, numbers, adverbs."""
 
 
 @dataclass(frozen=True, slots=True)
 class Counts:
     """What is counted of some instructions.
 
-    `tasks_sd`: sample standard deviation, 0 for fewer than two. `structures`: how many instructions have each of
-    `STRUCTURES` at least once. `out_of_house`: share, from 0 to 1, of the phrases for things, places and people that
-    name nothing in the domain's house.
+    `tasks_sd`: sample standard deviation, 0 for fewer than two. `lengths`: how many instructions have so many tasks.
+    `structures`: how many instructions have each of `STRUCTURES` at least once. `out_of_house`: share, from 0 to 1, of
+    the phrases for things, places and people that name nothing in the domain's house; `unknown_nouns`: of their head
+    nouns that are no word of the house, whatever their adjectives say.
     """
 
     instructions: int
     tasks: int
     tasks_mean: float
     tasks_sd: float
+    lengths: Mapping[int, int]
     task_types: Mapping[str, int]
     argument_types: Mapping[str, int]
     structures: Mapping[str, int]
     out_of_house: float
+    unknown_nouns: float
 
     def to_json(self) -> dict[str, Any]:
         return {
             "instructions": self.instructions,
             "tasks": self.tasks,
             "tasks_per_instruction": {"mean": round(self.tasks_mean, 3), "sd": round(self.tasks_sd, 3)},
+            "instructions_by_tasks": {str(tasks): number for tasks, number in self.lengths.items()},
             "task_types": dict(self.task_types),
             "argument_types": dict(self.argument_types),
             "structures": dict(self.structures),
             "out_of_house": round(self.out_of_house, 4),
+            "unknown_nouns": round(self.unknown_nouns, 4),
         }
 
 
@@ -73,10 +89,13 @@ class CorpusStatistics:
             ("tasks", lambda counts: str(counts.tasks)),
             ("tasks each, mean", lambda counts: f"{counts.tasks_mean:.2f}"),
             ("tasks each, sd", lambda counts: f"{counts.tasks_sd:.2f}"),
-            ("not in the house", lambda counts: f"{counts.out_of_house:.0%}"),
+            ("tasks each, most", lambda counts: str(max(counts.lengths))),
+            ("phrases not in the house", lambda counts: f"{counts.out_of_house:.0%}"),
+            ("nouns not in the house", lambda counts: f"{counts.unknown_nouns:.0%}"),
         ]
         lines = [_row("", columns), *(_row(title, map(cell, columns.values())) for title, cell in rows)]
         for title, table in (
+            ("instructions with so many tasks", "lengths"),
             ("structures", "structures"),
             ("task types", "task_types"),
             ("argument types", "argument_types"),
@@ -95,109 +114,119 @@ def corpus_statistics(path: Path, domain: Domain) -> CorpusStatistics:
     split_of: dict[str, str] = {}
     if (path / VOICES_FILE).is_file():
         split_of = {name: voice.split for name, voice in read_voices(path).items()}
+    seen = [(example, _observe(example.instruction)) for example in examples]
+    words = _Words(domain)
+    by_split = _grouped(seen, lambda e: split_of.get(e.voice, ""))
+    by_voice = _grouped(seen, lambda e: e.voice)
     return CorpusStatistics(
-        count(examples, domain),
-        {split: count(some, domain) for split, some in _grouped(examples, lambda e: split_of.get(e.voice, "")).items()},
-        {voice: count(some, domain) for voice, some in _grouped(examples, lambda e: e.voice).items()},
+        _add([facts for _, facts in seen], domain, words),
+        {split: _add(facts, domain, words) for split, facts in by_split.items()},
+        {voice: _add(facts, domain, words) for voice, facts in by_voice.items()},
     )
 
 
 def count(examples: Sequence[Example], domain: Domain) -> Counts:
     """Counts these examples, of which there is at least one."""
-    instructions = [example.instruction for example in examples]
-    lengths = [len(instruction.tasks) for instruction in instructions]
-    tasks = [task for instruction in instructions for task in instruction.tasks]
-    arguments = [argument for task in tasks for argument in task.arguments]
-    phrases = [argument.value for argument in arguments if argument.type in ENTITY_ARGUMENTS]
-    unknown = sum(not _is_in_house(phrase, domain) for phrase in phrases)
-    return Counts(
-        instructions=len(instructions),
-        tasks=len(tasks),
-        tasks_mean=fmean(lengths),
-        tasks_sd=stdev(lengths) if len(lengths) > 1 else 0.0,
-        task_types=_counted(domain.ontology.task_types, (task.type for task in tasks)),
-        argument_types=_counted(domain.ontology.argument_types, (argument.type for argument in arguments)),
-        structures={name: sum(map(has, instructions)) for name, has in STRUCTURES.items()},
-        out_of_house=unknown / len(phrases) if phrases else 0.0,
+    return _add([_observe(example.instruction) for example in examples], domain, _Words(domain))
+
+
+@dataclass(frozen=True, slots=True)
+class _Facts:
+    """What is counted of one instruction; `phrases` are the values that may name something in a house."""
+
+    task_types: tuple[str, ...]
+    argument_types: tuple[str, ...]
+    structures: frozenset[str]
+    phrases: tuple[str, ...]
+
+
+def _observe(instruction: Instruction) -> _Facts:
+    arguments = [argument for task in instruction.tasks for argument in task.arguments]
+    return _Facts(
+        tuple(task.type for task in instruction.tasks),
+        tuple(argument.type for argument in arguments),
+        frozenset(name for name, has in STRUCTURES.items() if has(instruction)),
+        tuple(argument.value for argument in arguments if argument.type in ENTITY_ARGUMENTS),
     )
 
 
-def _is_in_house(phrase: str, domain: Domain) -> bool:
-    """Whether a phrase names something that the domain's house has, or the user."""
-    if split_preposition(phrase, domain)[1] in domain.lexicon.user_words:
+def _add(facts: Sequence[_Facts], domain: Domain, words: _Words) -> Counts:
+    lengths = [len(one.task_types) for one in facts]
+    phrases = [phrase for one in facts for phrase in one.phrases]
+    nouns = [noun for phrase in phrases for noun in words.nouns(phrase)]
+    return Counts(
+        instructions=len(facts),
+        tasks=sum(lengths),
+        tasks_mean=fmean(lengths),
+        tasks_sd=stdev(lengths) if len(lengths) > 1 else 0.0,
+        lengths=dict(sorted(Counter(lengths).items())),
+        task_types=_counted(domain.ontology.task_types, (name for one in facts for name in one.task_types)),
+        argument_types=_counted(domain.ontology.argument_types, (name for one in facts for name in one.argument_types)),
+        structures=_counted(STRUCTURES, (name for one in facts for name in one.structures)),
+        out_of_house=sum(not words.is_in_house(phrase) for phrase in phrases) / len(phrases) if phrases else 0.0,
+        unknown_nouns=sum(not words.is_known(noun) for noun in nouns) / len(nouns) if nouns else 0.0,
+    )
+
+
+class _Words:
+    """What the words of a house say about phrases; each phrase is looked at once."""
+
+    def __init__(self, domain: Domain) -> None:
+        self._domain = domain
+        self._in_house: dict[str, bool] = {}
+        self._nouns: dict[str, tuple[str, ...]] = {}
+
+    def is_in_house(self, phrase: str) -> bool:
+        """Whether a phrase names something that the domain's house has, or the user."""
+        if phrase not in self._in_house:
+            self._in_house[phrase] = self._find(phrase)
+        return self._in_house[phrase]
+
+    def nouns(self, phrase: str) -> tuple[str, ...]:
+        """The head nouns of a phrase, in lower case: the last word of each part, before "of …" and clauses."""
+        if phrase not in self._nouns:
+            self._nouns[phrase] = tuple(self._heads(phrase))
+        return self._nouns[phrase]
+
+    def is_known(self, noun: str) -> bool:
+        """Whether a word, or what it is the plural of, is a noun of the house."""
+        entities, plurals = self._domain.nouns.lookup(noun)
+        return bool(entities or plurals)
+
+    def _find(self, phrase: str) -> bool:
+        if split_preposition(phrase, self._domain)[1] in self._domain.lexicon.user_words:
+            return True
+        try:
+            read_phrases(phrase, self._domain)
+        except UnknownWordError:
+            return False
         return True
-    try:
-        read_phrases(phrase, domain)
-    except UnknownWordError:
-        return False
-    return True
+
+    def _heads(self, phrase: str) -> Iterable[str]:
+        rest = split_preposition(phrase, self._domain)[1]
+        for part in _JOINTS.split(_AFTER_HEAD.sub("", rest)):
+            words = self._before_place(part).split()
+            while len(words) > 1 and words[-1] in self._domain.lexicon.determiners and not self.is_known(words[-1]):
+                words.pop()
+            noun = re.sub(r"'s?$", "", words[-1]) if words else ""
+            if noun and noun not in _NO_NOUNS and not noun.isdigit():
+                yield noun
+
+    def _before_place(self, part: str) -> str:
+        """A part of a phrase without the place that follows its noun ("the cup on the shelf")."""
+        rest = split_preposition(part, self._domain)[1]
+        words = rest.split()
+        for i in range(1, len(words)):
+            if split_preposition(" ".join(words[i:]), self._domain)[0] and words[i] not in ("back", "left"):
+                return " ".join(words[:i])
+        return rest
 
 
-def _nodes(instruction: Instruction) -> list[Node]:
-    return [node for node, _ in instruction.flow.walk()]
-
-
-def _conditions(instruction: Instruction) -> list[If]:
-    return [node for node in _nodes(instruction) if isinstance(node, If)]
-
-
-def _is_nested(instruction: Instruction) -> bool:
-    return any(isinstance(node, If) and place != "top" for node, place in instruction.flow.walk())
-
-
-def _has_mentions(instruction: Instruction) -> bool:
-    return any(len(node.tasks) > 1 for node in _nodes(instruction))
-
-
-def _has_repeat(instruction: Instruction) -> bool:
-    return any(isinstance(node, Do) and node.is_repeat for node in _nodes(instruction))
-
-
-def _is_out_of_order(instruction: Instruction) -> bool:
-    """Whether steps come in another order than in the text; a condition said after its branch is not meant."""
-    return any(order != sorted(order) for order in _orders(instruction.flow))
-
-
-def _orders(flow: Flow) -> Iterable[list[int]]:
-    yield [_earliest(node) for node in flow.nodes]
-    for node, _ in flow.walk():
-        if isinstance(node, If):
-            yield [_earliest(child) for child in node.then]
-            yield [_earliest(child) for child in node.orelse]
-
-
-def _earliest(node: Node) -> int:
-    if isinstance(node, Do):
-        return node.task
-    return min([*node.tasks, *(_earliest(child) for child in (*node.then, *node.orelse))])
-
-
-STRUCTURES: Mapping[str, Callable[[Instruction], bool]] = {
-    COMPLEX: lambda instruction: len(instruction.tasks) > 1,
-    "with a condition": lambda instruction: bool(_conditions(instruction)),
-    "with an else": lambda instruction: any(node.orelse for node in _conditions(instruction)),
-    "with several conditions": lambda instruction: len(_conditions(instruction)) > 1,
-    "with a nested condition": _is_nested,
-    "with merged mentions": _has_mentions,
-    "with a repeat": _has_repeat,
-    "out of order": _is_out_of_order,
-    "with a reference": lambda instruction: any(
-        argument.span is not None and argument.value != argument.span.of(instruction.text)
-        for task in instruction.tasks
-        for argument in task.arguments
-    ),
-    "with an implied argument": lambda instruction: any(
-        argument.span is None for task in instruction.tasks for argument in task.arguments
-    ),
-}
-"""Structures by name, with what an instruction that has it looks like."""
-
-
-def _grouped(examples: Sequence[Example], key: Callable[[Example], str]) -> dict[str, list[Example]]:
-    groups: dict[str, list[Example]] = {}
-    for example in examples:
+def _grouped(seen: Iterable[tuple[Example, _Facts]], key: Callable[[Example], str]) -> dict[str, list[_Facts]]:
+    groups: dict[str, list[_Facts]] = {}
+    for example, facts in seen:
         if name := key(example):
-            groups.setdefault(name, []).append(example)
+            groups.setdefault(name, []).append(facts)
     return groups
 
 
@@ -206,5 +235,5 @@ def _counted(known: Iterable[str], found: Iterable[str]) -> dict[str, int]:
     return {name: counter[name] for name in known}
 
 
-def _row(title: str, cells: Iterable[str]) -> str:
-    return f"{title:<26}" + "".join(f"{cell:>13}" for cell in cells)
+def _row(title: object, cells: Iterable[str]) -> str:
+    return f"{title:<33}" + "".join(f"{cell:>13}" for cell in cells)

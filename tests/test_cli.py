@@ -202,7 +202,9 @@ def test_corpus_stats_count_structures(tmp_path: Path, capsys: pytest.CaptureFix
     assert counts["task_types"]["searching"] == 1
     assert counts["structures"]["with an else"] == 1
     assert counts["structures"]["out of order"] == 0
+    assert counts["structures"]["task before its condition"] == 1
     assert counts["out_of_house"] == pytest.approx(2 / 5)
+    assert counts["unknown_nouns"] == pytest.approx(2 / 3, abs=1e-4)  # samovar twice, desk; "me" is no noun
     assert main(["corpus", "stats", str(path)]) == 0
     assert "with a condition" in capsys.readouterr().out
 

@@ -135,12 +135,12 @@ def score(
 @app.command()
 def agreement(
     first: Annotated[
-        Path | None, typer.Argument(metavar="[FIRST", help="A corpus.", show_default="the domain's own")
+        Path | None, typer.Argument(metavar="FIRST", help="A corpus.", show_default="the domain's own")
     ] = None,
     second: Annotated[
         Path | None,
         typer.Argument(
-            metavar="SECOND]",
+            metavar="SECOND",
             help="Another annotation of all or some of its instructions, with the same ids.",
             show_default="the second annotation beside it",
         ),
