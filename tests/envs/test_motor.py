@@ -1,0 +1,87 @@
+"""What makes the environment quick changes none of its numbers: the direct motor, the kept stage, the one product."""
+
+from __future__ import annotations
+
+from math import cos, hypot, pi, radians, sin
+
+import numpy as np
+import pytest
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs import world as world_module
+from decomplex_bt.envs.household import HouseholdEnv
+from decomplex_bt.envs.houses import generate_house, with_house
+from decomplex_bt.envs.motor import DirectMotor, PymunkMotor
+from decomplex_bt.envs.scene import PLACE_X, PLACE_Y, Samples, Scene
+from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.wedges import wedges
+
+DOMAIN = load_domain("household")
+TELL = read_markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", DOMAIN.ontology, flow=[1])
+
+
+def drive(env, seed):
+    env.reset(seed=seed)
+    rng = np.random.default_rng(seed)
+    trace = []
+    for _ in range(120):
+        action = {"drive": rng.uniform((-0.2, -0.6), (1.0, 0.6)), "interact": int(rng.integers(3)), "target": 70}
+        trace.append(env.step(action)[0]["robot"].tolist())
+    return trace, env.world.position.tobytes()
+
+
+def test_the_direct_motor_moves_as_pymunk_does(monkeypatch):
+    direct = HouseholdEnv(TELL)
+    first = drive(direct, 5)
+    assert isinstance(direct.world._motor, DirectMotor)
+    monkeypatch.setattr(world_module, "make_motor", PymunkMotor)
+    public = HouseholdEnv(TELL)
+    assert drive(public, 5) == first
+    assert isinstance(public.world._motor, PymunkMotor)
+
+
+def test_a_stage_that_has_been_used_is_as_good_as_new():
+    fresh, used = HouseholdEnv(TELL), HouseholdEnv(TELL)
+    for seed in (1, 2, 3):
+        drive(used, seed)
+    assert drive(used, 9) == drive(fresh, 9)
+
+
+@pytest.mark.parametrize("seed", [None, 3, 5, 8])
+def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
+    domain = DOMAIN if seed is None else with_house(DOMAIN, generate_house(DOMAIN, 9, seed))
+    geometry = setting_of(domain).geometry
+    samples = Samples(geometry, 5.0, 2.0)
+    rng = np.random.default_rng(0)
+    nobody = [np.empty(0, dtype=np.int64)]
+    jambs = [line[:2] for line in geometry.openings.values()] + [line[2:] for line in geometry.openings.values()]
+    shown = two_ways = 0
+    for _ in range(80):
+        x0, y0, x1, y1 = geometry.room_rects[rng.integers(len(geometry.rooms))]
+        x, y = rng.uniform((x0 + 0.1, y0 + 0.1), (x1 - 0.1, y1 - 0.1)).tolist()
+        heading, room = float(rng.uniform(-pi, pi)), geometry.room_at(x, y)
+        beyond = wedges(geometry, room, complex(x, y), (), reach=5.0)
+        rooms = (room, *dict.fromkeys(other for other, _ in beyond))
+        two_ways += len(beyond) >= len(rooms)
+        scene = Scene(samples, rooms, nobody * len(rooms), np.zeros(0))
+        in_view, _ = scene.view(complex(x, y), heading, radians(100), beyond)
+        for index, seen in enumerate(in_view):
+            px, py = scene.features[[PLACE_X, PLACE_Y], index].tolist()
+            if any(_off(jamb, (x, y), (px, py)) < 0.12 for jamb in jambs):
+                continue  # wedges end at the jambs, walls at their round ends
+            away = hypot(px - x, py - y)
+            ahead = (px - x) * cos(heading) + (py - y) * sin(heading)
+            is_near_border = abs(away - 5.0) < 1e-6 or abs(ahead - cos(radians(100)) * away) < 1e-6
+            is_clear = geometry.is_free_line((x, y), (px, py), ())
+            if not is_near_border and geometry.room_at(px, py) in rooms:
+                assert seen == (away <= 5.0 and ahead >= cos(radians(100)) * away and is_clear)
+                shown += seen
+    assert shown > 200
+    assert seed is None or two_ways, "some rooms are seen through two doorways"
+
+
+def _off(point, start, end):
+    direction = np.subtract(end, start)
+    share = np.clip(np.dot(np.subtract(point, start), direction) / max(1e-12, np.dot(direction, direction)), 0, 1)
+    return float(hypot(*(np.add(start, share * direction) - point)))
