@@ -8,7 +8,8 @@ role        `task`, `condition`, `mention` (of an earlier condition), `and` / `o
             before), `again` (a further mention of an unconditional task)
 attachment  `top`, or direction, rank and side: `<1+` is the branch of the nearest condition to the left that follows
             when that clause holds *as it is stated*, `>1-` that of the nearest one to the right when it does not.
-            Conditions count by groups of mentions. "As stated" includes the clause's own negation, so that `+` is the
+            Conditions count by groups of mentions; seen from the left, conditions joined by "and" / "or" count as one,
+            their last. "As stated" includes the clause's own negation, so that `+` is the
             plain case after "if it is not there" too; the negation is a matter of grammar and handed in.
 order       `keep` (text order), `before` (ahead of the sibling before it), `first` (ahead of all siblings),
             `after` (behind the siblings after it in its sentence, at least one), `last` (behind all siblings)
@@ -23,6 +24,7 @@ from itertools import combinations
 from decomplex_bt.flow import Do, Flow, If, Node
 
 CONDITION_ROLES = frozenset(("condition", "mention", "and", "or"))
+JOINTS = frozenset(("and", "or"))
 ORDERS = ("keep", "before", "after", "first", "last")
 TOP = "top"
 
@@ -84,7 +86,7 @@ def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
     if plain is None:
         return None
     for start in (*_with_joins(plain, wordings), plain):
-        for arcs in _with_orders(start, wordings):
+        for arcs in _with_orders(_counting_joints_once(start), wordings):
             if flow_of(arcs, wordings) == flow:
                 return arcs
     return None
@@ -147,7 +149,7 @@ class _Builder:
                 self.groups[first].members.append(i)
                 self.group_of[i] = first
             else:
-                join = arc.role if arc.role in ("and", "or") else ""
+                join = arc.role if arc.role in JOINTS else ""
                 self.groups[i] = _Group(i, join, [i])
                 self.group_of[i] = i
 
@@ -178,7 +180,9 @@ class _Builder:
             self.again[j].append(i)
         return j
 
-    def _find(self, i: int, attachment: str, *, before_only: bool = False) -> int | None:
+    def _find(
+        self, i: int, attachment: str, *, before_only: bool = False, joints_once: bool = True
+    ) -> int | None:
         """The condition token that an attachment of task `i` points at, or None."""
         if attachment == TOP:
             return None
@@ -188,12 +192,17 @@ class _Builder:
         seen: list[int] = []
         for j in tokens:
             group = self.group_of.get(j)
-            if group is None or group == own or group in seen:
+            if group is None or group == own or group in seen or (
+                joints_once and j > i and self._is_joined_by_next(j)
+            ):
                 continue
             seen.append(group)
             if len(seen) == rank:
                 return j
         return None
+
+    def _is_joined_by_next(self, j: int) -> bool:
+        return j + 1 < len(self.arcs) and self.arcs[j + 1].role in JOINTS
 
     def _target(self, i: int) -> tuple[int, str] | None:
         arc = self.arcs[i]
@@ -424,6 +433,25 @@ def _flips_of(
         }
         flips[token] = _flip_of(token, group, wordings, used)
     return flips
+
+
+def _counting_joints_once(arcs: tuple[Arc, ...]) -> tuple[Arc, ...]:
+    """The same arcs where pointers to the right, which so far count every condition, count joined ones as one."""
+    builder = _Builder(arcs, [Wording()] * len(arcs))
+    builder._collect_groups()
+    changed = list(arcs)
+    for i, arc in enumerate(arcs):
+        j = builder._find(i, arc.attachment, joints_once=False) if arc.attachment.startswith(">") else None
+        if j is None:
+            continue
+        while builder._is_joined_by_next(j):
+            j += 1
+        own = builder.group_of.get(i)
+        tokens = [m for m in range(i + 1, j + 1) if m in builder.group_of and not builder._is_joined_by_next(m)]
+        groups = dict.fromkeys(builder.group_of[m] for m in tokens if builder.group_of[m] != own)
+        rank = list(groups).index(builder.group_of[j]) + 1
+        changed[i] = replace(arc, attachment=f">{min(9, rank)}{arc.attachment[-1]}")
+    return tuple(changed)
 
 
 def _with_joins(plain: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:

@@ -68,7 +68,10 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
         (j for j in range(token + 1, following) if document.tokens[j].text in _PUNCTUATION and j not in message),
         following,
     )
-    cues = [cue for cue in observed.cues if cue.first not in message]
+    said = {j for task in tasks for _, indices in task.arguments for j in indices}
+    cues = [
+        cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)
+    ]
     far = tuple(cue.name for cue in cues if previous < cue.first <= split)
     near = tuple(cue.name for cue in cues if split < cue.first < token)
     behind = tuple(cue.name for cue in cues if token < cue.first < end)

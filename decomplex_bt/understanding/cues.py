@@ -47,7 +47,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         # ends what a condition governs
         "either_way": (
-            "either way", "in either event", "in any event", "whichever", "whichever way", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
+            "either way", "in either event", "in any event", "whichever", "whichever way", "either which way", "whatever", "no matter", "under both plans", "in both events", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
             "whatever happens", "whatever the case", "whatever you find", "whatever the outcome", "whatever the answer", "whichever it is", "come what may", "at any rate", "one way or another",
             "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
         ),
@@ -158,7 +158,9 @@ def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
         if token.text not in _MARKS:
             continue
         inside = words[start:i]
-        if 0 < len(inside) <= _LONGEST_ANSWER and (token.text == "?" or len(inside) == 1):
+        if 2 < len(inside) <= _LONGEST_ANSWER + 1 and "or not" in " ".join(inside):  # "wet or not", "dry or not dry"
+            found.append(Cue("either_way", start, i - 1))
+        elif 0 < len(inside) <= _LONGEST_ANSWER and (token.text == "?" or len(inside) == 1):
             lead = inside[1] if inside[0] in ("still", "and", "also", "or") and len(inside) > 1 else inside[0]
             name = "else" if lead in _NO else "so" if lead in _YES and len(inside) == 1 else None
             if name is not None:
