@@ -51,7 +51,7 @@ def role_features(observed: Observed, clauses: Sequence[Clause]) -> list[Feature
             else:
                 item[f"{offset:+d}.none"] = 1.0
         item.update(_resemblance_features(observed, clauses, k))
-        item.update(_surrounding_features(clauses, k))
+        item.update(_surrounding_features(observed, clauses, k))
         items.append(item)
     return items
 
@@ -222,7 +222,21 @@ _OPENING = frozenset(("if", "only_if", "unless", "when", "depending"))
 _CLOSING = frozenset(("else", "fail", "so"))
 
 
-def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
+def _awaited(clauses: Sequence[Clause], k: int) -> str:
+    """The next "otherwise", "if not" or "if that fails" after a task, unless another condition is opened before it: its
+    condition must stand at or before it. With how many tasks and sentences lie between."""
+    for m in range(k + 1, len(clauses)):
+        words = (*clauses[m].far, *clauses[m].near)
+        name = next((cue for cue in ("fail", "else", "so") if cue in words), None)
+        if name is not None:
+            checks = sum(clauses[j].task.type in ("check_state", "searching") for j in range(k + 1, m))
+            return f"{name}.{min(3, m - k)}.{min(2, clauses[m].sentence - clauses[k].sentence)}.{min(1, checks)}"
+        if any(cue in _OPENING for cue in words):
+            return "opened"
+    return "nothing"
+
+
+def _surrounding_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
     """Which cues stand anywhere ahead and behind: without any, nothing is a condition; and how the task joins the
     clause before it ("if A and B")."""
     clause = clauses[k]
@@ -235,6 +249,9 @@ def _surrounding_features(clauses: Sequence[Clause], k: int) -> Features:
         "behind.if": bool(behind & _OPENING),
         "type.ahead": f"{clause.task.type}.{bool(ahead & _OPENING)}.{bool(ahead & _CLOSING)}.{bool(own & _OPENING)}",
     }
+    awaited = _awaited(clauses, k)
+    item["awaited"] = awaited
+    item["awaited.type"] = f"{awaited}.{clause.task.type}.{observed.question[clause.task.token]}"
     for distance in (1, 2):
         if k + distance < len(clauses):
             signals = {*clauses[k + distance].far, *clauses[k + distance].near} & _STRONG
