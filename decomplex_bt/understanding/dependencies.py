@@ -19,7 +19,7 @@ from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_c
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
 
-PARAMETERS = CrfParameters(c1=0.05, c2=0.5, max_iterations=120)
+PARAMETERS = CrfParameters(c1=0.1, c2=1.0, max_iterations=150)
 MODELS = ("roles", "attachments", "orders")
 
 
