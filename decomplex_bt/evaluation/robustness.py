@@ -71,11 +71,14 @@ class NoiseRow:
 def score_noise(
     reader: Reader, gold: Sequence[Instruction], *, seed: int = 0, track: Track = lambda read, name: read
 ) -> tuple[NoiseRow, ...]:
-    """The scores of the instructions (at least one) as they are, then under each of `DISTURBANCES`.
+    """The scores of the instructions as they are, then under each of `DISTURBANCES`.
 
     Each disturbance draws from a stream of its own, so the rows do not depend on one another. A gold span that a
-    disturbance left in the middle of a token is widened to the token: no reader could mark less.
+    disturbance left in the middle of a token is widened to the token: no reader could mark less. Raises `ValueError`
+    for no instructions.
     """
+    if not gold:
+        raise ValueError("expected at least one instruction")
     rows: list[NoiseRow] = []
     plain: list[bool] = []
     streams = np.random.SeedSequence(seed).spawn(2 * len(DISTURBANCES) + 1)

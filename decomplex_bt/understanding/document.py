@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
+from threading import Lock
 from typing import Any
 
 from decomplex_bt.errors import DecomplexError
@@ -123,6 +126,7 @@ class Parser:
 
     def __init__(self) -> None:
         self._nlp = _load_pipeline()
+        self._lock = Lock()
 
     @property
     def model_name(self) -> str:
@@ -130,15 +134,27 @@ class Parser:
 
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand, white space left out; quick, since nothing is parsed."""
-        return tuple(Span(t.idx, t.idx + len(t)) for t in self._nlp.make_doc(text) if not t.is_space)
+        with self._forgetting() as nlp:
+            return tuple(Span(t.idx, t.idx + len(t)) for t in nlp.make_doc(text) if not t.is_space)
 
     def parse(self, text: str) -> Document:
-        return document_of(self._nlp(text))
+        with self._forgetting() as nlp:
+            return document_of(nlp(text))
 
     def parse_batch(self, texts: Iterable[str], *, batch_size: int = 128) -> Iterator[Document]:
         """Parses many texts, two to five times faster than one by one; lazily, in order."""
-        for doc in self._nlp.pipe(texts, batch_size=batch_size):
-            yield document_of(doc)
+        remaining = iter(texts)
+        while batch := list(islice(remaining, batch_size)):
+            with self._forgetting() as nlp:  # not while the caller has the word, who may parse something else meanwhile
+                documents = [document_of(doc) for doc in nlp.pipe(batch, batch_size=batch_size)]
+            yield from documents
+
+    @contextmanager
+    def _forgetting(self) -> Iterator[Any]:
+        """The pipeline for a while, after which it forgets all words that were new to it; else it keeps every word it
+        ever meets. spaCy allows one such while at a time."""
+        with self._lock, self._nlp.memory_zone():
+            yield self._nlp
 
 
 def _load_pipeline() -> Any:

@@ -33,7 +33,7 @@ def doubt_of(instruction: Instruction, ontology: Ontology, *, threshold: float =
     for task in instruction.tasks:
         if _place(best, task.id) == _place(other, task.id):
             continue
-        says = _said(task, ontology)
+        says = _said(task, instruction, ontology)
         flows = [(best, instruction.confidence), *((a.flow, a.probability) for a in instruction.alternatives)]
         choices: dict[str, Choice] = {}
         for flow, probability in flows:
@@ -110,14 +110,18 @@ def said_when(flow: Flow, number: int, instruction: Instruction, ontology: Ontol
         return "in any case"
     words = []
     for condition, side in path:
-        said = say_condition(_said(instruction.task(condition), ontology))
+        said = say_condition(_said(instruction.task(condition), instruction, ontology))
         words.append(said if side == "then" else f"unless {said.removeprefix('if ')}")
     return ("only " if path[0][1] == "then" else "") + ", and ".join(words)
 
 
-def _said(task: Task, ontology: Ontology) -> str:
-    """The task in the words of one who speaks to the user: "bring my cup to me" as "bring your cup to you"."""
+def _said(task: Task, instruction: Instruction, ontology: Ontology) -> str:
+    """The task in the words of one who speaks to the user: "bring my cup to me" as "bring your cup to you". Where only
+    the verb says the state, the user's own verb ("open the fridge")."""
     said = say_task(task, ontology)
+    wants_state = "{state}" in ontology.task_types[task.type].says and not said.startswith("check that ")
+    if wants_state and not task.values("state"):
+        said = instruction.phrase(task.id).lower()
     return re.sub(r"\b(me|my|mine|myself)\b", lambda match: _YOURS[match[0].lower()], said, flags=re.IGNORECASE)
 
 

@@ -1,0 +1,132 @@
+"""Doubt in the program: what `parse --alternatives` tells, and the question of `tree` and of the agent."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from dataclasses import replace
+
+import gymnasium as gym
+import pytest
+
+import decomplex_bt
+from decomplex_bt.cli import main
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.flow import Flow
+from decomplex_bt.instruction import Alternative, Doubt, Missing
+from decomplex_bt.understanding.interpreter import Interpreter
+
+MARKED = (
+    "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) "
+    "[off](2:state) and [open](3:change_state) [the fridge](3:object)."
+)
+ALWAYS, DEPENDS = [{"if": 1, "then": [2]}, 3], [{"if": 1, "then": [2, 3]}]
+QUESTION = "Should I open the fridge in any case, or only if the tv is on?"
+
+
+class Unsure:
+    """Understands one sentence, in two ways."""
+
+    def __init__(self):
+        self.domain = load_domain("household")
+        tasks = read_markup(MARKED, self.domain.ontology, flow=ALWAYS)
+        other = (Alternative(Flow.from_json(DEPENDS), 0.25),)
+        self.instruction = replace(tasks, confidence=0.5, alternatives=other)
+
+    def interpret(self, text):
+        return replace(self.instruction, text=text)
+
+    def interpret_batch(self, texts):
+        return map(self.interpret, texts)
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.fixture(autouse=True)
+def text(monkeypatch):
+    unsure = Unsure()
+    monkeypatch.setattr(Interpreter, "load", lambda *args, **options: unsure)
+    return unsure.instruction.text
+
+
+def test_parse_tells_other_flows_only_where_asked_to(text, tmp_path, capsys):
+    file = tmp_path / "lines.txt"
+    file.write_text(text + "\n", encoding="utf-8")
+
+    def parse(*options):
+        assert main(["parse", str(file), *options]) == 0
+        return capsys.readouterr().out
+
+    plain, told, none = (
+        json.loads(parse("--json", *options)) for options in ((), ("--alternatives", "3"), ("--alternatives", "0"))
+    )
+    assert list(plain) == ["text", "tasks", "flow", "missing", "warnings"]
+    assert list(told) == [*plain, "confidence", "alternatives"]
+    assert told["confidence"] == 0.5
+    assert told["alternatives"] == [{"flow": DEPENDS, "probability": 0.25}]
+    assert none["alternatives"] == []
+    for task in told["tasks"]:
+        assert task.pop("dependency_confidence") == 1.0
+    assert {key: told[key] for key in plain} == plain
+    shown = parse("--format", "text", "--alternatives", "1")
+    assert "confidence: 50%" in shown
+    assert "or, with 25%:" in shown
+    assert "or, with" not in parse("--format", "text")
+
+
+@pytest.mark.parametrize(
+    ("typed", "options", "flow", "asked"),
+    [
+        ("2\n", (), DEPENDS, 1),
+        ("nonsense\nonly if it is on\n", (), DEPENDS, 2),
+        ("in any case\n", (), ALWAYS, 1),
+        ("\n", (), ALWAYS, 1),
+        ("", (), ALWAYS, 1),
+        ("2\n", ("--threshold", "0"), ALWAYS, 0),
+        ("2\n", ("--threshold", "0.5"), ALWAYS, 0),
+        ("2\n", ("--json",), ALWAYS, 0),
+    ],
+)
+def test_on_a_terminal_the_answer_decides(text, typed, options, flow, asked, monkeypatch, capsys):
+    def tree(*more):
+        assert main(["tree", text, *more]) == 0
+        return capsys.readouterr()
+
+    monkeypatch.setattr(sys, "stdin", Terminal(typed))
+    out, err = tree(*options)
+    assert err.count(QUESTION) == asked
+    depth = "  " if flow == ALWAYS else "      "
+    assert "--json" in options or out.endswith(f"\n{depth}· make the fridge open\n"), out
+
+
+def test_without_a_terminal_nobody_is_asked(text, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("2\n"))
+    assert main(["plan", text, "--threshold", "1"]) == 0
+    assert QUESTION not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("answer", "options", "flow"),
+    [("only if the tv is on", {}, DEPENDS), (None, {}, ALWAYS), ("2", {"threshold": 0.0}, ALWAYS)],
+)
+def test_an_agent_asks_whoever_it_was_given(text, answer, options, flow):
+    asked: list[Missing | Doubt] = []
+
+    def ask(question: Missing | Doubt) -> str | None:
+        asked.append(question)
+        return answer
+
+    env = gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
+    observation, _ = env.reset(seed=0)
+    agent = decomplex_bt.TreeAgent(env, ask=ask, **options)
+    agent.reset(observation, {"instruction": text})
+    assert agent.instruction.flow.to_json() == agent.grounded.flow.to_json() == flow
+    assert [question.question for question in asked] == ([] if options else [QUESTION])
+    silent = decomplex_bt.TreeAgent(env, threshold=1.0)
+    silent.reset(observation, {"instruction": text})
+    assert silent.instruction.flow.to_json() == ALWAYS

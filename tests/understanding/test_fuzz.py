@@ -1,0 +1,58 @@
+"""A small sample of `benchmarks/fuzz.py`, and that it would notice."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.instruction import Instruction
+from decomplex_bt.understanding.interpreter import Interpreter
+
+SCRIPT = Path(__file__).parents[2] / "benchmarks" / "fuzz.py"
+
+
+@pytest.fixture(scope="module")
+def fuzz():
+    spec = importlib.util.spec_from_file_location("fuzz", SCRIPT)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["fuzz"] = module
+    spec.loader.exec_module(module)
+    yield module
+    del sys.modules["fuzz"]
+
+
+def test_hostile_input_is_read_or_refused(fuzz):
+    report = fuzz.fuzz(Interpreter.load("household"), 120, seed=7)
+    assert report.crashes == []
+    assert report.inputs == 120
+    assert len(report.kinds) >= 9
+
+
+def test_a_crash_is_reported_with_its_input(fuzz, monkeypatch):
+    class Fragile:
+        domain = load_domain("household")
+
+        def interpret(self, text):
+            if '"' in text:
+                raise RecursionError("too deep")
+            return Instruction(text.replace("\t", " "))
+
+        def interpret_batch(self, texts):
+            return map(self.interpret, texts)
+
+    monkeypatch.setattr(fuzz, "_parse", lambda *arguments: None)
+    report = fuzz.fuzz(Fragile(), 400, seed=7)
+    assert {error.split(":")[0] for _, error in report.crashes} == {"RecursionError", "AssertionError"}
+    assert all('"' in text or "\t" in text for text, _ in report.crashes)
+
+
+def test_draws_are_those_of_the_seed(fuzz):
+    def drawn(seed):
+        rng = fuzz.np.random.default_rng(seed)
+        return [draw(rng, ["Bring me the cup.", "If it is on, turn it off."]) for draw, _ in fuzz.KINDS * 3]
+
+    assert drawn(1) == drawn(1) != drawn(2)
