@@ -36,16 +36,17 @@ _NO_NOUNS = frozenset(
 class Counts:
     """What is counted of some instructions.
 
-    `tasks_sd`: sample standard deviation, 0 for fewer than two. `lengths`: how many instructions have so many tasks.
-    `structures`: how many instructions have each of `STRUCTURES` at least once. `out_of_house`: share, from 0 to 1, of
-    the phrases for things, places and people that name nothing in the domain's house; `unknown_nouns`: of their head
-    nouns that are no word of the house, whatever their adjectives say.
+    `tasks_sd`: sample standard deviation, 0 for fewer than two; `complex_mean`: mean tasks of those with two or more.
+    `lengths`: how many instructions have so many tasks. `structures`: how many instructions have each of `STRUCTURES`
+    at least once. `out_of_house`: share, from 0 to 1, of the phrases for things, places and people that name nothing in
+    the domain's house; `unknown_nouns`: of their head nouns that are no word of the house, whatever their adjectives.
     """
 
     instructions: int
     tasks: int
     tasks_mean: float
     tasks_sd: float
+    complex_mean: float
     lengths: Mapping[int, int]
     task_types: Mapping[str, int]
     argument_types: Mapping[str, int]
@@ -57,7 +58,11 @@ class Counts:
         return {
             "instructions": self.instructions,
             "tasks": self.tasks,
-            "tasks_per_instruction": {"mean": round(self.tasks_mean, 3), "sd": round(self.tasks_sd, 3)},
+            "tasks_per_instruction": {
+                "mean": round(self.tasks_mean, 3),
+                "sd": round(self.tasks_sd, 3),
+                "mean_of_complex": round(self.complex_mean, 3),
+            },
             "instructions_by_tasks": {str(tasks): number for tasks, number in self.lengths.items()},
             "task_types": dict(self.task_types),
             "argument_types": dict(self.argument_types),
@@ -89,6 +94,7 @@ class CorpusStatistics:
             ("tasks", lambda counts: str(counts.tasks)),
             ("tasks each, mean", lambda counts: f"{counts.tasks_mean:.2f}"),
             ("tasks each, sd", lambda counts: f"{counts.tasks_sd:.2f}"),
+            ("tasks each, complex ones", lambda counts: f"{counts.complex_mean:.2f}"),
             ("tasks each, most", lambda counts: str(max(counts.lengths))),
             ("phrases not in the house", lambda counts: f"{counts.out_of_house:.0%}"),
             ("nouns not in the house", lambda counts: f"{counts.unknown_nouns:.0%}"),
@@ -159,6 +165,7 @@ def _add(facts: Sequence[_Facts], domain: Domain, words: _Words) -> Counts:
         tasks=sum(lengths),
         tasks_mean=fmean(lengths),
         tasks_sd=stdev(lengths) if len(lengths) > 1 else 0.0,
+        complex_mean=fmean([length for length in lengths if length > 1] or [0]),
         lengths=dict(sorted(Counter(lengths).items())),
         task_types=_counted(domain.ontology.task_types, (name for one in facts for name in one.task_types)),
         argument_types=_counted(domain.ontology.argument_types, (name for one in facts for name in one.argument_types)),
