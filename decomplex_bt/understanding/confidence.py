@@ -89,7 +89,7 @@ class Calibration:
             stored = json.loads(path.read_text(encoding="utf-8"))
             self._curves = {kind: (float(stored[kind][0]), float(stored[kind][1])) for kind in KINDS}
         except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-            raise DataFileError(path, f"no calibration ({error!r}); run `decomplex-bt train`") from None
+            raise DataFileError(path, f"no calibration ({type(error).__name__}); run `decomplex-bt train`") from None
 
     def of(self, kind: str, chance: float) -> float:
         """The chance that what is believed this much is right."""

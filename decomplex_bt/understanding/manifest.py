@@ -66,9 +66,14 @@ def write_manifest(
         language_model=language_model,
         libraries={name: version(name) for name in libraries},
         models={path.stem: _entry(path) for path in sorted(folder.glob("*.crf"))},
-        files={path.name: _sha256(path) for path in sorted(folder.iterdir()) if path.suffix != ".crf"},
+        files={name: _sha256(folder / name) for name in _others(folder)},
     )
     (folder / MANIFEST_FILE).write_text(manifest.model_dump_json(indent=1) + "\n", encoding="utf-8")
+
+
+def _others(folder: Path) -> list[str]:
+    """The names of what lies in a folder of models besides the CRFs and the manifest."""
+    return sorted(p.name for p in folder.iterdir() if p.is_file() and p.suffix != ".crf" and p.name != MANIFEST_FILE)
 
 
 def read_manifest(folder: Path) -> Manifest:
