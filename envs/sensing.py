@@ -6,13 +6,13 @@ what is in a closed container, and into an open one it looks from `inside_range`
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import radians
 
 import numpy as np
 from numpy.random import Generator
 
 from decomplex_bt.envs.chance import APERTURE
+from decomplex_bt.envs.config import SensingConfig
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS
 from decomplex_bt.envs.scene import Scene, samples_of
 from decomplex_bt.envs.wedges import wedges
@@ -22,23 +22,6 @@ VISIBLE, X, Y, HEADING, PLACE, INSPECTED = range(6)
 FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 MOST_SCENES = 32
 """Scenes kept at once."""
-
-
-@dataclass(frozen=True, slots=True)
-class SensingConfig:
-    """How the robot sees. `range`, `inside_range` in metres, `field_of_view` in degrees.
-
-    `every`: control steps between two looks (between them the table stays; a change that the robot itself brings about
-    is seen at once). `memory` [s]: a floor is inspected when each part of it was in view within this time, and what was
-    seen there in that time is reported along. `looks`: looks in a row with a place in full view that make it inspected.
-    """
-
-    range: float = 5.0
-    inside_range: float = 2.0
-    field_of_view: float = 200.0
-    every: int = 4
-    memory: float = 15.0
-    looks: int = 2
 
 
 class Sensor:
