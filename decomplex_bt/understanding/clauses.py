@@ -76,7 +76,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
     near = tuple(cue.name for cue in cues if split < cue.first < token)
     behind = tuple(cue.name for cue in cues if token < cue.first < end)
     opening = [cue.last for cue in cues if split < cue.first <= token and cue.name in GOVERNING]
-    first = max(opening, default=split) + 1 if opening else split + 1
+    joining = [cue.last for cue in cues if split < cue.first < token and cue.name in ("and", "or", "but")]
+    first = max(opening or joining, default=split) + 1
     closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
     last = min([end, *closing]) - 1
     is_joined = previous >= 0 and document.sentences[previous] == document.sentences[token]
@@ -116,8 +117,11 @@ def _wording(
     observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool
 ) -> Wording:
     far, near, behind = cues
-    names = [cue.name for cue in observed.cues if first <= cue.first <= last]
-    negations = names.count("not") + ("unless" in near)
+    words = [observed.document.tokens[j].lower for j in range(first, last + 1)]
+    nots = [cue for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
+    if "neither" in words:  # "neither hot nor full" denies once
+        nots = [cue for cue in nots if observed.document.tokens[cue.first].lower != "nor"]
+    negations = len(nots) + ("unless" in near)
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
@@ -125,7 +129,7 @@ def _wording(
         *(label for name in ("before_that", "first", "last") if name in leading for label in _ADVERBIAL[name]),
         *(label for name in ("first", "last") if name in behind for label in _ADVERBIAL[name]),
     ]
-    token = observed.document.tokens[task.token]
+    lemmas = {observed.document.tokens[j].lemma for j in range(first, last + 1)}
     return Wording(
         negations % 2 == 1,
         state,
@@ -133,7 +137,7 @@ def _wording(
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
-        token.lemma in _CONTRARY or state in _CONTRARY,
+        bool(lemmas & _CONTRARY) or state in _CONTRARY,
     )
 
 
@@ -143,8 +147,13 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     said = next((indices[-1] for kind, indices in task.arguments if kind == "state" and len(indices)), None)
     if said is not None:
         return tokens[said].lower
-    inside = range(min(task.token, last), last + 1)
-    return next((tokens[j].lower for j in inside if tokens[j].lower in OPPOSITES), None)
+    if task.type != "check_state":
+        return None
+    for j in range(min(task.token, last), last + 1):
+        governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
+        if tokens[j].lower in OPPOSITES and not governs and tokens[j].tag not in ("VB", "VBP", "VBZ", "VBD"):
+            return tokens[j].lower
+    return None
 
 
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())

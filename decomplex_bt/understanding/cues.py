@@ -75,7 +75,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         # within a clause
         "not": (
             "not", "never", "nothing", "nobody", "none", "nowhere", "neither", "nor", "no", "no longer", "no more", "no one", "not any",
-            "unable", "cannot", "not yet", "hardly", "no sign of", "without",
+            "unable", "cannot", "not yet", "hardly", "no sign of",
         ),
         "either": ("either", "neither"),
         "instead": ("instead", "rather", "in its place"),
