@@ -1,6 +1,6 @@
 """Whatever is typed: many hostile inputs through understanding, and whether it crashes, dawdles or hoards memory.
 
-    python benchmarks/fuzz.py [--inputs 100000] [--seed 0] [--domain DIR]
+    python benchmarks/fuzz.py [--inputs 100000] [--seed 0] [--domain DIR] [--no-encoder]
 
 Inputs are drawn from a seed: random Unicode with control characters and halves of surrogate pairs, markup, quotes in
 quotes, punctuation alone, very long words, texts up to and over the limit, and mutated sentences of the corpus. Every
@@ -289,6 +289,7 @@ def main() -> int:
     arguments.add_argument("--inputs", type=int, default=100_000)
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--domain", default="household", help="a domain's name, or its folder")
+    arguments.add_argument("--encoder", action=argparse.BooleanOptionalAction, help="default: where it is installed")
     options = arguments.parse_args()
     domain = load_domain(Path(options.domain) if "/" in options.domain else options.domain)
 
@@ -296,7 +297,7 @@ def main() -> int:
         if sys.stderr.isatty():
             print(f"\r{report.inputs} inputs, {len(report.crashes)} crashes ", end="", file=sys.stderr, flush=True)
 
-    report = fuzz(Interpreter.load(domain), options.inputs, options.seed, every=tell)
+    report = fuzz(Interpreter.load(domain, encoder=options.encoder), options.inputs, options.seed, every=tell)
     print(report)
     if report.growth > MAX_GROWTH:
         print(f"memory grew by {report.growth:.1%} over the second half; expected at most {MAX_GROWTH:.0%}")
