@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.domain.lexicon import Lexicon
@@ -13,11 +13,14 @@ from decomplex_bt.understanding.document import Document
 @dataclass(frozen=True)
 class Gazetteer:
     """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing",
-    "furniture", "room", ...); `states`: words of state."""
+    "furniture", "room", ...); `states`: words of state; `changeable`: head word to the state pairs its things have;
+    `pairs`: word of state to its state pair."""
 
     verbs: Mapping[str, tuple[str, ...]]
     nouns: Mapping[str, str]
     states: frozenset[str]
+    changeable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    pairs: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:
@@ -27,7 +30,22 @@ class Gazetteer:
                 nouns.setdefault(phrase.split()[-1].lower(), kind.category)
         states = {value for pair in kinds.state_pairs.values() for value in pair.values}
         states |= {word for pair in kinds.state_pairs.values() for words in pair.words.values() for word in words}
-        return cls({verb: sense.tasks for verb, sense in lexicon.verbs.items()}, nouns, frozenset(states))
+        changeable: dict[str, set[str]] = {}
+        for kind in kinds.kinds.values():
+            for phrase in kind.words:
+                changeable.setdefault(phrase.split()[-1].lower(), set()).update(kind.states)
+        pairs: dict[str, str] = {}
+        for name, pair in kinds.state_pairs.items():
+            for value in pair.values:
+                for word in (value, *pair.words.get(value, ())):
+                    pairs.setdefault(word, name)
+        return cls(
+            {verb: sense.tasks for verb, sense in lexicon.verbs.items()},
+            nouns,
+            frozenset(states),
+            {word: tuple(sorted(names)) for word, names in changeable.items()},
+            pairs,
+        )
 
     def senses(self, document: Document, i: int) -> tuple[str, ...]:
         """The task types of a token as a verb, with its particle, where that makes a verb of its own."""

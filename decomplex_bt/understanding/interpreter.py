@@ -14,7 +14,7 @@ from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, T
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
-from decomplex_bt.understanding.coreference import ReferenceModel
+from decomplex_bt.understanding.coreference import REFERENCES_FILE, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
@@ -48,7 +48,7 @@ class Interpreter:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")
         self._calibration = Calibration(folder / CALIBRATION_FILE)
-        self._references = ReferenceModel(models / "references.crf", domain.ontology)
+        self._references = ReferenceModel(models / REFERENCES_FILE, domain.ontology)
 
     @classmethod
     def load(

@@ -15,8 +15,8 @@ from decomplex_bt.understanding.crf import Crf
 MANIFEST_FILE = "manifest.json"
 FEATURES_VERSION = 2
 """Raised with every change of features or labels: models of another version do not fit the code."""
-MODEL_NAMES = ("tasks", "arguments", "references", "roles", "attachments", "orders")
-FILES = ("readings.json", "calibration.json")
+MODEL_NAMES = ("tasks", "arguments", "roles", "attachments", "orders")
+FILES = ("references.json", "readings.json", "calibration.json")
 """What lies in a folder of models besides the CRFs."""
 LIBRARIES = ("spacy", "python-crfsuite", "sklearn-crfsuite", "numpy")
 

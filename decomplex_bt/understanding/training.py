@@ -14,7 +14,7 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
-from decomplex_bt.understanding.coreference import train_references
+from decomplex_bt.understanding.coreference import REFERENCES_FILE, train_references
 from decomplex_bt.understanding.dependencies import FlowModel, marked_tasks, train_flow
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
@@ -103,7 +103,7 @@ def train_models(
     data = _corpus(examples, domain, parser, progress)
     left_out = _train_stages(folder, data, progress)
     progress("references")
-    train_references(folder / "references.crf", data.plain, domain.ontology)
+    train_references(folder / REFERENCES_FILE, data.plain, domain.ontology)
     _train_choice(folder, list(_held_out_readings(data, domain, progress)))
     return left_out
 

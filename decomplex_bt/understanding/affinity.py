@@ -1,0 +1,373 @@
+"""How well a phrase fills a gap: the options of a gap with the features that a model weighs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+
+from decomplex_bt.flow import Flow, If, Node
+from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gaps import PREDICATE, Gap, spellings
+from decomplex_bt.understanding.phrases import Candidate, candidates_of, predicates_of
+
+_PERSON_NOUNS = frozenset(
+    "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
+    "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
+    "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
+    "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
+    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
+)
+_ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
+_GROUPS = {
+    "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
+    "they": "they", "'em": "they", "em": "they", "those": "they", "these": "they", "there": "there",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Option:
+    """One way to fill a gap, `candidate` None for leaving it. `type`: that of the argument it makes."""
+
+    candidate: Candidate | None
+    type: str
+    text: str
+    features: tuple[str, ...]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        return self.type, self.text.lower()
+
+
+@dataclass
+class Context:
+    """What is known while an instruction's gaps are filled from left to right: phrases, mentions and the flow."""
+
+    observed: Observed
+    tasks: Sequence[Task]
+    flow: Flow
+    pool: list[Candidate] = field(init=False)
+    predicates: list[Candidate] = field(init=False)
+    mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
+    fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
+    paths: dict[int, tuple[tuple[int, str], ...]] = field(init=False, default_factory=dict)
+    first: dict[int, int] = field(init=False, default_factory=dict)
+    lemmas: dict[int, str] = field(init=False)
+    topic: str = field(init=False)
+    types: dict[int, str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.pool = candidates_of(self.observed, self.tasks)
+        self.predicates = predicates_of(self.observed, self.tasks)
+        for candidate in self.pool:
+            if candidate.owner:
+                self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
+        for node, path in _walk(self.flow.nodes, ()):
+            for number in node.tasks:
+                self.paths.setdefault(number, path)
+                if isinstance(node, If):
+                    self.first[number] = node.task
+        self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
+        self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
+        self.types = {task.id: task.type for task in self.tasks}
+
+    def _lemma(self, task: Task) -> str:
+        document = self.observed.document
+        i = document.indices(task.span).start
+        particle = self.observed.gazetteer.particle(document, i)
+        return f"{document.tokens[i].lemma} {particle}" if particle else document.tokens[i].lemma
+
+    def mention(self, gap: Gap, option: Option) -> None:
+        """Takes down that a gap is filled: later words may refer to the mention in turn."""
+        if option.candidate is None:
+            return
+        text = option.text.lower()
+        self.fillings.setdefault(gap.task.id, set()).add(text)
+        if gap.type == PREDICATE:
+            return
+        self.mentions.setdefault(text, []).append(_GROUPS.get(gap.word, gap.word))
+        tokens = gap.tokens or range(gap.position, gap.position + 1)
+        self.pool.append(
+            replace(
+                option.candidate,
+                text=option.text,
+                tokens=tokens,
+                owner=gap.task.id,
+                type=gap.type,
+                task_type=gap.task.type,
+                mention=gap.word or "unsaid",
+            )
+        )
+
+    def relation(self, owner: int, number: int) -> str:
+        """How a task lies to another in the flow: in the same branch, in the other one, its condition, ..."""
+        if owner == number:
+            return "self"
+        if not owner:
+            return "outside"
+        path, other = self.paths.get(number, ()), self.paths.get(owner, ())
+        head, far = self.first.get(number), self.first.get(owner)
+        if far is not None and far == head:
+            return "mention" if owner != head else "first"
+        for depth, (condition, side) in enumerate(reversed(path)):
+            if condition == far:
+                return f"condition.{side}.{min(depth, 1)}"
+        if head is not None and any(condition == head for condition, _ in other):
+            return "governed"
+        sides = dict(path)
+        if any(sides.get(condition, side) != side for condition, side in other):
+            return "exclusive"
+        if path == other:
+            return "same"
+        return "inner" if len(other) > len(path) else "outer"
+
+
+def _walk(
+    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
+) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
+    for node in nodes:
+        yield node, path
+        if isinstance(node, If):
+            yield from _walk(node.then, (*path, (node.task, "then")))
+            yield from _walk(node.orelse, (*path, (node.task, "else")))
+
+
+def options_of(context: Context, gap: Gap) -> list[Option]:
+    """All ways to fill a gap, leaving it last."""
+    if gap.type == PREDICATE:
+        return [*_predicate_options(context, gap), Option(None, "", "", tuple(_none_features(context, gap)))]
+    options: list[Option] = []
+    document = context.observed.document
+    of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
+    for candidate in context.pool:
+        if candidate.tokens.stop <= gap.position:
+            of_side["before"].append(candidate)
+        elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
+            of_side["after"].append(candidate)
+    if gap.word in _TOGETHER:
+        of_side["before"].extend(_together(document, of_side["before"]))
+    of_side["before"].sort(key=lambda candidate: -candidate.tokens.stop)
+    for side, candidates in of_side.items():
+        heads: dict[int, int] = {}
+        of_kind: dict[str, dict[int, int]] = {}
+        for candidate in candidates:
+            kind = _kind(context, candidate)
+            place = candidate.tokens.stop
+            rank = heads.setdefault(place, len(heads))
+            ranks = of_kind.setdefault(kind, {})
+            kind_rank = ranks.setdefault(place, len(ranks))
+            features = tuple(_features(context, gap, candidate, side, rank, kind, kind_rank))
+            word = gap.word or f"unsaid.{gap.type}"
+            determiner = _determiner(document, candidate)
+            for text, way in spellings(document, gap, candidate):
+                more = (
+                    f"way:{way}.{gap.form}",
+                    f"way:{way}.{word}.{determiner}",
+                    f"way:{way}.{gap.form}.{determiner}.{candidate.shape}",
+                )
+                options.append(Option(candidate, gap.type, text, (*features, *more)))
+    options.append(Option(None, "", "", tuple(_none_features(context, gap))))
+    return options
+
+
+_TOGETHER = frozenset("both them they those these either".split())
+
+
+def _together(document: Document, candidates: Sequence[Candidate]) -> Iterator[Candidate]:
+    """Two things that tasks name one after the other, which a plural may mean together."""
+    objects = [c for c in candidates if c.type == "object" and not c.mention and c.shape in ("whole", "long")]
+    for first, second in pairwise(objects):
+        if first.owner != second.owner or first.tokens.stop < second.tokens.start:
+            yield replace(second, text=f"{first.text} and {second.text}", shape="pair")
+
+
+def _features(
+    context: Context, gap: Gap, candidate: Candidate, side: str, rank: int, kind: str, kind_rank: int
+) -> Iterator[str]:
+    document = context.observed.document
+    head = document.tokens[candidate.head]
+    word = gap.word or f"unsaid.{gap.type}.{gap.task.type}"
+    group = _GROUPS.get(gap.word, word)
+    place = f"{side}{min(rank, 4)}"
+    anchor = candidate.tokens.start if candidate.mention else candidate.head
+    sentences = max(-1, min(3, document.sentences[gap.position] - document.sentences[anchor]))
+    number = "plural" if head.tag in ("NNS", "NNPS") else "list" if candidate.shape in ("list", "pair") else "one"
+    if number == "one" and any(document.tokens[i].lower == "and" for i in candidate.tokens):
+        number = "list"
+    determiner = _determiner(document, candidate)
+    relation = context.relation(candidate.owner, gap.task.id)
+    delta = str(max(-2, min(3, gap.task.id - candidate.owner))) if candidate.owner else "none"
+    mention = _GROUPS.get(candidate.mention, candidate.mention)
+    role = document.tokens[anchor].dep
+    gap_role = document.tokens[gap.tokens.stop - 1].dep if gap.tokens else "unsaid"
+    verb = context.lemmas[gap.task.id]
+    text = candidate.text.lower()
+    taken = text in context.fillings.get(gap.task.id, ()) and relation != "self"
+    earlier = context.mentions.get(text, ())
+    groups = "+".join(sorted(set(earlier)))
+    yield f"rank:{place}"
+    yield f"rank:{word}.{place}"
+    yield f"kind:{word}.{kind}"
+    yield f"kind.rank:{group}.{kind}.{side}{min(kind_rank, 3)}"
+    yield f"kind.gap:{gap.type}.{kind}"
+    yield f"kind.task:{gap.task.type}.{gap.type}.{kind}"
+    yield f"kind.det:{group}.{kind}.{determiner}"
+    yield f"number:{word}.{number}"
+    yield f"number.type:{group}.{number}.{candidate.type}.{candidate.shape}"
+    yield f"type:{word}.{candidate.type}"
+    yield f"type.gap:{gap.type}.{candidate.type}"
+    yield f"tasks:{gap.task.type}.{gap.type}.{candidate.task_type}.{candidate.type}"
+    yield f"type.delta:{group}.{candidate.type}.{delta}"
+    yield f"delta:{delta}"
+    yield f"sentences:{group}.{sentences}"
+    yield f"role:{word}.{role}"
+    yield f"roles:{gap_role}.{role}.{sentences}"
+    yield f"det:{word}.{determiner}"
+    yield f"mention:{group}.{mention}.{side}{min(rank, 1)}"
+    yield f"mention.kind:{group}.{mention}.{kind}"
+    yield f"groups:{group}.{groups}"
+    yield f"count:{group}.{min(3, len(earlier))}"
+    yield f"relation:{relation}.{side}"
+    yield f"relation.type:{group}.{relation}.{candidate.type}"
+    yield f"relation.gap:{gap.type}.{relation}.{candidate.type}.{candidate.task_type}"
+    yield f"relation.rank:{relation}.{place}"
+    yield f"shape:{candidate.shape}"
+    yield f"shape.word:{group}.{candidate.shape}.{candidate.type}"
+    yield f"prep.kind:{gap.preposition}.{kind}"
+    yield f"prep.lemma:{gap.preposition}.{head.lemma}"
+    yield f"lemma.task:{gap.task.type}.{gap.type}.{head.lemma}"
+    yield f"lemma.verb:{verb}.{gap.type}.{head.lemma}"
+    yield f"lemma.word:{group}.{head.lemma}"
+    yield f"verb.type:{verb}.{gap.type}.{candidate.type}.{side}"
+    yield f"verbs:{verb}.{gap.type}.{context.lemmas.get(candidate.owner, '')}.{candidate.type}"
+    yield f"object.rank:{gap.type == candidate.type}.{place}"
+    yield f"topic:{group}.{text == context.topic}.{kind}"
+    yield f"verb.kind:{verb}.{gap.type}.{kind}"
+    gazetteer = context.observed.gazetteer
+    state = next((a.value.lower() for a in gap.task.arguments if a.type == "state"), verb)
+    pair = gazetteer.pairs.get(state, state)
+    pairs = gazetteer.changeable.get(head.lemma, ())
+    yield f"pairs:{gap.type}.{pair}.{'+'.join(pairs)}"
+    yield f"pair:{gap.type}.{gap.task.type}.{pair}.{pair in pairs}.{not pairs}"
+    yield f"state.lemma:{gap.type}.{state}.{head.lemma}"
+    if taken:
+        yield f"taken:{gap.type}"
+    if not gap.word:
+        said = "+".join(sorted(argument.type for argument in gap.task.arguments))
+        yield f"said:{gap.task.type}.{gap.type}.{said}.{relation}.{candidate.type}"
+        yield "filled"
+        yield f"filled:{word}.{verb}"
+
+
+def _predicate_options(context: Context, gap: Gap) -> Iterator[Option]:
+    document = context.observed.document
+    verb = document.tokens[gap.position].lemma
+    before = [c for c in context.predicates if c.tokens.start < gap.position]
+    before.sort(key=lambda candidate: -candidate.tokens.start)
+    after = [c for c in context.predicates if c.tokens.start > gap.position]
+    ahead = _next(document, gap.position)
+    for side, candidates in (("before", before), ("after", after)):
+        ranks: dict[str, int] = {}
+        for candidate in candidates:
+            if candidate.owner == gap.task.id:
+                continue
+            kind = "state" if candidate.type == "state" else "location"
+            rank = ranks[kind] = ranks.get(kind, -1) + 1
+            relation = context.relation(candidate.owner, gap.task.id)
+            sentences = max(-1, min(3, document.sentences[gap.position] - document.sentences[candidate.tokens.start]))
+            what = f"{candidate.type}.{candidate.shape}"
+            place = f"{side}{min(rank, 3)}"
+            last = document.tokens[candidate.tokens.start]
+            known = candidate.text.lower() in context.observed.gazetteer.states
+            features = (
+                "p.filled",
+                f"p:{what}.{place}",
+                f"p:{what}.{relation}",
+                f"p:{what}.{relation}.{candidate.task_type}",
+                f"p:{what}.{relation}.{verb}.{ahead}",
+                f"p:{what}.{verb}.{ahead}",
+                f"p:{verb}.{ahead}.{relation}",
+                f"p:{what}.{verb}.{last.tag}",
+                f"p:{what}.{sentences}",
+                f"p:{what}.{place}.{relation}",
+                f"p:{what}.{known}.{verb}.{relation}",
+                f"p:{what}.{last.dep}.{last.tag}",
+                f"p:{context.lemmas.get(candidate.owner, '')}.{what}",
+            )
+            yield Option(candidate, kind, candidate.text, features)
+
+
+def _next(document: Document, i: int) -> str:
+    """How a clause goes on after its verb: "end" where nothing is left of it."""
+    words = [token.lower for token in document.tokens[i + 1 : i + 4]]
+    while words and words[0] in ("n't", "not", "it", "he", "she", "they", "there", "any", "one", "you", "i"):
+        words = words[1:]
+    return "end" if not words or words[0] in (".", ",", "?", ";", ":", "!", "and", "then", "so") else "more"
+
+
+def _none_features(context: Context, gap: Gap) -> Iterator[str]:
+    document = context.observed.document
+    task = gap.task
+    verb = document.tokens[document.indices(task.span).start].lemma
+    ahead = _next(document, document.indices(task.span).start)
+    said = "+".join(sorted(argument.type for argument in task.arguments))
+    first = context.first.get(task.id)
+    rank = "none" if first is None else "first" if first == task.id else context.types.get(first, "")
+    path = context.paths.get(task.id, ())
+    name = gap.word or f"unsaid.{gap.type}.{task.type}"
+    yield "none"
+    yield f"none:{name}.{gap.form}"
+    yield f"none:{gap.type}.{gap.form}"
+    yield f"none:{name}.{verb}.{ahead}"
+    yield f"none:{name}.{gap.is_required}"
+    yield f"none:{name}.{said}.{ahead}"
+    yield f"none:{name}.{rank}"
+    yield f"none:{name}.{rank}.{verb}.{ahead}"
+    yield f"none:{name}.{path[-1][1] if path else 'top'}"
+    yield f"none:{name}.first.{task.id == 1}"
+    yield f"none:{name}.{context.types.get(task.id - 1, '')}"
+    yield f"none:{name}.{context.lemmas[task.id]}.{said}"
+    if gap.tokens:
+        words = "_".join(document.tokens[i].lower for i in gap.tokens)
+        yield f"none:words.{words}"
+    nouns = any(c.type != "outside" for c in context.pool if c.tokens.stop <= gap.position)
+    yield f"none:{name}.nouns.{nouns}"
+
+
+def _determiner(document: Document, candidate: Candidate) -> str:
+    """How a phrase begins: definite, indefinite, counted, quantified, possessive or bare."""
+    first = document.tokens[min(candidate.tokens.start, candidate.head) if not candidate.mention else candidate.head]
+    word = candidate.text.split(" ", 1)[0].lower()
+    if word in ("a", "an"):
+        return "a"
+    if word in ("any", "some", "enough", "more", "no", "another"):
+        return word
+    if word in ("the", "this", "that", "these", "those"):
+        return "the"
+    if word in ("my", "your", "his", "her", "our", "their", "its") or "'s " in candidate.text:
+        return "my"
+    if first.pos == "NUM":
+        return "number"
+    return "name" if first.pos == "PROPN" and candidate.text[:1].isupper() else "bare"
+
+
+def _kind(context: Context, candidate: Candidate) -> str:
+    """person, animal, name, place, or the category of thing that the words tell."""
+    token = context.observed.document.tokens[candidate.head]
+    category = context.observed.gazetteer.category(token.lemma)
+    if category == "person" or token.lemma in _PERSON_NOUNS:
+        return "person"
+    if token.lemma in _ANIMALS:
+        return "animal"
+    is_person = candidate.type == "recipient" or (candidate.task_type == "following" and candidate.type == "object")
+    if is_person and (candidate.shape in ("whole", "short", "long") or candidate.mention):
+        return "person"
+    if candidate.mention in ("him", "he", "she", "her"):
+        return "person"
+    if token.tag in ("NNP", "NNPS") and category == "" and token.text[:1].isupper():
+        return "name"
+    if candidate.type in ("goal", "location", "source", "path"):
+        return f"place.{category}"
+    return category or "thing"

@@ -1,0 +1,170 @@
+"""Gaps: what has to be resolved (words that refer, arguments left unsaid), and how what fills them is worded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.instruction import Argument, Task
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.phrases import (
+    PRONOUNS,
+    QUANTIFIERS,
+    Candidate,
+    bare_of,
+    head_of,
+    is_pointing,
+    noun_of,
+    stripped,
+)
+
+REFERRING = PRONOUNS
+PREDICATE = "predicate"
+"""The type of a gap that a state or a place fills: what a check leaves out in "if it is"."""
+
+_COUNTS = frozenset("one two three four five six few couple pair".split())
+_LEADING = frozenset(
+    "the that this these those other others another a an each both either of same all whole thing lot former latter "
+    "place machine inside where".split()
+)
+_ALONE = frozenset("inside five six both".split())
+_OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Something to be resolved: an argument's words, or an argument that was not said (`tokens` empty at the task).
+
+    `word`: the head of the words, "" where unsaid; `form`: how the words are built, which tells how to spell what fills
+    them; `preposition`: the word before them.
+    """
+
+    task: Task
+    type: str
+    position: int
+    word: str
+    form: str = "pronoun"
+    preposition: str = ""
+    tokens: range = range(0)
+    is_required: bool = False
+
+
+def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
+    """The gap that an argument's words leave to be resolved, or None where they name what they mean."""
+    if argument.span is None or argument.type in ("message", "manner", "state", "direction"):
+        return None
+    tokens = document.indices(argument.span)
+    inner = stripped(document, tokens)
+    if not inner:
+        return None
+    form = _form(document, inner)
+    if form is None:
+        return None
+    before = inner.start - 1
+    preposition = document.tokens[before].lower if before >= tokens.start else ""
+    head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_of(document, inner)]
+    word = "'s" if form == "own" and head.lower not in _OWN else head.lower
+    return Gap(task, argument.type, inner.start, word, form, preposition, inner)
+
+
+def _form(document: Document, tokens: range) -> str | None:
+    """pronoun, one ("the red one"), own ("hers", "Ruby's"), part ("half of it"), count ("two"), or None."""
+    words = [document.tokens[i].lower for i in tokens]
+    if is_pointing(document, tokens) and words[0] not in _OWN:
+        return None
+    head = document.tokens[head_of(document, tokens)].lower
+    last = document.tokens[tokens.stop - 1]
+    if len(words) == 1:
+        if words[0] in _OWN:
+            return "own"
+        if words[0] in _COUNTS:
+            return "one" if words[0] == "one" else "count"
+        return "pronoun" if words[0] in PRONOUNS or words[0] in _ALONE else None
+    if head in ("one", "ones"):
+        return "one"
+    if last.tag == "POS":
+        return "own"
+    if len(words) > 2 and words[-2] == "of" and words[-1] in PRONOUNS:
+        return "part"
+    if words[-1] in _COUNTS and len(words) == 2 and words[0] == "a":
+        return "count"
+    return "pronoun" if all(word in _LEADING | PRONOUNS | QUANTIFIERS for word in words) else None
+
+
+def unsaid_gaps(document: Document, task: Task, ontology: Ontology) -> Iterator[Gap]:
+    """The arguments that a task may have by ellipsis."""
+    said = {argument.type for argument in task.arguments}
+    position = document.indices(task.span).start
+    if task.type == "searching" and "object" not in said:
+        yield Gap(task, "object", position, "", is_required="location" not in said)
+        return
+    if task.type == "motion":
+        return
+    if task.type == "informing" and "recipient" not in said:
+        yield Gap(task, "recipient", position, "")
+        return
+    if task.type == "bringing" and not said & {"recipient", "goal"}:
+        yield Gap(task, "goal", position, "")
+    for group in ontology.task_types[task.type].required:
+        if group[0] in ("object", "goal") and not said & set(group):
+            yield Gap(task, group[0], position, "", is_required=group[0] == "object")
+    if task.type == "check_state" and not said & {"state", "location"}:
+        yield Gap(task, PREDICATE, position, "")
+
+
+def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:
+    """How a candidate may be put into words for a gap, each with the name of the way."""
+    text = candidate.text
+    if gap.form == "part":
+        yield f"{_text(document, gap.tokens[:-1])} {text}", "of"
+        first = document.tokens[gap.tokens.start]
+        if len(gap.tokens) == 3 and (first.pos == "NUM" or first.lower in ("some", "any", "few")):
+            yield f"{first.text} {bare_of(document, candidate, is_plural=None)}", "counted"
+        yield text, "same"
+        return
+    if gap.form == "own":
+        own = _OWN.get(gap.word) or _text(document, gap.tokens)
+        yield f"{own} {noun_of(document, candidate, is_plural=None)}", "own"
+        yield text, "same"
+        return
+    if gap.form == "count" or gap.word == "ones" or gap.word in ("some", "any", "another"):
+        words = _text(document, range(gap.tokens.start, _last_modifier(document, gap) + 1))
+        if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
+            words += " of" if gap.word in ("couple", "pair") else ""
+        is_plural = False if gap.word == "another" else True if gap.form == "count" else None
+        yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "counted"
+        yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
+    modifiers = [document.tokens[i] for i in gap.tokens if i < head_of(document, gap.tokens)]
+    if gap.form == "one" and modifiers:
+        words = " ".join(token.text for token in modifiers)
+        is_plural = gap.word == "ones"
+        yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "modified"
+        bare = bare_of(document, candidate, is_plural=is_plural)
+        yield f"{words} {bare}", "modified.bare"
+        yield f"{words} {noun_of(document, candidate, is_plural=is_plural).split()[-1]}", "modified.head"
+        after = range(head_of(document, gap.tokens) + 1, gap.tokens.stop)
+        if after:
+            noun = noun_of(document, candidate, is_plural=is_plural)
+            yield f"{words} {noun} {_text(document, after)}", "modified.long"
+    elif gap.word == "other" or gap.word == "others":
+        yield f"the other {noun_of(document, candidate, is_plural=gap.word == 'others')}", "other"
+    if gap.word in ("one", "another", "that", "it") and gap.form in ("one", "pronoun"):
+        bare = bare_of(document, candidate, is_plural=False)
+        article = "an" if bare[:1].lower() in "aeiou" else "a"
+        if gap.word in ("one", "another") or text.lower().startswith("one "):
+            yield f"{article} {bare}", "a"
+        if gap.word == "one":
+            yield f"one {bare}", "one"
+    yield text, "same"
+    if document.tokens[candidate.tokens.start].lower in QUANTIFIERS | {"a", "an"} and len(candidate.tokens) > 1:
+        yield bare_of(document, candidate, is_plural=None), "bare"
+
+
+def _last_modifier(document: Document, gap: Gap) -> int:
+    """The last word of the gap that stays before the noun that is filled in: "two", "a few", "new" of "new ones"."""
+    return gap.tokens.stop - 1 - (gap.word in ("one", "ones") and len(gap.tokens) > 1)
+
+
+def _text(document: Document, tokens: Sequence[int]) -> str:
+    return document.text[document.tokens[tokens[0]].start : document.tokens[tokens[-1]].end]

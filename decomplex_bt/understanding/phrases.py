@@ -1,0 +1,321 @@
+"""Phrases: what of an instruction something may refer to, and what the words of a phrase tell of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+
+PREPOSITIONS = frozenset(
+    "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
+    "down through along across around between after towards toward above below upon w".split()
+)
+POINTING = frozenset(
+    "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody "
+    "nobody nothing none here case".split()
+)
+WHOLE = frozenset("something anything everything somebody someone anyone anybody everyone everybody".split())
+"""Words that point to nothing said before but that something said after may refer to."""
+QUANTIFIERS = frozenset("any some enough more no another".split())
+PRONOUNS = frozenset(
+    "it that this one another some any them they 'em em these those ones both him her he she there which two three "
+    "four mine his hers yours theirs ours".split()
+)
+_NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
+_NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
+"""Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
+_CLAUSE_ENDS = frozenset(".?!;,:-–—") | {"and", "but", "or", "so", "if", "then", "because", "unless", "when"}
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A phrase something may refer to. `tokens`: where it stands; `head`: its head word's index; `owner`: the number of
+    the task whose argument it is, 0 for none; `type`: the argument's type or "outside"; `shape`: how it was cut out;
+    `mention`: the word that already refers to it here, "" where it is named itself."""
+
+    text: str
+    tokens: range
+    head: int
+    owner: int = 0
+    type: str = "outside"
+    task_type: str = ""
+    shape: str = "whole"
+    mention: str = ""
+
+
+def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
+    """All noun phrases of the instruction that something may refer to, from left to right; pronouns are none.
+
+    A phrase counts whole, without what follows its head ("the mug" of "the mug next to the keyboard"), and by whose it
+    is ("Ruby" of "Ruby's bag").
+    """
+    document = observed.document
+    found: dict[tuple[int, int], Candidate] = {}
+    inside: dict[int, tuple[Task, str]] = {}
+    for task in tasks:
+        for argument in task.arguments:
+            if argument.span is None:
+                continue
+            tokens = document.indices(argument.span)
+            inside.update(dict.fromkeys(tokens, (task, argument.type)))
+            if argument.type in _NOT_REFERENTS:
+                continue
+            inner = stripped(document, tokens)
+            if not inner or is_pointing(document, inner) or is_pronoun(document, inner):
+                continue
+            head = head_of(document, inner)
+            short = range(inner.start, head + 1)
+            shape = "whole" if len(short) == len(inner) else "long"
+            found[inner.start, inner.stop] = _owned(document, inner, task, argument.type, shape)
+            if shape == "long":
+                found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
+    chunks = list(noun_chunks(document))
+    for shape, phrases in (
+        ("chunk", chunks),
+        ("list", _coordinations(document, chunks)),
+        ("name", _names(document)),
+        ("possessor", _possessors(document, chunks)),
+        ("word", _whole_words(document)),
+        ("of", _with_complements(document, chunks)),
+        ("cut", _cut(document, chunks)),
+    ):
+        for phrase in phrases:
+            if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):
+                continue
+            if document.tokens[phrase.stop - 1].lower in _NO_NOUNS:
+                continue
+            owner = inside.get(phrase.stop - 1)
+            if owner is None:
+                found[phrase.start, phrase.stop] = _outside(document, phrase, shape)
+            else:
+                found[phrase.start, phrase.stop] = _owned(document, phrase, *owner, f"in.{shape}")
+    return [found[place] for place in sorted(found)]
+
+
+def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
+    """What an unsaid state or place of a check may be: those that tasks name, and what is said of things."""
+    document = observed.document
+    found: dict[tuple[int, int, str], Candidate] = {}
+    taken = {document.indices(task.span).start: task for task in tasks}
+    for task in tasks:
+        for argument in task.arguments:
+            if argument.span is None or argument.type not in ("state", "location", "source", "goal"):
+                continue
+            tokens = document.indices(argument.span)
+            if not tokens or is_pronoun(document, tokens):
+                continue
+            inner = stripped(document, tokens)
+            if argument.type != "state" and is_pronoun(document, inner):
+                continue
+            found[tokens.start, tokens.stop, "whole"] = _owned(document, tokens, task, argument.type, "whole")
+            if argument.type != "state" and inner != tokens:
+                found[inner.start, inner.stop, "bare"] = _owned(document, inner, task, argument.type, "bare")
+    for chunk in noun_chunks(document):
+        before = chunk.start - 1
+        if before >= 0 and document.tokens[before].pos == "ADP" and (before, chunk.stop, "whole") not in found:
+            for start, shape in ((before, "said"), (chunk.start, "said.bare")):
+                text = document.span(start, chunk.stop - 1).of(document.text)
+                candidate = Candidate(text, range(start, chunk.stop), chunk.stop - 1, type="location", shape=shape)
+                found.setdefault((start, chunk.stop, "whole" if start == before else "bare"), candidate)
+    for token in document.tokens:
+        i = token.i
+        owner = taken.get(i)
+        if owner is not None and owner.type != "check_state":
+            continue
+        is_state = token.lower in observed.gazetteer.states or token.pos == "ADJ"
+        is_verb = token.pos == "VERB" and token.tag != "MD"
+        if not (is_state or is_verb):
+            continue
+        number, kind = (owner.id, owner.type) if owner else (0, "")
+        candidate = Candidate(token.text, range(i, i + 1), i, number, "state", kind, "verb" if is_verb else "adjective")
+        found.setdefault((i, i + 1, "whole"), candidate)
+        stop = i + 1
+        while stop < len(document) and document.tokens[stop].lower not in _CLAUSE_ENDS and stop not in taken:
+            stop += 1
+        if stop > i + 1 and owner is None:
+            text = document.span(i, stop - 1).of(document.text)
+            found.setdefault((i, stop, "whole"), Candidate(text, range(i, stop), i, number, "state", kind, "clause"))
+    return [found[place] for place in sorted(found)]
+
+
+def noun_chunks(document: Document) -> Iterator[range]:
+    """Base noun phrases by tags: determiners, possessives and modifiers up to the last noun of a run; without times
+    ("pete" of "pete yesterday")."""
+    start: int | None = None
+    for i in range(len(document) + 1):
+        if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
+            token = document.tokens[i]
+            opens = token.pos == "DET" or token.tag == "PRP$"
+            if opens and start is not None:
+                yield from _trimmed(document, range(start, i))
+                start = i
+            start = i if start is None else start
+            continue
+        if start is not None:
+            yield from _trimmed(document, range(start, i))
+        start = None
+
+
+_TIMES = frozenset("yesterday today tonight tomorrow now later".split())
+
+
+def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
+    token = document.tokens[i]
+    if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS"):
+        return True
+    if not is_inside or i + 1 >= len(document):
+        return False
+    following = document.tokens[i + 1]
+    if token.text == "-":  # of a compound: no space to either side
+        return document.tokens[i - 1].end == token.start and token.end == following.start
+    return token.tag in ("VBG", "VBN") and following.pos in ("NOUN", "PROPN")
+
+
+def stripped(document: Document, tokens: range) -> range:
+    """The span without leading prepositions and particles ("in the drawer": "the drawer")."""
+    start = tokens.start
+    while start < tokens.stop - 1 and (
+        document.tokens[start].pos in ("ADP", "PART", "SCONJ", "ADV") or document.tokens[start].lower in PREPOSITIONS
+    ):
+        if document.tokens[start].lower in PRONOUNS:
+            break
+        start += 1
+    return range(start, tokens.stop)
+
+
+def head_of(document: Document, tokens: range) -> int:
+    """The head of a phrase: its last noun before a preposition or clause, else its last token."""
+    head = None
+    for i in tokens:
+        token = document.tokens[i]
+        if (token.pos in ("NOUN", "PROPN", "PRON") and token.tag not in ("PRP$", "WDT")) or token.lower in _HEADS:
+            head = i
+        elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") and head is not None:
+            break
+    return tokens.stop - 1 if head is None else head
+
+
+_HEADS = frozenset("it one ones them they him her he she there mine".split())
+
+
+def is_pronoun(document: Document, tokens: range) -> bool:
+    return len(tokens) == 1 and document.tokens[tokens.start].lower in PRONOUNS
+
+
+def is_pointing(document: Document, tokens: range) -> bool:
+    word = document.tokens[tokens.start].lower
+    return len(tokens) == 1 and word in POINTING - WHOLE
+
+
+def noun_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
+    """The head noun of a candidate with its compound ("baking tray"), in the plural or singular; None: as it is."""
+    head = document.tokens[candidate.head]
+    compound = [
+        document.tokens[i].text
+        for i in range(candidate.tokens.start, candidate.head)
+        if document.tokens[i].dep == "compound" and document.tokens[i].head == candidate.head
+    ]
+    return " ".join([*compound, _inflected(head.text, head.lemma, head.tag, is_plural)])
+
+
+def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
+    """The candidate up to its head without determiner, quantity and possessor."""
+    if candidate.mention or not candidate.tokens.start <= candidate.head < candidate.tokens.stop:
+        return noun_of(document, candidate, is_plural=is_plural)
+    start = candidate.tokens.start
+    for i in range(candidate.tokens.start, candidate.head):
+        token = document.tokens[i]
+        if token.pos in ("DET", "NUM") or token.tag in ("PRP$", "POS") or token.lower in QUANTIFIERS:
+            start = i + 1
+    head = document.tokens[candidate.head]
+    words = [document.tokens[i].text for i in range(start, candidate.head)]
+    return " ".join([*words, _inflected(head.text, head.lemma, head.tag, is_plural)])
+
+
+def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
+    if is_plural is False and tag in ("NNS", "NNPS"):
+        if lemma == text.lower() and text.endswith("s") and not text.endswith("ss"):
+            return text[:-1]
+        return lemma if text.islower() else text[: len(lemma)]
+    if is_plural and tag == "NN":
+        return text + ("es" if text.endswith(("s", "x", "ch", "sh")) else "s")
+    return text
+
+
+def _outside(document: Document, tokens: range, shape: str) -> Candidate:
+    text = document.span(tokens.start, tokens.stop - 1).of(document.text)
+    return Candidate(text, tokens, head_of(document, tokens) if shape == "of" else tokens.stop - 1, shape=shape)
+
+
+def _owned(document: Document, tokens: range, task: Task, argument_type: str, shape: str) -> Candidate:
+    text = document.span(tokens.start, tokens.stop - 1).of(document.text)
+    return Candidate(text, tokens, head_of(document, tokens), task.id, argument_type, task.type, shape)
+
+
+def _names(document: Document) -> Iterator[range]:
+    """Runs of proper nouns, titles included."""
+    start: int | None = None
+    for i, token in enumerate((*document.tokens, None)):
+        is_name = token is not None and token.pos == "PROPN" and token.text[:1].isupper()
+        if is_name and start is None:
+            start = i
+        elif not is_name and start is not None:
+            yield range(start, i)
+            start = None
+
+
+def _possessors(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Whose something is: what stands before "'s" in a noun phrase ("mrs okafor" in "mrs okafor's hearing aid")."""
+    for chunk in chunks:
+        for i in chunk:
+            if document.tokens[i].tag == "POS" and i > chunk.start:
+                yield range(chunk.start, i)
+
+
+def _whole_words(document: Document) -> Iterator[range]:
+    for token in document.tokens:
+        if token.lower in WHOLE:
+            yield range(token.i, token.i + 1)
+
+
+def _coordinations(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Noun phrases in a row with nothing but commas and "and" between them ("the mop, the bucket and the cloth")."""
+    start = 0
+    for k in range(1, len(chunks) + 1):
+        if k < len(chunks) and _is_listed(document, range(chunks[k - 1].stop, chunks[k].start)):
+            continue
+        if k - start > 1:
+            yield range(chunks[start].start, chunks[k - 1].stop)
+        if k - start > 2:
+            yield range(chunks[k - 2].start, chunks[k - 1].stop)
+        start = k
+
+
+def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Noun phrases with one that follows after a preposition ("a bottle of stout", "someone from the council")."""
+    heads = [*chunks, *_whole_words(document)]
+    for chunk in heads:
+        after = next((c for c in chunks if c.start == chunk.stop + 1), None)
+        if after is not None and document.tokens[chunk.stop].pos == "ADP":
+            yield range(chunk.start, after.stop)
+
+
+def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+    """Noun phrases without their last word, which may be a verb that was taken for a noun ("the hose reel drips")."""
+    for chunk in chunks:
+        if len(chunk) > 2 and document.tokens[chunk.stop - 2].pos in ("NOUN", "PROPN"):
+            yield range(chunk.start, chunk.stop - 1)
+
+
+def _is_listed(document: Document, between: range) -> bool:
+    words = [document.tokens[i].lower for i in between]
+    return bool(words) and all(word in (",", "and", "or", "&") for word in words)
+
+
+def _trimmed(document: Document, chunk: range) -> Iterator[range]:
+    nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN")]
+    if nouns:
+        yield range(chunk.start, nouns[-1] + 1)

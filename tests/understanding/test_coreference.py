@@ -1,0 +1,123 @@
+"""What refers to what: phrases, spellings and a model trained on a handful of instructions."""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from documents import document as parsed
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import DataFileError
+from decomplex_bt.flow import Flow
+from decomplex_bt.instruction import Argument, Instruction, Task
+from decomplex_bt.understanding.affinity import Context
+from decomplex_bt.understanding.coreference import ReferenceModel, train_references
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gaps import gap_of, spellings
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.phrases import candidates_of, noun_chunks
+
+GAZETTEER = Gazetteer({}, {}, frozenset())
+
+
+def document(*words: str) -> Document:
+    """A document of words with tags alone ("bring/VB"), without a parse."""
+    return parsed(*(f"{word}/dep/{i}" for i, word in enumerate(words)))
+
+
+def argument(doc: Document, kind: str, first: int, last: int, value: str | None = None) -> Argument:
+    span = doc.span(first, last)
+    return Argument(kind, value or span.of(doc.text), span)
+
+
+def fetched(thing: str, pronoun: str) -> tuple[Observed, Instruction]:
+    """ "take the THING and bring PRONOUN", the pronoun standing for the thing."""
+    doc = document("take/VB", "the/DT", f"{thing}/NN", "and/CC", "bring/VB", f"{pronoun}/PRP")
+    value = f"the {thing}"
+    tasks = (
+        Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, 2),)),
+        Task(2, "bringing", doc.span(4, 4), (argument(doc, "object", 5, 5, value),)),
+    )
+    return Observed(doc, GAZETTEER), Instruction(doc.text, tasks, Flow.from_json([1, 2]))
+
+
+def test_a_trained_model_resolves_a_pronoun_and_leaves_names_alone(tmp_path):
+    ontology = load_domain("household").ontology
+    train_references(tmp_path / "r.json", [fetched(t, "it") for t in ("cup", "pen", "book", "plate")], ontology)
+    observed, gold = fetched("vase", "it")
+    said = [
+        replace(t, arguments=tuple(replace(a, value=a.span.of(gold.text)) for a in t.arguments if a.span))
+        for t in gold.tasks
+    ]
+    tasks = ReferenceModel(tmp_path / "r.json", ontology).resolve(observed, said, gold.flow)
+    assert [task.values("object") for task in tasks] == [("the vase",), ("the vase",)]
+    assert 0 < tasks[1].arguments[-1].confidence <= 1
+
+
+def test_the_same_data_gives_the_same_file(tmp_path):
+    ontology = load_domain("household").ontology
+    for name in ("a", "b"):
+        train_references(tmp_path / name, [fetched(t, "it") for t in ("cup", "pen", "book")], ontology)
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+    assert json.loads((tmp_path / "a").read_text(encoding="utf-8"))
+
+
+def test_a_broken_file_is_named(tmp_path):
+    (tmp_path / "r.json").write_text("[1]", encoding="utf-8")
+    with pytest.raises(DataFileError, match=r"r\.json.*decomplex-bt train"):
+        ReferenceModel(tmp_path / "r.json", load_domain("household").ontology)
+
+
+def test_no_data_trains_a_model_that_leaves_words_as_they_are(tmp_path):
+    ontology = load_domain("household").ontology
+    train_references(tmp_path / "r.json", [], ontology)
+    assert ReferenceModel(tmp_path / "r.json", ontology).resolve(fetched("cup", "it")[0], [], Flow()) == ()
+
+
+def test_candidates_are_whole_short_possessor_and_outside():
+    doc = document("bring/VB", "mrs/NN", "smith/NN", "'s/POS", "bag/NN", "by/IN", "the/DT", "door/NN")
+    task = Task(1, "bringing", doc.span(0, 0), (argument(doc, "object", 1, 7),))
+    texts = {c.text for c in candidates_of(Observed(doc, GAZETTEER), [task])}
+    assert {"mrs smith 's bag by the door", "mrs smith 's bag", "mrs smith", "the door"} <= texts
+
+
+def test_a_noun_chunk_ends_before_a_determiner_and_a_time():
+    doc = document("the/DT", "red/JJ", "cup/NN", "the/DT", "pen/NN", "yesterday/NN")
+    assert list(noun_chunks(doc)) == [range(0, 3), range(3, 5)]
+
+
+@pytest.mark.parametrize(
+    ("words", "kinds", "expected"),
+    [
+        (("the/DT", "green/JJ", "one/NN"), range(4, 7), "the green cup"),
+        (("one/CD",), range(4, 5), "a red cup"),
+        (("half/NN", "of/IN", "it/PRP"), range(4, 7), "half of the red cup"),
+        (("mine/PRP",), range(4, 5), "my cup"),
+    ],
+)
+def test_words_that_refer_are_spelled_with_the_noun(words, kinds, expected):
+    doc = document("take/VB", "the/DT", "red/JJ", "cup/NN", *words)
+    task = Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, 3),))
+    gap = gap_of(doc, task, argument(doc, "object", kinds.start, kinds.stop - 1))
+    assert gap is not None
+    cup = next(c for c in candidates_of(Observed(doc, GAZETTEER), [task]) if c.text == "the red cup")
+    assert expected in {text for text, _ in spellings(doc, gap, cup)}
+
+
+def test_relations_in_the_flow():
+    doc = document(*(f"do{i}/VB" for i in range(6)))
+    tasks = [Task(i + 1, "taking", doc.span(i, i)) for i in range(6)]
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([{"if": [1, 2], "then": [3], "else": [4, 5]}, 6]))
+    assert context.relation(1, 3) == "condition.then.0"
+    assert context.relation(1, 5) == "condition.else.0"
+    assert context.relation(3, 4) == "exclusive"
+    assert context.relation(4, 5) == "same"
+    assert context.relation(1, 2) == "first"
+    assert context.relation(3, 6) == "inner"
