@@ -30,7 +30,7 @@ Progress = Callable[[str], None]
 EDITS = (without_punctuation, without_apostrophes)
 """The noised copies that tasks and arguments are trained on besides the text itself."""
 
-FOLDS = 4
+FOLDS = 3
 """Into how many parts the voices are split to read every instruction by models that never saw its voice."""
 
 
@@ -233,7 +233,7 @@ def _held_out_readings(data: Corpus, domain: Domain, progress: Progress) -> Iter
 
 
 def _folds(voices: Sequence[str]) -> list[int]:
-    """The fold of every example: whole voices, four folds; where there are too few voices, every other example."""
+    """The fold of every example: whole voices; where there are too few voices, every other example."""
     names = sorted(set(voices))
     if len(names) < FOLDS:
         return [i % 2 for i in range(len(voices))]
