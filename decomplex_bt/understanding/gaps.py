@@ -81,8 +81,8 @@ def _form(document: Document, tokens: range) -> str | None:
         if words[0] in _COUNTS:
             return "one" if words[0] == "one" else "count"
         return "pronoun" if words[0] in PRONOUNS or words[0] in _ALONE else None
-    if head in ("one", "ones"):
-        return "one"
+    if head in ("one", "ones"):  # in "the red mug and the blue one" the words themselves say which noun is meant
+        return "one" if not {"and", "or"} & set(words) else None
     if last.tag == "POS":
         return "own"
     if len(words) > 2 and words[-2] == "of" and words[-1] in PRONOUNS:
