@@ -26,6 +26,7 @@ class Record:
         self.inspected: dict[str, int] = {}
         self.told: dict[str, int] = {}
         self.led: dict[str, tuple[int, str | None]] = {}
+        self.visited: dict[str, int] = {}
 
     def begin(self, event: Event | None) -> None:
         """Begins a control step, with what was done in it."""
@@ -38,13 +39,19 @@ class Record:
 
     def look(self, truth: Truth, watched: Iterable[str]) -> None:
         """Takes down how these entities stand at the end of the step."""
+        self.visited[truth.room] = self.step
         for name in watched:
             if truth.is_seen(name):
                 self.seen[name] = self.step
             if truth.is_inspected(name):
                 self.inspected[name] = self.step
-            if truth.place(name) == ROBOT:
+            if truth.is_near(name):
+                self.visited[name] = self.step
+            place = truth.place(name)
+            if place == ROBOT:
                 self.carried[name] = self.step
+            elif place is not None and truth.is_inspected(place):
+                self.inspected[name] = self.step  # where it was then: it may be moved
 
 
 class Evidence:
@@ -69,6 +76,9 @@ class Evidence:
     def was_carried(self, name: str) -> bool:
         return self.record.carried.get(name, BEFORE) >= max(self.since, 0)
 
+    def was_visited(self, name: str) -> bool:
+        return self.record.visited.get(name, BEFORE) >= max(self.since, 0)
+
     def was_told(self, person: str) -> bool:
         """Whether the robot spoke to a person after the task became due; what was said for another does not count."""
         return self.record.told.get(person, BEFORE) > self.since
@@ -89,7 +99,7 @@ class Evidence:
             return all(self._inspected(place) for place in ([floor] if for_person else places_in(self.domain, where)))
         if where in house.things:
             place = self.truth.place(where)
-            return place is not None and self._inspected(place)
+            return self._inspected(where) or (place is not None and self._inspected(place))
         if where in house.people:
             return self.was_seen(where)
         return self._inspected(where) if holds_things(self.domain, where) else self.was_seen(where)

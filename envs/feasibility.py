@@ -47,7 +47,7 @@ class Course:
 
 def plan_course(instruction: GroundInstruction, domain: Domain, truth: Truth) -> Course:
     """The course of an instruction from this moment of the true world; the first feasible reading of its phrases."""
-    return _course(instruction, tuple(instruction.flow.nodes), {}, Assumed(domain, truth))
+    return plan_rest(instruction, tuple(instruction.flow.nodes), {}, Assumed(domain, truth))
 
 
 def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Cause | None:
@@ -170,8 +170,8 @@ def _device_obstacle(domain: Domain, truth: Truth, thing: str, value: str) -> tu
 # -- the whole course -------------------------------------------------------------------------------------------------
 
 
-def _course(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bindings, world: Assumed) -> Course:
-    """The first course without an obstacle, else the one that the first reading leads to."""
+def plan_rest(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bindings, world: Assumed) -> Course:
+    """The course of what is still to come: the first without an obstacle, else the one that the first reading leads to."""
     if not agenda:
         return Course()
     node, rest = agenda[0], tuple(agenda[1:])
@@ -184,7 +184,7 @@ def _course(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bi
             course = Course(truth, (task.number,), undecided)
         else:
             branch, ahead = enter(node, truth)
-            course = _course(instruction, (*ahead, *rest), bound, after)
+            course = plan_rest(instruction, (*ahead, *rest), bound, after)
             course = replace(course, tasks=(task.number, *course.tasks), branches=(*branch, *course.branches))
         if course.is_feasible:
             return course

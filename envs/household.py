@@ -18,6 +18,7 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.judge import Judge
+from decomplex_bt.envs.meddling import Meddler, Move
 from decomplex_bt.envs.opening import can_be_asked, draw_asked, draw_start, judge_for
 from decomplex_bt.envs.options import (
     Options,
@@ -136,8 +137,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     ## Reset options
     `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
     `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
-    the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `chance`,
-    `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused. Without an instruction each reset draws
+    the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `grasp_slip`,
+    `missed_detection`, `meddling`, `chance`, `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused. Without an instruction each reset draws
     one from the corpus. A text without a gold reading is understood by the interpreter, which is loaded then.
 
     ## Info keys
@@ -153,7 +154,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `path_length` | metres driven |
     | `shortest_length` | with success the shortest path there was (`shortest`), in metres; -1 before and without |
     | `seconds` | simulated time |
-    | `result`, `events` | what came of the last interaction; what was tried in this step, in words |
+    | `result`, `events` | what came of the last interaction; what happened in this step, in words |
+    | `moved_by_others` | how many things somebody else has moved so far (`meddling`) |
     | `judged_by` | "gold" or "interpreted": whose reading the judge goes by |
     | `exempt` | after reset only: what the balance could not mix |
 
@@ -196,6 +198,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._rows, self._bounds = self._residence.extent(self.setting.geometry)
         self._request = read_request(instruction, gold)
         self._world: World | None = None
+        self._meddler: Meddler | None = None
+        self._move: Move | None = None
         self._sensor: Sensor
         self._judging: Judge
         self._recording: Recording
@@ -224,6 +228,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
         world = self.world
         forward, turn, interaction, target = read_action(action, self._rows)
+        self._move = self._meddle()
         self._result = interact(world, interaction, target)
         if world.walks:
             advance(world)
@@ -423,6 +428,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         self._reward_kind = options.reward or self.config.reward
         self._recording = Recording(generator, request, options)
         self._result = Result.NONE
+        self._move = None
         self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH
         self._start = draw_start(self.setting, options, judge.tests, self.config.balance, base, mixing)
         setting = self.setting
@@ -439,11 +445,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             stage=self._stage,
         )
         self._sensor = Sensor(self._world, self.config.sensing, noise)
-        if not options.noise or not options.chance:
-            self._world.grasp_slip = self._sensor.missed_detection = 0.0
+        self._add_noise(options)
         self._sensor.look()
         self._judged_arrangement = self._world.arrangement
         self._verdict = judge.begin(self._world, self._sensor)
+        self._meddler = self._make_meddler(options.meddling, noise)
         self._held_version = -1
         self._constant_info = {"instruction": self._text, **judge.feasibility()}
         if self._camera is not None:
@@ -451,6 +457,22 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self.render_mode is not None:
             self._film()
         return self._observe(), {**self._inform(), "exempt": self._world.exempt}
+
+    def _add_noise(self, options: Options) -> None:
+        """How likely grasps slip and looks miss something: as the house has it, or as the options want it."""
+        world, sensor = self.world, self._sensor
+        if not options.noise or not options.chance:
+            world.grasp_slip = sensor.missed_detection = 0.0
+        if options.grasp_slip is not None:
+            world.grasp_slip = options.grasp_slip
+        if options.missed_detection is not None:
+            sensor.missed_detection = options.missed_detection
+
+    def _make_meddler(self, rate: float, noise: Generator) -> Meddler | None:
+        if rate == 0.0:
+            return None
+        judge, rng = self._judging, noise.spawn(1)[0]  # spawning leaves the noise as it is
+        return Meddler(self.world, rng, rate=rate, mentioned=judge.mentioned, allows=judge.allows)
 
     def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
@@ -461,6 +483,13 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return request, self._judge
 
     # -- a step's parts -----------------------------------------------------------------------------------------------
+
+    def _meddle(self) -> Move | None:
+        """Lets somebody else move a thing, if it is time to, and tells the judge."""
+        move = None if self._meddler is None else self._meddler.act()
+        if move is not None:
+            self._judging.take_in(move.thing)
+        return move
 
     def _has_news(self) -> bool:
         """Whether something happened between two looks that the judge may go by."""
@@ -530,7 +559,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
         info["shortest_length"] = self._shortest_length
-        info["events"] = [] if world.event is None else [str(world.event)]
+        info["events"] = [str(event) for event in (self._move, world.event) if event is not None]
+        info["moved_by_others"] = 0 if self._meddler is None else self._meddler.moves
         info["result"] = RESULT_NAMES[self._result]
         return info
 

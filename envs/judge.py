@@ -55,6 +55,29 @@ class Judge:
         return self._monitor.update(event)
 
     @property
+    def mentioned(self) -> tuple[str, ...]:
+        """The things that the instruction may mean, in order of mention."""
+        things = self.domain.house.things
+        referents = (referent for task in self.grounded.tasks for referent in task.referents())
+        return tuple(dict.fromkeys(name for referent in referents for name in referent.candidates if name in things))
+
+    @property
+    def settled(self) -> frozenset[str]:
+        """The things that are meant by where they lie ("everything on the table")."""
+        counted = (r for task in self.grounded.tasks if task.places for r in task.objects if r.is_all)
+        return frozenset(name for referent in counted for name in referent.candidates)
+
+    def allows(self, thing: str, place: str) -> bool:
+        """Whether somebody else may put a thing to a place: the instruction stays possible, and means what it did."""
+        assert self._monitor is not None
+        return thing not in self.settled and self._monitor.can_lie(thing, place)
+
+    def take_in(self, thing: str) -> None:
+        """Takes in that somebody else has moved a thing."""
+        assert self._monitor is not None
+        self._monitor.take_in(thing)
+
+    @property
     def minds_position(self) -> bool:
         """Whether the task due is done by being somewhere, so that every step counts, looked or not."""
         assert self._monitor is not None

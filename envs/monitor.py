@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
-from decomplex_bt.envs.feasibility import FINDING_OUT, Course, enter, find_cause, plan_course
+from decomplex_bt.envs.feasibility import FINDING_OUT, Assumed, Course, enter, find_cause, plan_course, plan_rest
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
 from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, outcomes
@@ -103,6 +103,23 @@ class Monitor:
         self.verdict = self._judge()
         return self.verdict
 
+    def take_in(self, thing: str) -> None:
+        """Takes in that somebody else has moved a thing: so it is from now on, and it is not the robot's doing."""
+        self._holds = self._goals_that_hold()
+        for reading in self.readings:
+            if reading.moment is not None:
+                reading.moment.take_in(thing)
+        self._view = None
+
+    def can_lie(self, thing: str, place: str) -> bool:
+        """Whether what is still to come could be carried out as well if a thing lay at another place."""
+        now, then = (Assumed(self.domain, self.truth, places) for places in ({}, {thing: place}))
+        return not any(
+            plan_rest(self.instruction, reading.agenda, reading.bindings, now).is_feasible
+            and not plan_rest(self.instruction, reading.agenda, reading.bindings, then).is_feasible
+            for reading in self.readings
+        )
+
     def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
         """What was due and is settled, in order, each with its truth; and what the phrases turned out to mean."""
         best = self._best()
@@ -178,11 +195,14 @@ class Monitor:
         return (None if is_settled else reading), followers
 
     def _is_false(self, task: GroundTask, reading: Reading, is_condition: bool) -> bool:
-        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found."""
-        if not is_condition:
-            return False
+        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found.
+
+        Whether something is in the house at all has an answer, no, as a plain step too.
+        """
         if task.type == "check_state":
             return task.state == HERE and not task.places and not self._is_any_here(task, reading.bindings)
+        if not is_condition:
+            return False
         if task.type == "searching":
             return reading.is_impossible and not task.places
         return reading.is_impossible

@@ -37,7 +37,9 @@ class Options:
 
     `placement`: thing to place, None for nowhere in the house. `states`: entity to the values it is to have. `broken`:
     exactly these devices are broken. `people`: person to room, None for out. `noise`: False switches slips and misses
-    off. `chance`: False switches all chance off that is not noise: everything is as it is most often.
+    off. `grasp_slip`, `missed_detection` in [0, 1]: how likely a grasp slips, a look misses a thing; they hold whatever
+    `noise` says. `meddling`: how often in a minute of simulated time somebody else moves a thing, on average, from 0 to
+    60. `chance`: False switches all chance off that is not noise: everything is as it is most often.
     """
 
     request: Request | None = None
@@ -47,6 +49,9 @@ class Options:
     broken: tuple[str, ...] | None = None
     people: Mapping[str, str | None] | None = None
     noise: bool = True
+    grasp_slip: float | None = None
+    missed_detection: float | None = None
+    meddling: float = 0.0
     chance: bool = True
     max_seconds: float | None = None
     reward: str | None = None
@@ -64,6 +69,9 @@ KEYS = (
     "broken",
     "people",
     "noise",
+    "grasp_slip",
+    "missed_detection",
+    "meddling",
     "chance",
     "max_seconds",
     "reward",
@@ -83,6 +91,9 @@ def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Optio
         broken=_devices(given.get("broken"), geometry),
         people=_names(given, "people", tuple(house.people), tuple(house.rooms)),
         noise=_flag(given, "noise"),
+        grasp_slip=_number(given, "grasp_slip", 0.0, 1.0),
+        missed_detection=_number(given, "missed_detection", 0.0, 1.0),
+        meddling=_number(given, "meddling", 0.0, 60.0) or 0.0,
         chance=_flag(given, "chance"),
         max_seconds=_number(given, "max_seconds", 0.0, float("inf")),
         reward=_one_of(given, "reward", REWARDS),

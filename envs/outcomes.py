@@ -57,7 +57,13 @@ def _motion(task: GroundTask, bindings: Bindings, evidence: Evidence, is_conditi
     if target is None:
         yield Outcome(True, bindings)
         return
-    yield from _reached(target, bindings, lambda name: _is_robot_at(evidence, name))
+    among = candidates(target, bindings)
+    has_many = needed(target, among) > 1  # one cannot be at several places at once: each is to be visited
+
+    def is_reached(name: str) -> bool:
+        return _is_robot_at(evidence, name) or (has_many and evidence.was_visited(name.removesuffix("_floor")))
+
+    yield from _reached(target, bindings, is_reached)
 
 
 def _taking(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:

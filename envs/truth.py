@@ -58,6 +58,11 @@ class Moment:
             if name in house.things or name in house.places():
                 self._states.update({(name, pair): truth.state(name, pair) for pair in domain.kind(name).states})
 
+    def take_in(self, name: str) -> None:
+        """Takes in that somebody else has moved a thing."""
+        if name in self._places:
+            self._places[name] = self._truth.place(name)
+
     @property
     def room(self) -> str:
         return self._truth.room

@@ -18,6 +18,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
+from decomplex_bt.envs.config import WorldConfig
 from decomplex_bt.envs.geometry import LEAF_RADIUS, Floats, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.motor import make_motor
@@ -42,30 +43,6 @@ class Collision(IntFlag):
     ROBOT = 1
     THING = 2
     PERSON = 4
-
-
-@dataclass(frozen=True, slots=True)
-class WorldConfig:
-    """What the robot can do, and how time runs.
-
-    `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
-    rad/s². `reach` [m]: from the robot's centre to the nearest point of what it handles; `speak_reach` [m]: from centre
-    to centre, to speak and to hand over. `tray_slots`: things the tray holds.
-    """
-
-    substep: float = 0.01
-    substeps: int = 10
-    max_speed: float = 1.0
-    max_turn_rate: float = 2.5
-    max_acceleration: float = 1.5
-    max_turn_acceleration: float = 8.0
-    reach: float = 0.8
-    speak_reach: float = 1.5
-    tray_slots: int = 4
-
-    @property
-    def step_seconds(self) -> float:
-        return self.substep * self.substeps
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,6 +174,13 @@ class World:
             self._add_thing(thing)
         self._carried = self._carried_rows()
         self.version += 1
+
+    def shift(self, thing: int, place: int, spot: tuple[float, float]) -> None:
+        """Moves a thing that lies somewhere to a spot of a place, without the robot."""
+        if thing in self._bodies:
+            self._drop_body(thing)
+        self.lay(thing, place, spot)
+        self.arrangement += 1
 
     def set_state(self, row: int, pair: int, value: int) -> None:
         self.states[row, pair] = value

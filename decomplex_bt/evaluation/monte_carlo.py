@@ -44,7 +44,8 @@ class Setup:
     """What all episodes of an evaluation have in common.
 
     `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
-    `noise`: slips and misses.
+    `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
+    `meddling`: things that somebody else moves in a minute of simulated time, on average.
     """
 
     env_id: str = "decomplex_bt/Household-v0"
@@ -52,10 +53,20 @@ class Setup:
     balance: float | None = None
     max_seconds: float | None = None
     noise: bool = True
+    grasp_slip: float | None = None
+    missed_detection: float | None = None
+    meddling: float | None = None
 
     def options(self) -> dict[str, Any]:
         """The reset options that they come to."""
-        options = {"balance": self.balance, "max_seconds": self.max_seconds, "noise": self.noise}
+        options = {
+            "balance": self.balance,
+            "max_seconds": self.max_seconds,
+            "noise": self.noise,
+            "grasp_slip": self.grasp_slip,
+            "missed_detection": self.missed_detection,
+            "meddling": self.meddling,
+        }
         return {key: value for key, value in options.items() if value is not None}
 
 
@@ -275,6 +286,7 @@ def _ended(
         goals_total=info["goal_conditions_total"],
         branches=tuple(info["branches"]),
         violations=tuple(info["violations"]),
+        moved_by_others=info["moved_by_others"],
         understood=understood if episode.agent in READERS else None,
         **counts,
     )

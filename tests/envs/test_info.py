@@ -34,6 +34,7 @@ KEYS = {
     "unsettled",
     "feasible",
     "infeasible_cause",
+    "moved_by_others",
 }
 REST = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
 
