@@ -356,8 +356,14 @@ class _Grounder:
         return self._referent(phrase, lambda name: people or not self._is_person(name), "be gone to", is_place=True)
 
     def _elsewhere(self, words: str) -> Referent:
-        """Anywhere but the room that is left, the rooms next to it first."""
-        left = {self._room(name) for name in self._place(words).candidates}
+        """Anywhere but the room that is left, the rooms next to it first.
+
+        What there is one of in every room ("the rug") is the likeliest of them.
+        """
+        places = self._place(words).candidates
+        left = {self._room(name) for name in places}
+        if left.issuperset(self.house.rooms):
+            left = {self._room(places[0])}
         next_to = [room for d in self.house.doorways.values() if left & set(d.rooms) for room in d.rooms]
         rooms = tuple(room for room in dict.fromkeys([*next_to, *self.house.rooms]) if room not in left)
         return Referent(f"out of {split_preposition(words, self.domain)[1]}", rooms)

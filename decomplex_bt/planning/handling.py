@@ -10,7 +10,7 @@ from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.looking import Looking
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.standing import NothingLeftError, Pursuit
-from decomplex_bt.planning.whereabouts import likely_places, next_place, places_in
+from decomplex_bt.planning.whereabouts import next_place, places_in
 
 _HANDLING = ("taking", "placing", "bringing", "change_state")
 
@@ -114,7 +114,7 @@ class Handling(Looking):
         tools = wipers_of(wiped[0], self.domain) if wiped and self.task.state == "clean" else ()
         if not tools or any(self._is_located(tool) for tool in tools):
             return None
-        place = next_place(tools, self.belief, [p for p in likely_places(tools, self.belief) if self._is_open(p)])
+        place = next_place(tools, self.belief, self._open_for(tools))
         what = self.domain.kind(tools[0]).words[0]
         if place is None:
             raise NothingLeftError(f"there is no {what} to be found to clean {self._objects_phrase()} with")
@@ -134,7 +134,8 @@ class Handling(Looking):
             there = [
                 name for name in located if is_done(name) or self._is_there(name) or self.belief.place_of(name) == ROBOT
             ]
-            if referent.is_all or there or any(self._is_open(place) for place in self.wheres):
+            is_enough = len(there) >= max(1, self._needed(referent))
+            if referent.is_all or is_enough or any(self._is_open(place) for place in self.wheres):
                 located = there
         unknown = [name for name in able if not self._is_located(name)]
         if self.wheres and not unknown and len(located) < self._needed(referent):
@@ -149,7 +150,7 @@ class Handling(Looking):
         place = next_place(unknown, self.belief, [place for place in self.wheres if self._is_open(place)])
         if place is not None or (self.wheres and any(r.is_all for r in self.task.objects)):
             return place
-        return next_place(unknown, self.belief, [p for p in likely_places(unknown, self.belief) if self._is_open(p)])
+        return next_place(unknown, self.belief, self._open_for(unknown))
 
     def _is_enough(self, referent: Referent, picked: Sequence[str]) -> bool:
         """Of "all", and of several, those will do that there are."""
@@ -205,7 +206,7 @@ class Handling(Looking):
         )
 
     def _look_for_people(self, referent: Referent, lost: Sequence[str]) -> Pursuit:
-        place = next_place(lost, self.belief, [p for p in likely_places(lost, self.belief) if self._is_open(p)])
+        place = next_place(lost, self.belief, self._open_for(lost))
         if place is None:
             raise NothingLeftError(self._why(f"{referent.phrase!r} is nowhere to be found", lost))
         return self._inspect(place, referent.phrase)

@@ -8,7 +8,7 @@ from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.problem import fact_name
 from decomplex_bt.planning.standing import NothingLeftError, Pursuit, PursuitStatus, Standing, is_indefinite
-from decomplex_bt.planning.whereabouts import likely_places, next_place, places_of
+from decomplex_bt.planning.whereabouts import next_place, places_of
 
 
 class Looking(Standing):
@@ -43,7 +43,7 @@ class Looking(Standing):
             place for name in names if (place := self.belief.place_of(name)) in self.wheres and self._is_open(place)
         ]
         open_places = known or [place for place in self.wheres if self._is_open(place)]
-        place = next_place(names, self.belief, open_places)
+        place = next_place((not known and self._lost_landmarks()) or names, self.belief, open_places)
         if place is not None:
             return self._inspect(place, self._objects_phrase())
         inspected = [place for place in self.wheres if self._was_inspected(place)]
@@ -63,7 +63,7 @@ class Looking(Standing):
                     return self._ongoing(goal, f"going to where {self._objects_phrase()} is")
             elif (goal := self._first_open([(Atom("at", (name,)),)])) is not None:
                 return self._ongoing(goal, f"going to {self._objects_phrase()}")
-        open_places = [place for place in likely_places(names, self.belief) if self._is_open(place)]
+        open_places = self._open_for(names)
         place = next_place(names, self.belief, open_places)
         if place is not None:
             return self._inspect(place, self._phrase_of(names))
@@ -120,7 +120,7 @@ class Looking(Standing):
         if goal is not None:
             return self._ongoing(goal, doing)
         unknown = [name for name in names if not self._is_located(name)]
-        open_places = [place for place in likely_places(unknown, self.belief) if self._is_open(place)]
+        open_places = self._open_for(unknown)
         place = next_place(unknown, self.belief, open_places)
         if place is not None:
             return self._inspect(place, referent.phrase)
@@ -139,7 +139,7 @@ class Looking(Standing):
         """Whether an entity is known to be somewhere, or may still turn up."""
         if self.task.places and is_indefinite(self.task.objects[0]) and not self._is_located(name):
             return any(self._is_open(place) for place in self.wheres)
-        return self._is_located(name) or any(self._is_open(place) for place, _ in self.belief.likely_places(name))
+        return self._is_located(name) or bool(self._open_for([name]))
 
     def _false(self, bound: Mapping[Referent, Sequence[str]]) -> Pursuit:
         reason = f"{self._objects_phrase()} is not {self.task.state}"

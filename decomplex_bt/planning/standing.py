@@ -10,10 +10,14 @@ from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 from decomplex_bt.planning.pddl import Atom
-from decomplex_bt.planning.whereabouts import is_at, places_of, room_distances
+from decomplex_bt.planning.whereabouts import is_at, likely_places, places_of, room_distances
 
 Bindings = Mapping[Referent, tuple[str, ...]]
 """Which entities a referent has turned out to mean; final once a task that names it is done."""
+
+
+_FINDING_OUT = frozenset(("searching", "check_state"))
+"""Types of tasks that come out as true or false by where things are."""
 
 
 class PursuitStatus(Enum):
@@ -60,6 +64,8 @@ class Standing:
         self.wheres = tuple(
             place for r in task.places for place in places_of(r, belief, for_people=self._asks_people())
         )
+        lost = self._lost_landmarks() if task.type in _FINDING_OUT else ()
+        self.theres = self.wheres if not lost else self._known_wheres(lost)
 
     # -- referents ----------------------------------------------------------------------------------------------------
 
@@ -108,7 +114,7 @@ class Standing:
 
     def _counts(self, name: str) -> bool:
         """Whether one of "all" is still to be dealt with: it is there, or may still turn up."""
-        return self._is_located(name) or any(self._is_open(place) for place, _ in self.belief.likely_places(name))
+        return self._is_located(name) or bool(self._open_for([name]))
 
     def _missing(self, is_done: Callable[[str], bool]) -> list[str]:
         """The candidates of the first object that is not settled."""
@@ -130,7 +136,19 @@ class Standing:
 
     def _is_there(self, name: str) -> bool:
         """Whether an object is where the task says, if it says a place."""
-        return not self.task.places or is_at(name, self.wheres, self.belief)
+        return not self.task.places or is_at(name, self.theres, self.belief)
+
+    def _lost_landmarks(self) -> tuple[str, ...]:
+        """The things beside which the task looks ("under the pillow") that are not found yet."""
+        names = (name for referent in self.task.places for name in referent.candidates)
+        return tuple(name for name in names if name in self.house.things and self.belief.place_of(name) is None)
+
+    def _known_wheres(self, lost: Sequence[str]) -> tuple[str, ...]:
+        """The places that the task names for sure: what lies where a thing may be need not lie beside it."""
+        known = (
+            Referent(r.phrase, tuple(n for n in r.candidates if n not in lost)) for r in self.task.places
+        )
+        return tuple(place for r in known for place in places_of(r, self.belief, for_people=self._asks_people()))
 
     def _was_seen(self, name: str) -> bool:
         if name in self.house.things or name in self.house.people:
@@ -159,6 +177,20 @@ class Standing:
     def _is_open(self, place: str | None) -> bool:
         """Whether a place can still be looked at: not inspected since the task became due, and not given up."""
         return place is not None and not self._was_inspected(place) and self._is_possible(self._inspected_goal(place))
+
+    def _open_for(self, names: Sequence[str]) -> list[str]:
+        """The places where one of these may be that can still be looked at, likeliest of the first first.
+
+        Those inspected before the last sight of what has been moved since are among them.
+        """
+        lost = [name for name in names if self.belief.place_of(name) is None]
+        sight = max((self.belief.seen(name) for name in lost), default=0)
+
+        def is_open(place: str) -> bool:
+            is_stale = holds_things(place, self.domain) and self.belief.inspected(place) < sight
+            return self._is_open(place) or (is_stale and self._is_possible(self._inspected_goal(place)))
+
+        return [place for place in likely_places(names, self.belief) if is_open(place)]
 
     def _was_inspected(self, place: str) -> bool:
         if place in self.house.people or not holds_things(place, self.domain):
