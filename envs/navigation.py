@@ -179,7 +179,7 @@ class Driver:
     def _has_dithered(self, pose: Pose) -> bool:
         """Whether the rest of the way has not become shorter for long."""
         points = [pose.point, *self._rest]
-        left = sum(math.dist(start, end) for start, end in pairwise(points)) if self._rest else math.inf
+        left = sum(map(math.dist, points, self._rest)) if self._rest else math.inf
         if left < self._nearest - PROGRESS:
             self._nearest, self._dithered = left, 0.0
         self._dithered += self.limits.step

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
@@ -26,9 +26,8 @@ NEAR_PLACE = 1.0
 """[m] Within this distance of its footprint, and in its room, the robot is at a place."""
 NEAR_PERSON = 1.5
 """[m] Within this distance of their centre, and in their room, the robot is with a person."""
-_VISIBLE, _X, _Y, _PLACE, _INSPECTED = (COLUMNS.index(name) for name in ("visible", "x", "y", "place", "inspected"))
+_VISIBLE, _X, _Y, _INSPECTED = (COLUMNS.index(name) for name in ("visible", "x", "y", "inspected"))
 _RESULTS = tuple(Result)
-_FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 _PERSON_RADIUS = 0.25
 _REPORTED = [COLUMNS.index(name) for name in ("place", *STATE_PAIRS)]
 
@@ -98,6 +97,7 @@ class Senses:
         self._about: list[Obstacle] = []
         self._lying: list[Obstacle] = []
         self._on_floors: list[tuple[str, int]] = []
+        self._told: dict[int, tuple[list[float], str | None, dict[tuple[str, str], str]]] = {}
 
     def take(self, observation: Mapping[str, Any]) -> None:
         """Takes one observation in. Call it once per observation, in order."""
@@ -221,31 +221,46 @@ class Senses:
         states: dict[tuple[str, str], str] = {}
         names = self.names
         on_floors = []
-        for index, row in zip(visible.tolist(), table[visible].tolist(), strict=True):
+        reported = table.take(visible, axis=0).take(_REPORTED, axis=1).tolist()
+        for index, row in zip(visible.tolist(), reported, strict=True):
             name = names[index]
-            at = int(row[_PLACE])
-            if at >= 0:
-                places[name] = names[at]
-                if at in self._floor_rows and name in self._radius:
+            told = self._told.get(index)
+            if told is None or told[0] != row:
+                told = self._told[index] = row, *self._tell(name, row)
+            _, place, its_states = told
+            if place is not None:
+                places[name] = place
+                if name in self._radius and row[0] in self._floor_rows:
                     on_floors.append((name, index))
             elif name in self.house.people:
                 places[name] = self.room_of_person(name) or ""
-            for column, pair in enumerate(STATE_PAIRS):
-                flag = int(row[_FIRST_STATE + column])
-                if flag >= 0:
-                    states[name, pair] = self._values[column, flag]
-                    if pair == "aperture" and name in self.house.doorways:
-                        self._door_states[name] = states[name, pair]
+            if its_states:
+                states.update(its_states)
+                if name in self.house.doorways:
+                    self._door_states[name] = its_states[name, "aperture"]
         for name in self._recalled:
             places[name] = self.room_of_person(name) or ""
         unseen = set(self._recalled)
         if self.house.user not in places and (room := self.room_of_person(self.house.user)) is not None:
             places[self.house.user] = room  # the user's place is always known
             unseen.add(self.house.user)
-        self.unseen = frozenset(unseen)
+        if unseen != self.unseen:
+            self.unseen = frozenset(unseen)
         self._on_floors = on_floors
         self.places, self.states = _kept(self.places, places), _kept(self.states, states)
-        self.inspected = frozenset(names[index] for index in inspected.tolist())
+        looked_into = frozenset(names[index] for index in inspected.tolist())
+        if looked_into != self.inspected:
+            self.inspected = looked_into
+
+    def _tell(self, name: str, row: Sequence[float]) -> tuple[str | None, dict[tuple[str, str], str]]:
+        """Where an entity is and in which states, by the reported columns of its row."""
+        at, *flags = map(int, row)
+        states = {
+            (name, pair): self._values[column, flag]
+            for column, (pair, flag) in enumerate(zip(STATE_PAIRS, flags, strict=True))
+            if flag >= 0
+        }
+        return (self.names[at] if at >= 0 else None), states
 
     def _take_near(self) -> None:
         x, y = self.pose.point

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from py_trees.common import Status
+from py_trees.composites import Sequence as InOrder
 from py_trees.trees import BehaviourTree
 
 from decomplex_bt.behaviour.compiler import CompiledTree, compile_flow
@@ -63,6 +64,7 @@ class TreeAgent:
         self._ask = ask
         self._threshold = threshold
         self._session: Session | None = None
+        self._running: PlannedTask | None = None
         self._has_finished = self._has_concluded = False
 
     # -- the Gymnasium loop -------------------------------------------------------------------------------------------
@@ -87,6 +89,7 @@ class TreeAgent:
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)
         self._has_finished = self._has_concluded = False
+        self._running = None
 
     def act(self, observation: Any) -> Any:
         """The action for this observation: ticks the tree once. The last action is the one that ends the episode."""
@@ -101,8 +104,14 @@ class TreeAgent:
         return self._body.finish()
 
     def _tick(self, observation: Any) -> None:
+        """Ticks the tree once; where all that comes of it is an action of the leaf that runs, only that leaf."""
         self.session.begin_tick(observation)
-        self.tree.tick()
+        tree, leaf = self.tree, self._running
+        if leaf is not None and leaf.status is Status.RUNNING and not _is_watched(tree) and leaf.work():
+            tree.count += 1
+            return
+        tree.tick()
+        self._running = _running_leaf(tree)
 
     def _conclude(self) -> None:
         """Takes in with what the episode has ended, where it did so before the tree knew: what its last step did."""
@@ -194,6 +203,24 @@ def compile_instruction(instruction: Instruction, grounded: GroundInstruction, d
         lambda name, number, is_condition: PlannedTask(name, tasks[number], is_condition=is_condition),
         title=instruction.text,
     )
+
+
+def _is_watched(tree: BehaviourTree) -> bool:
+    """Whether somebody wants to know of every node that is ticked."""
+    return bool(tree.visitors or tree.pre_tick_handlers or tree.post_tick_handlers)
+
+
+def _running_leaf(tree: BehaviourTree) -> PlannedTask | None:
+    """The leaf that runs, where all nodes above it hand its status on and remember where they are."""
+    leaf = tree.root.tip() if tree.root.status is Status.RUNNING else None
+    if not isinstance(leaf, PlannedTask) or leaf.status is not Status.RUNNING:
+        return None
+    node = leaf.parent
+    while node is not None:
+        if not (isinstance(node, IfThenElse) or (type(node) is InOrder and node.memory)):
+            return None
+        node = node.parent
+    return leaf
 
 
 def _spoken_state(state: str | None) -> str | None:

@@ -44,6 +44,7 @@ class PlannedTask(Behaviour):
         self.task_type = task.type
         self.is_condition = is_condition
         self._session: Session | None = None
+        self._outcome: Status | None = None
         self._clear()
 
     # -- the four hooks of py_trees -----------------------------------------------------------------------------------
@@ -58,6 +59,24 @@ class PlannedTask(Behaviour):
         self._since = self.session.belief.tick
 
     def update(self) -> Status:
+        """A tick's work, unless `work` has done it for this tick."""
+        outcome = self._outcome
+        self._outcome = None
+        return self._work() if outcome is None else outcome
+
+    def work(self) -> bool:
+        """Does a tick's work ahead of the tick of the tree, for a leaf that is RUNNING; whether it goes on as before.
+
+        Then nothing in the tree changes by being ticked. Else the tree is to be ticked, and learns of what came of it.
+        """
+        shown = self.feedback_message
+        self._outcome = self._work()
+        if self._outcome is not Status.RUNNING or shown != self.feedback_message:
+            return False
+        self._outcome = None
+        return True
+
+    def _work(self) -> Status:
         session = self.session
         for _ in range(MAX_ROUNDS):
             # The skill first: that its step is done must be known before the plan is looked at again.
@@ -96,6 +115,7 @@ class PlannedTask(Behaviour):
     # -- one tick's work ----------------------------------------------------------------------------------------------
 
     def _clear(self) -> None:
+        self._outcome = None
         self.is_undecided = False
         self.truth: bool | None = None
         self.feedback_message = ""

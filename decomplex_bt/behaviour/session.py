@@ -37,6 +37,9 @@ class Session:
     failures: list[Failure] = field(default_factory=list)
     plans: int = 0
     replans: int = 0
+    _steps: tuple[GroundAction, ...] = ()
+    _names: tuple[str, ...] = ()
+    _states: tuple[tuple[str, str], ...] = ()
 
     def begin_tick(self, observation: Any) -> None:
         """Takes an observation in: the belief is fed, the last action forgotten."""
@@ -46,12 +49,17 @@ class Session:
     def fingerprint(self, steps: tuple[GroundAction, ...]) -> Fingerprint:
         """What is believed of everything that these steps are about; equal fingerprints, same prospects."""
         belief = self.belief
-        pairs = tuple(belief.domain.kinds.state_pairs)
-        facts: list[str | None] = [belief.held, *belief.tray]
-        for name in dict.fromkeys(name for step in steps for name in step.objects):
-            facts.append(belief.place_of(name))
-            facts += [belief.state(name, pair) for pair in pairs]
-        return tuple(facts)
+        if steps is not self._steps:
+            self._steps = steps
+            self._names = tuple(dict.fromkeys(name for step in steps for name in step.objects))
+            self._states = tuple((name, pair) for name in self._names for pair in belief.domain.kinds.state_pairs)
+        state, place_of = belief.state, belief.place_of
+        return (
+            belief.held,
+            *belief.tray,
+            *(place_of(name) for name in self._names),
+            *(state(name, pair) for name, pair in self._states),
+        )
 
     def still_works(self, goal_atoms: tuple[Atom, ...], steps: tuple[GroundAction, ...]) -> bool:
         """Whether these steps, the first of them under way, still lead to the goal from what is believed now."""

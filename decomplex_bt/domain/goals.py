@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 
 from pydantic import Field
 
@@ -22,8 +23,7 @@ class GoalTemplate(Record):
 
     def parts(self) -> Iterator[Filled]:
         """The atoms as written, split into predicate and terms."""
-        for atom in self.atoms:
-            yield tuple(re.sub(r"[()]", " ", atom).split())
+        yield from map(_parts, self.atoms)
 
 
 class Goals(Record):
@@ -49,9 +49,19 @@ class Goals(Record):
             if all(
                 role in roles and (role == "state" or has_type(roles[role], of)) for role, of in template.of.items()
             ):
-                words = {**roles, "state": self.fluent(roles.get("state", ""))}
-                return tuple(tuple(part.format(**words) for part in parts) for parts in template.parts())
+                return _filled(template.atoms, *roles.items(), ("state", self.fluent(roles.get("state", ""))))
         raise KeyError(f"no goal of {task_type} takes {dict(roles)}")
+
+
+@lru_cache(maxsize=4096)
+def _filled(atoms: tuple[str, ...], *words: tuple[str, str]) -> tuple[Filled, ...]:
+    """A template's atoms with words for its roles, a later one before an earlier; asked again at every decision."""
+    spoken = dict(words)
+    return tuple(tuple(part.format(**spoken) for part in parts) for parts in map(_parts, atoms))
+
+
+def _parts(atom: str) -> Filled:
+    return tuple(re.sub(r"[()]", " ", atom).split())
 
 
 def check_goals(goals: Goals, predicates: Mapping[str, int], values: tuple[str, ...]) -> None:

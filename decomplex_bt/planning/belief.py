@@ -48,7 +48,10 @@ class Belief:
         self._attempts: Counter[GroundAction] = Counter()
         self._blocked: dict[GroundAction, str] = {}
         self._given_up: dict[tuple[Atom, ...], tuple[int, str]] = {}
+        self._floors = {room: domain.house.floor_of(room) for room in domain.house.rooms}
         self._is_settled = False
+        self._is_doubting = False
+        self._is_behind = False
 
     def copy(self) -> Belief:
         """A belief that goes its own way from here."""
@@ -61,27 +64,40 @@ class Belief:
 
     def update(self, percept: Percept) -> None:
         """Takes in one look at the world."""
+        last = self.percept
+        has_moved = percept.near is not last.near or percept.room != last.room
+        is_nothing_new = self._is_settled and _shows_the_same(percept, last)
+        if has_moved or not is_nothing_new:
+            self._catch_up()
         self.tick += 1
-        last, self.percept = self.percept, percept
-        if self._is_settled and _shows_the_same(percept, last):
-            self._see_again(percept)
+        self.percept = percept
+        has_moved = has_moved and (last.room != percept.room or last.near != percept.near)
+        if is_nothing_new:
+            # It shows what the last one did, which had left nothing open: only times go on.
+            self._is_behind = True
+            self.revision += has_moved
             return
         for name in (percept.room, *percept.near):
             self._visited[name] = self.tick
+        are_things_new = self._see_things(percept)
         changed = (
-            self._see_things(percept)
+            are_things_new
             | self._see_states(percept.states)
             | self._see_contents(percept)
-            | (last.room != percept.room or last.near != percept.near)
+            | has_moved
             | (last.held != percept.held or last.tray != percept.tray)
             | (last.places.keys() != percept.places.keys() or self.tick == 1)
         )
         self.revision += changed
-        self._is_settled = not changed and not self._misses and min(self._looks.values(), default=LOOKS) >= LOOKS
+        is_looking = min(self._looks.values(), default=LOOKS) < LOOKS
+        self._is_settled = not (are_things_new or self._is_doubting or is_looking)
 
-    def _see_again(self, percept: Percept) -> None:
-        """Takes in a look that shows what the last one did, which had left nothing open: only times go on."""
-        tick = self.tick
+    def _catch_up(self) -> None:
+        """Notes when all was seen last that looks with nothing new have shown; put off until somebody asks."""
+        if not self._is_behind:
+            return
+        self._is_behind = False
+        percept, tick = self.percept, self.tick
         self._visited[percept.room] = tick
         self._visited.update(dict.fromkeys(percept.near, tick))
         self._seen.update((name, tick) for name in percept.places if name not in percept.unseen)
@@ -171,10 +187,12 @@ class Belief:
 
     def seen(self, name: str) -> int:
         """The tick of the last sight of an entity, `NEVER` if there was none."""
+        self._catch_up()
         return self._seen.get(name, NEVER)
 
     def state_seen(self, name: str, pair: str) -> int:
         """The tick at which a state was last seen, `NEVER` if it was not."""
+        self._catch_up()
         return self._state_seen.get((name, pair), NEVER)
 
     def state_changed(self, name: str, pair: str) -> int:
@@ -183,14 +201,17 @@ class Belief:
 
     def visited(self, name: str) -> int:
         """The tick at which the robot was last in a room or at a position, `NEVER` if it was not."""
+        self._catch_up()
         return self._visited.get(name, NEVER)
 
     def inspected(self, place: str) -> int:
         """The tick at which the whole contents of a place were last in view, `NEVER` if they were not."""
+        self._catch_up()
         return self._inspected.get(place, NEVER)
 
     def carried(self, thing: str) -> int:
         """The tick at which a thing was last in the hand or on the tray, `NEVER` if it was not."""
+        self._catch_up()
         return self._carried.get(thing, NEVER)
 
     def noted(self, atom: Atom) -> int:
@@ -199,12 +220,16 @@ class Belief:
 
     def likely_places(self, name: str) -> tuple[tuple[str, float], ...]:
         """Where a thing or person may be, with weights, likeliest first: where it is known to be, alone, or the prior's
-        places that have not been inspected without finding it. Empty when nothing is left."""
+        places that have not been inspected without finding it. Empty when nothing is left.
+
+        Of what was seen and is there no longer, somebody has moved it since: looks before that sight say nothing.
+        """
         known = self._place.get(name)
         if known is not None:
             place = self.domain.house.floor_of(known) if known in self.domain.house.rooms else known
             return ((place, 1.0),)
-        return tuple(entry for entry in self.prior.places.get(name, ()) if entry[0] not in self._inspected)
+        seen = max(self.seen(name), 0)
+        return tuple(e for e in self.prior.places.get(name, ()) if self._inspected.get(e[0], NEVER) < seen)
 
     def blocked(self) -> Mapping[GroundAction, str]:
         """Steps that are not tried again, with the reason."""
@@ -222,6 +247,7 @@ class Belief:
         return found[-1] if found else None
 
     def __str__(self) -> str:
+        self._catch_up()
         rows = [f"robot in {self.room}, holding {self.held or 'nothing'}, tray {[t for t in self.tray if t]}"]
         house = self.domain.house
         for name in (*house.places(), *house.things, *house.people):
@@ -276,26 +302,32 @@ class Belief:
             if self._looks[place] >= LOOKS:
                 changed |= self._looks[place] == LOOKS
                 self._inspected[place] = self.tick
-        for name, place in list(self._place.items()):
-            held = place == ROBOT and name not in (percept.held, *percept.tray)
-            floor = self.domain.house.floor_of(place) if place in self.domain.house.rooms else place
-            if name not in percept.places and (held or floor in percept.inspected):
-                self._misses[name] += 1
-                if held or self._misses[name] >= LOOKS:
-                    del self._place[name]
-                    changed = True
+        carried = (percept.held, *percept.tray)
+        missed = [
+            (name, place == ROBOT)
+            for name, place in self._place.items()
+            if name not in percept.places
+            and (name not in carried if place == ROBOT else self._floors.get(place, place) in percept.inspected)
+        ]
+        self._is_doubting = False
+        for name, was_carried in missed:
+            self._misses[name] += 1
+            if was_carried or self._misses[name] >= LOOKS:
+                del self._place[name]
+                changed = True
+            else:
+                self._is_doubting = True
         return changed
 
 
 def _shows_the_same(percept: Percept, last: Percept) -> bool:
-    """Whether a look shows just what the last one did; bodies hand the same mappings out where nothing has changed."""
+    """Whether a look shows just what the last one did, wherever the robot is; bodies hand the same mappings out where
+    nothing has changed."""
     return (
         percept.places is last.places
         and percept.states is last.states
         and percept.inspected is last.inspected
         and percept.unseen is last.unseen
-        and percept.near is last.near
-        and percept.room == last.room
         and percept.held == last.held
         and percept.tray == last.tray
     )

@@ -79,6 +79,30 @@ def test_it_knows_nothing_but_observations_and_the_instruction():
     assert len(actions) == len(run(env, instruction, 3)[2])
 
 
+@pytest.mark.parametrize("name", sorted(EXAMPLES)[::4])
+def test_it_ticks_as_it_does_while_every_node_is_watched(name):
+    env, outcomes = make_env(), []
+    for is_watched in (False, True):
+        agent = decomplex_bt.TreeAgent(env, flow=EXAMPLES[name].instruction)
+        shown = []
+        reset, act = agent.reset, agent.act
+
+        def note(observation, agent=agent, act=act, shown=shown):
+            action = act(observation)
+            shown.append([(node.name, node.status, node.feedback_message) for node in agent.tree.root.iterate()])
+            return action
+
+        def begin(observation, info, agent=agent, reset=reset, is_watched=is_watched):
+            reset(observation, info)
+            if is_watched:
+                agent.record()
+
+        agent.reset, agent.act = begin, note
+        _, _, actions = run(env, EXAMPLES[name].instruction, 5, agent=agent)
+        outcomes.append((repr(actions), shown, agent.tree.count, agent.branches()))
+    assert outcomes[0] == outcomes[1]
+
+
 def test_two_agents_in_one_process_share_nothing():
     instruction = EXAMPLES["heat"].instruction
     alone = [len(run(make_env(), instruction, seed)[2]) for seed in (1, 2)]

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.planning.belief import MAX_ATTEMPTS, Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
@@ -103,3 +107,38 @@ def test_somebody_whose_place_is_known_was_not_therefore_seen() -> None:
     assert belief.seen("user") < 0
     belief.update(Percept(room="kitchen", places={"user": "kitchen"}))
     assert belief.seen("user") == belief.tick
+
+
+def test_what_is_put_off_while_nothing_is_new_makes_no_difference() -> None:
+    rng = np.random.default_rng(0)
+    rooms, things, places = ("study", "kitchen"), ("pen_1", "keys", "cup_1"), ("desk", "study_floor", "robot")
+    percept, quick, thorough = EMPTY, Belief(DOMAIN), Belief(DOMAIN)
+    for _ in range(3000):
+        change = int(rng.integers(12))
+        if change == 0:
+            seen = {thing: places[rng.integers(2)] for thing in things if rng.random() < 0.5}
+            percept = replace(percept, places=seen, unseen=frozenset(name for name in seen if rng.random() < 0.3))
+        elif change == 1:
+            percept = replace(percept, inspected=frozenset(p for p in places[:2] if rng.random() < 0.5))
+        elif change == 2:
+            percept = replace(percept, states={("desk", "cleanliness"): ("clean", "dirty")[rng.integers(2)]})
+        elif change == 3:
+            percept = replace(percept, near=frozenset(p for p in places[:2] if rng.random() < 0.5))
+        elif change == 4:
+            percept = replace(percept, room=rooms[rng.integers(2)])
+        elif change == 5:
+            percept = replace(percept, held=(None, "keys")[rng.integers(2)])
+        quick.update(percept)
+        thorough.update(replace(percept, places=dict(percept.places), states=dict(percept.states)))
+        if rng.random() < 0.1:
+            for belief in (quick, thorough):
+                belief.succeeded(GroundAction("place", ("pen_1", "desk")))
+        assert quick.revision == thorough.revision
+        if rng.random() < 0.2:
+            assert times(quick) == times(thorough)
+
+
+def times(belief: Belief) -> tuple[object, ...]:
+    names = ("pen_1", "keys", "cup_1", "desk", "study_floor", "study", "kitchen")
+    asked = (belief.seen, belief.visited, belief.inspected, belief.carried, belief.place_of)
+    return str(belief), belief.state_seen("desk", "cleanliness"), [[ask(name) for ask in asked] for name in names]
