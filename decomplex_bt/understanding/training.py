@@ -128,7 +128,7 @@ def train_with_encoder(
     train_encoder(folder, learnt.plain, noised, domain.ontology, progress=progress)
     progress("readings")
     with tempfile.TemporaryDirectory() as scratch:  # flow models that, like the encoder, never saw the voices kept back
-        left_out = train_flow(Path(scratch), learnt.plain)
+        left_out = train_flow(Path(scratch), learnt.for_flow())
         stages = encoder_stages(folder, FlowModel(Path(scratch)), domain.ontology)
         kept = data.only([voice in for_choice for voice in data.voices]).plain
         _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in kept])
@@ -200,6 +200,10 @@ class Corpus:
     plain: tuple[tuple[Observed, Instruction], ...]
     noised: tuple[tuple[tuple[Observed, Instruction], ...], ...]
 
+    def for_flow(self) -> list[tuple[Observed, Instruction]]:
+        """What the flow is learnt from: the texts, and their copies without punctuation."""
+        return [*self.plain, *self.noised[EDITS.index(without_punctuation)]]
+
     def only(self, kept: Sequence[bool]) -> Corpus:
         """The part at the places where `kept` is true."""
         return Corpus(
@@ -210,14 +214,13 @@ class Corpus:
 
 
 def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
-    # tasks and arguments gain from noised copies; the flow lives on punctuation and does not
     with_noise = [*data.plain, *chain.from_iterable(data.noised)]
     progress("tasks")
     train_tasks(folder / "tasks.crf", with_noise)
     progress("arguments")
     train_arguments(folder / "arguments.crf", with_noise)
     progress("flow")
-    return train_flow(folder, data.plain)
+    return train_flow(folder, data.for_flow())
 
 
 def _held_out_readings(data: Corpus, domain: Domain, progress: Progress) -> Iterator[Held]:
