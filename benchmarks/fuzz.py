@@ -13,6 +13,8 @@ by more than `MAX_GROWTH`.
 from __future__ import annotations
 
 import argparse
+import ctypes
+import gc
 import io
 import json
 import sys
@@ -194,7 +196,12 @@ def fuzz(
 
 
 def resident_bytes() -> int:
-    """The memory that this process holds now."""
+    """The memory that this process holds now, once what is free has been given back: one long input makes glibc keep
+    tens of megabytes for the next, which is no hoarding."""
+    gc.collect()
+    give_back = getattr(ctypes.CDLL(None), "malloc_trim", None)
+    if give_back is not None:
+        give_back(0)
     for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines():
         if line.startswith("VmRSS:"):
             return int(line.split()[1]) * 1024
