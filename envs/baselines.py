@@ -10,6 +10,7 @@ import numpy as np
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X, Y
 from decomplex_bt.envs.truth import Truth
+from decomplex_bt.envs.walking import is_near_person
 from decomplex_bt.errors import InputError
 from decomplex_bt.planning.pddl import GroundAction
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from decomplex_bt.behaviour.failure import Failure
     from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.household import HouseholdEnv
+    from decomplex_bt.envs.world import World
     from decomplex_bt.instruction import Instruction
     from decomplex_bt.planning.planner import Planner
 
@@ -179,7 +181,17 @@ def see_all(env: HouseholdEnv, observation: Mapping[str, Any]) -> dict[str, Any]
     table[here, PLACE] = world.place[here]
     table[here, FIRST_STATE:] = world.states[here]
     table[:places, INSPECTED] = world.prior.holds
+    for person in _behind_walls(world):
+        # Seen, they would be taken for near enough to speak with.
+        floor = int(world.geometry.floor_row[world.room[person]])
+        table[person], table[floor, INSPECTED] = observation["entities"][person], 0
     return {**observation, "entities": table}
+
+
+def _behind_walls(world: World) -> list[int]:
+    """The people within earshot of the robot but for a wall."""
+    people = [row for row in world.geometry.people_rows if world.home[row] and not is_near_person(world, row)]
+    return [row for row in people if np.hypot(*(world.position[row] - world.robot)) <= world.config.speak_reach + 0.1]
 
 
 def _refused(domain: Domain, truth: Truth) -> list[GroundAction]:

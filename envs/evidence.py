@@ -91,12 +91,15 @@ class Evidence:
     def was_inspected(self, where: str, *, for_person: bool = False) -> bool:
         """Whether all that a place can hold came into view.
 
-        Of a room these are all its places, or, for a person, its floor alone; a thing stands for where it is.
+        Of a room these are all its places; a person is in a room, of which the floor is to be seen ("on the sofa": in
+        the room it is in); a thing stands for where it is.
         """
         house = self.domain.house
+        room = where if where in house.rooms else self.domain.room_of(where)
+        if for_person and room is not None:
+            return self._inspected(house.floor_of(room))
         if where in house.rooms:
-            floor = house.floor_of(where)
-            return all(self._inspected(place) for place in ([floor] if for_person else places_in(self.domain, where)))
+            return all(self._inspected(place) for place in places_in(self.domain, where))
         if where in house.things:
             place = self.truth.place(where)
             return self._inspected(where) or (place is not None and self._inspected(place))
@@ -114,6 +117,8 @@ def is_there(domain: Domain, truth: Truth, name: str, where: str) -> bool:
     if place is None:
         return False
     house = domain.house
+    if name in house.people and where not in house.things and where not in house.people:
+        return place == (domain.room_of(where) or where)
     if where in house.rooms:
         return true_room(domain, truth, name) == where
     if where in house.things:

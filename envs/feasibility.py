@@ -171,7 +171,7 @@ def _device_obstacle(domain: Domain, truth: Truth, thing: str, value: str) -> tu
 
 
 def plan_rest(instruction: GroundInstruction, agenda: Sequence[Node], bindings: Bindings, world: Assumed) -> Course:
-    """The course of what is still to come: the first without an obstacle, else the one that the first reading leads to."""
+    """The course of what is still to come: the first without an obstacle, else that of the first reading."""
     if not agenda:
         return Course()
     node, rest = agenda[0], tuple(agenda[1:])

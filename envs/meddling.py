@@ -1,7 +1,7 @@
 """Somebody else in the house: every now and then a thing that nobody holds is put to another place that suits it.
 
-Who does it is not seen doing it. Only the moment, the thing and the place are drawn, from a generator of its own, so that
-a world is drawn and the robot's grasps slip as they would if nobody meddled.
+Nobody is seen doing it. Only the moment, the thing and the place are drawn, from a generator of its own, so that a world
+is drawn as it would be if nobody meddled.
 """
 
 from __future__ import annotations
@@ -41,9 +41,7 @@ class Meddler:
     on a move; one that would leave the instruction impossible is not made.
     """
 
-    def __init__(
-        self, world: World, rng: Generator, *, rate: float, mentioned: Sequence[str], allows: Allows
-    ) -> None:
+    def __init__(self, world: World, rng: Generator, *, rate: float, mentioned: Sequence[str], allows: Allows) -> None:
         self.world, self.rng, self.allows = world, rng, allows
         self.moves = 0
         self._mentioned = tuple(world.geometry.row[name] for name in mentioned)

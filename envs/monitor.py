@@ -235,9 +235,12 @@ class Monitor:
         """All that is looked at for the task due, in order."""
         names: dict[str, None] = {}
         if reading.due is not None:
-            for referent in self.instruction.task(reading.due.task).referents():
+            task = self.instruction.task(reading.due.task)
+            for referent in task.referents():
                 for name in candidates(referent, reading.bindings):
                     names.update(dict.fromkeys(self._watched(name)))
+            if any(name in self.domain.house.people for referent in task.objects for name in referent.candidates):
+                names.update(dict.fromkeys(self._floors(task)))
         return names
 
     def _watched(self, name: str) -> tuple[str, ...]:
@@ -247,6 +250,12 @@ class Monitor:
             return places_in(self.domain, name)
         place = self.truth.place(name) if name in house.things else None
         return (name, place) if place is not None and place in house.furniture else (name,)
+
+    def _floors(self, task: GroundTask) -> Iterator[str]:
+        """The floors of the rooms of the places that a task names, on which people stand."""
+        for referent in task.places:
+            rooms = (self.domain.room_of(name) for name in referent.candidates)
+            yield from (self.domain.house.floor_of(room) for room in rooms if room is not None)
 
     # -- violations ---------------------------------------------------------------------------------------------------
 

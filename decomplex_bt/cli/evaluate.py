@@ -16,9 +16,12 @@ from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
     from decomplex_bt.evaluation.monte_carlo import Progress
+    from decomplex_bt.evaluation.row import Row
     from decomplex_bt.evaluation.summary import Summary
 
 READINGS = ("own", "gold")
+FAILURES_SHOWN = 30
+"""Failures that are printed, each with its cause."""
 
 
 def evaluate(
@@ -26,9 +29,16 @@ def evaluate(
     episodes: Annotated[int, typer.Option("--episodes", "-n", help="Worlds for each instruction.")] = 20,
     seed: SeedOption = 0,
     jobs: Annotated[int, typer.Option("--jobs", "-j", help="Processes; -1: one a core.")] = 1,
-    agent: Annotated[str, typer.Option(help="tree, oracle (knows the world), random or idle.")] = "tree",
+    agent: Annotated[
+        list[str], typer.Option(help="tree, oracle (knows the world), random or idle; several in the same worlds.")
+    ] = ["tree"],  # noqa: B006 - typer reads the default, and nobody changes it
     reading: Annotated[str, typer.Option(help="Whose reading the tree goes by: own or gold.")] = "own",
     limit: Annotated[int | None, typer.Option(min=1, help="Only the first so many instructions.")] = None,
+    grounded: Annotated[bool, typer.Option("--grounded", help="Leave out what asks for what the house lacks.")] = False,
+    noise: Annotated[bool, typer.Option("--noise/--no-noise", help="Slips and misses, as the house has them.")] = True,
+    slips: Annotated[float | None, typer.Option(help="How likely a grasp slips, in [0, 1].")] = None,
+    misses: Annotated[float | None, typer.Option(help="How likely a look misses a thing, in [0, 1].")] = None,
+    meddling: Annotated[float, typer.Option(help="Things somebody else moves in a minute, on average.")] = 0.0,
     output: Annotated[Path | None, typer.Option(help="A folder for rows.jsonl and summary.json.")] = None,
     format: FormatOption = Format.text,
     json: JsonOption = False,
@@ -48,19 +58,33 @@ def evaluate(
         raise InputError(f"--reading {reading}: expected one of {', '.join(READINGS)}")
     if output is not None:
         report.prepare_output(output)
-    examples = read_corpus(corpus, load_domain(domain_of(domain)).ontology)[:limit]
+    examples = read_corpus(corpus, load_domain(domain_of(domain)).ontology)
+    if grounded:
+        read, examples = len(examples), monte_carlo.those_that_ground(examples, load_domain(domain_of(domain)))
+        remark(f"{len(examples)} of {read} instructions ground in the house; the others are left out")
+    examples = examples[:limit]
+    setup = monte_carlo.Setup(
+        domain=domain_of(domain), noise=noise, grasp_slip=slips, missed_detection=misses, meddling=meddling
+    )
     with _progress() as progress:
-        rows = monte_carlo.evaluate(
+        rows = monte_carlo.evaluate_agents(
             examples,
+            agent,
             episodes=episodes,
             seed=seed,
             jobs=jobs,
-            agent=agent,
             reading="own" if reading == "own" else "gold",
-            setup=monte_carlo.Setup(domain=domain_of(domain)),
+            setup=setup,
             progress=progress,
         )
-    settings = {"corpus": str(corpus), "episodes": episodes, "seed": seed, "agent": agent, "reading": reading}
+    settings = {
+        "corpus": str(corpus),
+        "episodes": episodes,
+        "seed": seed,
+        "agent": agent[0] if len(agent) == 1 else agent,
+        "reading": reading,
+        **setup.options(),
+    }
     if output is not None:
         for path in report.write_results(output, rows, settings):
             remark(f"written: {path}")
@@ -68,18 +92,31 @@ def evaluate(
         print_json(report.summary_json(rows, settings))
     else:
         _print(summarise(rows))
+        _print_failures(rows)
     return 0
 
 
 def _print(summaries: Sequence[Summary]) -> None:
-    from decomplex_bt.evaluation.summary import tabulate
+    from decomplex_bt.evaluation.summary import tabulate, tabulate_conditions
 
     print(tabulate(summaries))
+    if conditions := tabulate_conditions(summaries):
+        print(f"\n{conditions}\n")
     for summary in summaries:
         if count := dict(summary.outcomes)["ungroundable"]:
             print(f"{count} of {summary.episodes} episodes ask for what this house does not have: outside the rate")
         for warning in summary.warnings:
             remark(f"warning: {warning}")
+
+
+def _print_failures(rows: Sequence[Row]) -> None:
+    from decomplex_bt.evaluation.report import failure_lines
+
+    lines = list(failure_lines(rows))
+    for line in lines[:FAILURES_SHOWN]:
+        print(line)
+    if len(lines) > FAILURES_SHOWN:
+        print(f"and {len(lines) - FAILURES_SHOWN} failures more; --output DIR lists them all")
 
 
 @contextmanager

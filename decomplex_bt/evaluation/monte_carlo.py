@@ -130,6 +130,20 @@ def evaluate_agents(
     return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
 
 
+def those_that_ground(examples: Sequence[Example], domain: Domain) -> tuple[Example, ...]:
+    """The examples whose gold flow asks for what there is in the domain's house."""
+    from decomplex_bt.envs.judge import Judge
+
+    def grounds(example: Example) -> bool:
+        try:
+            Judge(example.instruction, domain, judged_by="gold")
+        except InputError:
+            return False
+        return True
+
+    return tuple(example for example in examples if grounds(example))
+
+
 def plan_episodes(
     examples: Sequence[Example],
     *,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from decomplex_bt.evaluation.summary import summarise
 
 ROWS_FILE = "rows.jsonl"
 SUMMARY_FILE = "summary.json"
+FAILURES_FILE = "failures.txt"
 FORMAT = 1
 
 
@@ -38,12 +39,26 @@ def prepare_output(folder: Path) -> Path:
     return folder
 
 
-def write_results(folder: Path, rows: Sequence[Row], settings: Mapping[str, Any] | None = None) -> tuple[Path, Path]:
-    """Writes `rows.jsonl` and `summary.json`; each appears only when it is complete. Raises `InputError`."""
+def failure_lines(rows: Iterable[Row]) -> Iterator[str]:
+    """A line for each failed episode: which it was, and where and why it went wrong."""
+    return (
+        f"{row.agent}, {row.example}, seed {row.seed}: {row.stage}: {row.cause}"
+        for row in rows
+        if row.outcome == "failure"
+    )
+
+
+def write_results(folder: Path, rows: Sequence[Row], settings: Mapping[str, Any] | None = None) -> tuple[Path, ...]:
+    """Writes `rows.jsonl`, `summary.json` and `failures.txt`; each appears only when complete. Raises `InputError`."""
     prepare_output(folder)
     rows_path = write_whole(folder / ROWS_FILE, "".join(row_lines(rows)))
     summary = json.dumps(summary_json(rows, settings), ensure_ascii=False, indent=2)
-    return rows_path, write_whole(folder / SUMMARY_FILE, summary + "\n")
+    failures = "".join(f"{line}\n" for line in failure_lines(rows))
+    return (
+        rows_path,
+        write_whole(folder / SUMMARY_FILE, summary + "\n"),
+        write_whole(folder / FAILURES_FILE, failures),
+    )
 
 
 def write_whole(path: Path, text: str) -> Path:

@@ -27,7 +27,8 @@ class Row:
     driven. `understood`: whether the agent's reading comes to what the gold one does in this house, None for an agent
     that reads nothing; a wrong reading may still succeed where what it gets wrong never comes due. `goals_met`,
     `goals_total`: tasks and conditions due. `branches`: one mapping (task, truth, taken) for each condition reached, in
-    order. `moved_by_others`: things that somebody else has moved. `failures`: those the agent knows of, as `run --json` prints them.
+    order. `moved_by_others`: things that somebody else has moved. `failures`: those the agent knows of, as `run --json`
+    prints them.
     """
 
     example: str

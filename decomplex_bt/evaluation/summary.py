@@ -105,9 +105,25 @@ def tabulate(summaries: Sequence[Summary]) -> str:
     header = ("agent", "instruction", "success over feasible", "understood", "infeasible", "steps", "failures")
     lines = [header, *(_cells(summary) for summary in summaries)]
     lines += [_cells(part) for summary in summaries for part in summary.instructions]
-    widths = [max(len(line[column]) for line in lines) for column in range(len(header))]
-    padded = [[cell.ljust(width) for cell, width in zip(line, widths, strict=True)] for line in lines]
-    return "\n".join("  ".join(cells).rstrip() for cells in padded)
+    return _aligned(lines)
+
+
+def tabulate_conditions(summaries: Sequence[Summary]) -> str:
+    """How often each condition came out true and false, a line for each, those of all agents together; "" for none."""
+    counts: dict[tuple[str, int], Counter[str]] = {}
+    for summary in summaries:
+        for part in summary.instructions:
+            for branch in part.branches:
+                count = counts.setdefault((part.example or "", branch.task), Counter())
+                count.update({"true": branch.true, "false": branch.false, "undecided": branch.undecided})
+    if not counts:
+        return ""
+    both = sum(bool(count["true"] and count["false"]) for count in counts.values())
+    lines: list[tuple[str, ...]] = [("condition", "true", "false", "undecided", "true of decided")]
+    for (example, task), count in counts.items():
+        share = Proportion(count["true"], count["true"] + count["false"])
+        lines.append((f"{example}, task {task}", *(str(count[k]) for k in ("true", "false", "undecided")), str(share)))
+    return f"{_aligned(lines)}\nboth branches occurred for {both} of {len(counts)} conditions"
 
 
 def _of_agent(agent: str, rows: Sequence[Row]) -> Summary:
@@ -163,6 +179,12 @@ def _cells(summary: Summary) -> tuple[str, ...]:
         "-" if summary.steps is None else f"{summary.steps:.0f}",
         failures or "-",
     )
+
+
+def _aligned(lines: Sequence[tuple[str, ...]]) -> str:
+    widths = [max(len(line[column]) for line in lines) for column in range(len(lines[0]))]
+    padded = [[cell.ljust(width) for cell, width in zip(line, widths, strict=True)] for line in lines]
+    return "\n".join("  ".join(cells).rstrip() for cells in padded)
 
 
 def _percent(share: Proportion) -> str:

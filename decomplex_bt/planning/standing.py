@@ -145,9 +145,7 @@ class Standing:
 
     def _known_wheres(self, lost: Sequence[str]) -> tuple[str, ...]:
         """The places that the task names for sure: what lies where a thing may be need not lie beside it."""
-        known = (
-            Referent(r.phrase, tuple(n for n in r.candidates if n not in lost)) for r in self.task.places
-        )
+        known = (Referent(r.phrase, tuple(n for n in r.candidates if n not in lost)) for r in self.task.places)
         return tuple(place for r in known for place in places_of(r, self.belief, for_people=self._asks_people()))
 
     def _was_seen(self, name: str) -> bool:

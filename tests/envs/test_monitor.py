@@ -37,6 +37,22 @@ def test_motion_to_a_thing_is_done_where_it_lies():
     assert episode.go("study").is_success
 
 
+def test_motion_to_several_places_is_done_when_each_was_visited():
+    tables = referent("kitchen_table", "coffee_table", "hallway_table", phrase="the two tables", count=2)
+    episode = Episode(HandWorld(), [1], task(1, "motion", goal=tables))
+    assert not episode.go("kitchen", "kitchen_table").is_success
+    assert not episode.go("hallway").is_success
+    assert episode.go("hallway", "hallway_table").is_success
+
+
+def test_whether_what_is_nowhere_is_here_is_answered_as_a_plain_step_too():
+    episode = Episode(
+        HandWorld(), [1, 2], task(1, "check_state", "letter", state=HERE), task(2, "motion", goal="study")
+    )
+    assert episode.verdict.unsettled == 2
+    assert episode.go("study").is_success
+
+
 def test_searching_without_a_place_is_done_only_when_seen():
     episode = Episode(HandWorld({"keys": "desk"}), [1], task(1, "searching", "keys"))
     assert not episode.inspect("desk").is_success

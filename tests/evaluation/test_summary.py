@@ -8,7 +8,7 @@ from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.evaluation.proportion import Proportion
 from decomplex_bt.evaluation.report import summary_json, write_results
 from decomplex_bt.evaluation.row import Row, read_rows
-from decomplex_bt.evaluation.summary import summarise, tabulate
+from decomplex_bt.evaluation.summary import summarise, tabulate, tabulate_conditions
 
 
 def row(outcome="success", *, example="one", agent="tree", seed=0, **fields):
@@ -48,6 +48,17 @@ def test_both_sides_of_each_condition_are_counted_in_feasible_episodes():
     ]
 
 
+def test_conditions_are_tabulated_over_all_agents():
+    rows = [row(branches=(branch(True),)), row(agent="oracle", branches=(branch(False), branch(True, task=3)))]
+    lines = tabulate_conditions(summarise(rows)).splitlines()
+    assert [line.split()[:5] for line in lines[1:3]] == [
+        ["one,", "task", "1", "1", "1"],
+        ["one,", "task", "3", "1", "0"],
+    ]
+    assert lines[-1] == "both branches occurred for 1 of 2 conditions"
+    assert tabulate_conditions(summarise([row()])) == ""
+
+
 def test_warnings_name_the_instruction():
     rows = [row(branches=(branch(True),))] + [row("infeasible") for _ in range(2)] + [row(example="two")]
     assert summarise(rows)[0].warnings == (
@@ -66,10 +77,11 @@ def test_agents_stand_beside_each_other():
 def test_rows_and_summary_are_written_whole_and_read_again(tmp_path):
     rows = [row(branches=(branch(True),), steps=12), row("failure", stage="execution", cause="Ümlaut")]
     folder = tmp_path / "new" / "results"
-    rows_path, summary_path = write_results(folder, rows, {"seed": 3})
+    rows_path, summary_path, failures_path = write_results(folder, rows, {"seed": 3})
     assert read_rows(rows_path) == tuple(rows)
     assert json.loads(summary_path.read_text(encoding="utf-8")) == summary_json(rows, {"seed": 3})
-    assert sorted(path.name for path in folder.iterdir()) == ["rows.jsonl", "summary.json"]
+    assert sorted(path.name for path in folder.iterdir()) == ["failures.txt", "rows.jsonl", "summary.json"]
+    assert failures_path.read_text(encoding="utf-8") == "tree, one, seed 0: execution: Ümlaut\n"
 
 
 def test_a_broken_row_is_named_by_its_line(tmp_path):

@@ -55,6 +55,14 @@ def bound(pursuit: Pursuit) -> dict[str, tuple[str, ...]]:
     return {referent.phrase: entities for referent, entities in pursuit.bindings.items()}
 
 
+def test_what_lies_where_a_landmark_may_be_does_not_lie_beside_it():
+    text = "[Is](1:check_state) [the phone](1:object) [on the charger](1:location) [there](1:state=here)"
+    apart = world({"phone": "nightstand", "charger": "desk_drawer"})
+    assert run(text, apart)[0].truth is False
+    beside = world({"phone": "nightstand", "charger": "nightstand"})
+    assert run(text, beside)[0].truth is True
+
+
 FIND_PEN = "[Find](1:searching) [a pen](1:object) and [give](2:bringing) [it](2:object=a pen) [to Anna](2:recipient)"
 
 
