@@ -1,7 +1,7 @@
 """Somebody else in the house: every now and then a thing that nobody holds is put to another place that suits it.
 
-Nobody is seen doing it. Only the moment, the thing and the place are drawn, from a generator of its own, so that a world
-is drawn as it would be if nobody meddled.
+Nobody is seen doing it. Only the moment, the thing and the place are drawn, from a generator of its own, so that a
+world is drawn as it would be if nobody meddled.
 """
 
 from __future__ import annotations
