@@ -7,7 +7,6 @@ first asked for, so that `import decomplex_bt` stays light; it registers the env
 from __future__ import annotations
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 from decomplex_bt.envs.registration import register_envs
@@ -16,8 +15,9 @@ if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
     from decomplex_bt.understanding.interpreter import Interpreter
 
+    __version__: str
+
 __all__ = ["Interpreter", "TreeAgent", "__version__"]
-__version__ = version("decomplex-bt")
 
 _HOMES = {"Interpreter": "decomplex_bt.understanding.interpreter", "TreeAgent": "decomplex_bt.behaviour.agent"}
 
@@ -26,6 +26,11 @@ register_envs()
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        # Reading what is installed takes longer than all else here.
+        from importlib.metadata import version
+
+        return version("decomplex-bt")
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(_HOMES[name]), name)

@@ -40,11 +40,11 @@ class FlatHouseholdEnv(HouseholdEnv):
         return {key: slice(end - size, end) for (key, size), end in zip(sizes.items(), ends, strict=True)}
 
     def _kept(self) -> list[tuple[str, spaces.Space[Any]]]:
-        inner = observation_space(self._rows, self._bounds, self.config.world.tray_slots)
+        inner = observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
         return [(key, inner[key]) for key in ("robot", "held", "entities", "result", "seconds", "instruction_codes")]
 
     def _make_action_space(self) -> spaces.Space[Any]:
-        return spaces.MultiDiscrete([len(SPEEDS), len(SPEEDS), len(Interaction), self._rows])
+        return spaces.MultiDiscrete([len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows])
 
     def _make_observation_space(self) -> spaces.Space[Any]:
         lows, highs = [], []

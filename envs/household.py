@@ -4,75 +4,37 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from math import hypot
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import gymnasium as gym
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
-from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.envs.hands import interact
-from decomplex_bt.envs.interface import Interaction, Result
-from decomplex_bt.envs.judge import Judge
-from decomplex_bt.envs.meddling import Meddler, Move
-from decomplex_bt.envs.opening import can_be_asked, draw_asked, draw_start, judge_for
-from decomplex_bt.envs.options import (
-    Options,
-    Request,
-    check_keys,
-    read_house,
-    read_options,
-    read_request,
-)
-from decomplex_bt.envs.recording import Recording
-from decomplex_bt.envs.residence import Residence
-from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, SensingConfig, Sensor
-from decomplex_bt.envs.setting import Setting, setting_of
-from decomplex_bt.envs.spaces import (
-    MAX_SPEED,
-    MAX_TURN_RATE,
-    action_space,
-    encode,
-    observation_space,
-    read_action,
-    shown,
-)
-from decomplex_bt.envs.stage import Stage
-from decomplex_bt.envs.walking import advance
-from decomplex_bt.envs.world import World, WorldConfig
-from decomplex_bt.envs.world_truth import WorldTruth
+from decomplex_bt.envs.config import HouseholdConfig
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
+    from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.baselines import Policy
     from decomplex_bt.envs.embodiment import HouseholdEmbodiment
+    from decomplex_bt.envs.episode import Episode
+    from decomplex_bt.envs.home import Home
+    from decomplex_bt.envs.judge import Judge
+    from decomplex_bt.envs.options import Options, Request
     from decomplex_bt.envs.rendering.camera import Camera
     from decomplex_bt.envs.rendering.scene import Scene
+    from decomplex_bt.envs.setting import Setting
     from decomplex_bt.envs.verdict import Verdict
+    from decomplex_bt.envs.world import World
+    from decomplex_bt.envs.world_truth import WorldTruth
 
-HOUSE_TRIES = 50
-"""Houses drawn before none is found in which the instruction can be asked for."""
-UNKNOWN_LENGTH = -1.0
-"""What `shortest_length` is until there is one: a number that equals itself, or infos could not be compared."""
-RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
+__all__ = ["HouseholdConfig", "HouseholdEnv"]
+
+DEFAULT_DOMAIN = "household"
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
-
-
-@dataclass(frozen=True, slots=True)
-class HouseholdConfig:
-    """How an environment is set up. `max_seconds` of simulated time, `balance` in [0, 0.5], `reward` "success" or
-    "progress"; what the robot can do, and how it sees."""
-
-    max_seconds: float = 600.0
-    balance: float = 0.3
-    reward: str = "success"
-    world: WorldConfig = field(default_factory=WorldConfig)
-    sensing: SensingConfig = field(default_factory=SensingConfig)
 
 
 class HouseholdEnv(gym.Env[Observation, Action]):
@@ -134,12 +96,16 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     one. Their entity tables have as many rows as the largest house needs; rows that stand for nothing are masked, and
     `entities` is of the house of the episode.
 
+    Whatever the arguments name (a domain, a house, a size, an instruction) is read and checked at once. The shipped
+    house is read when it is first asked for: by a space, `entities`, or the first reset.
+
     ## Reset options
     `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
     `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
     the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `grasp_slip`,
-    `missed_detection`, `meddling`, `chance`, `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused. Without an instruction each reset draws
-    one from the corpus. A text without a gold reading is understood by the interpreter, which is loaded then.
+    `missed_detection`, `meddling`, `chance`, `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused.
+    Without an instruction each reset draws one from the corpus. A text without a gold reading is understood by the
+    interpreter, which is loaded then.
 
     ## Info keys
     | key | meaning |
@@ -172,7 +138,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         instruction: Any = None,
         *,
         gold: Any = None,
-        domain: str | Path | Domain = "household",
+        domain: str | Path | Domain = DEFAULT_DOMAIN,
         house: str | Path | None = None,
         size: str | None = None,
         house_seed: int | None = None,
@@ -182,31 +148,20 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             modes = ", ".join(self.metadata["render_modes"])
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
-        self._arguments = {"domain": domain, "house": house, "size": size, "config": config, "render_mode": render_mode}
-        self._base = domain if isinstance(domain, Domain) else load_domain(domain)
         self.config = config or HouseholdConfig()
         self.render_mode = render_mode
+        self._site: dict[str, Any] = {"domain": domain, "house": house, "size": size, "house_seed": house_seed}
         self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
         self._camera: Camera | None = None
         self._judge: Judge | None = None
-        path, self._house_seed = read_house({"house": house, "house_seed": house_seed})
-        self.domain: Domain
-        self.setting: Setting
-        self.entities: tuple[str, ...]
-        self._residence = Residence(self._base, path=path, size=size)
-        self._move_into(self._residence.domain(self._house_seed))
-        self._rows, self._bounds = self._residence.extent(self.setting.geometry)
-        self._request = read_request(instruction, gold)
-        self._world: World | None = None
-        self._meddler: Meddler | None = None
-        self._move: Move | None = None
-        self._sensor: Sensor
-        self._judging: Judge
-        self._recording: Recording
-        self._house: tuple[str | None, int | None]
-        self._verdict: Verdict | None = None
-        self.observation_space = self._make_observation_space()
-        self.action_space = self._make_action_space()
+        self._episode: Episode | None = None
+        self._request: Request | None = None
+        if self._site != {"domain": DEFAULT_DOMAIN, "house": None, "size": None, "house_seed": None}:
+            _ = self._home  # what is named is checked at once
+        if instruction is not None or gold is not None:
+            from decomplex_bt.envs.options import read_request
+
+            self._request = read_request(instruction, gold)
 
     # -- the Gymnasium API --------------------------------------------------------------------------------------------
 
@@ -215,8 +170,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode; `instruction` is the option of that name.
 
-        Raises `InputError` for options or an instruction that cannot be used.
+        Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
+        are broken.
         """
+        from decomplex_bt.envs.options import check_keys, read_options
+
         if instruction is not None:
             options = {**(options or {}), "instruction": instruction}
         check_keys(options)
@@ -226,31 +184,23 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
-        world = self.world
-        forward, turn, interaction, target = read_action(action, self._rows)
-        self._move = self._meddle()
-        self._result = interact(world, interaction, target)
-        if world.walks:
-            advance(world)
-        x, y = world.robot
-        world.drive(forward, turn)
-        self._path_length += hypot(world.robot[0] - x, world.robot[1] - y)
-        has_looked = self._sensor.look()
-        is_finished = interaction is Interaction.FINISH
-        is_late = world.seconds >= self._max_seconds - 1e-9
-        before = self._verdict
-        if has_looked or is_finished or is_late or self._has_news():
-            self._take_verdict()
-        self._recording.note(forward, turn, int(interaction), target, world)
-        terminated = is_finished or (self._verdict is not None and self._verdict.is_over)
-        truncated = is_late and not terminated
-        if terminated and self._verdict is not None and self._verdict.is_success:
-            self._shortest_length = self._measure_shortest_path()
+        episode = self._running
+        reward, terminated, truncated = episode.step(action)
         if (terminated or truncated) and self._bodies:
             self._tell_bodies()
         if self._camera is not None or self.render_mode is not None:
             self._film()
-        return self._observe(), self._reward(before, terminated), terminated, truncated, self._inform()
+        return self._observe(), reward, terminated, truncated, episode.inform()
+
+    @cached_property
+    def observation_space(self) -> gym.Space[Any]:  # type: ignore[override]
+        """The space of what `reset` and `step` return."""
+        return self._make_observation_space()
+
+    @cached_property
+    def action_space(self) -> gym.Space[Any]:  # type: ignore[override]
+        """The space of what `step` takes."""
+        return self._make_action_space()
 
     def render(self) -> Any:
         """A picture `(height, width, 3)`, a text map, or None after showing it on the screen, by the render mode."""
@@ -294,7 +244,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def truth(self) -> WorldTruth:
         """The running episode's world as the judge reads it; for judges and the oracle, cheating for an agent."""
-        return WorldTruth(self.world, self._sensor)
+        from decomplex_bt.envs.world_truth import WorldTruth
+
+        return WorldTruth(self.world, self._running.sensor)
 
     def policy(self, name: str, **arguments: Any) -> Policy:
         """A registered policy for this environment: "tree", "oracle", "random" or "idle" (`baselines.make_policy`)."""
@@ -303,11 +255,24 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return make_policy(name, self, **arguments)
 
     @property
+    def domain(self) -> Domain:
+        """The domain with the house of now in it."""
+        return self._home.domain
+
+    @property
+    def setting(self) -> Setting:
+        """What all episodes in the house of now share: its geometry, spots and prior."""
+        return self._home.setting
+
+    @property
+    def entities(self) -> tuple[str, ...]:
+        """The names of the rows of the entity table, in the house of now."""
+        return self._home.setting.geometry.names
+
+    @property
     def world(self) -> World:
         """The truth of the running episode, for judges and pictures; reading it is cheating for an agent."""
-        if self._world is None:
-            raise gym.error.ResetNeeded("there is no episode yet; call reset() first")
-        return self._world
+        return self._running.world
 
     @property
     def camera(self) -> Camera:
@@ -322,7 +287,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     @property
     def verdict(self) -> Verdict | None:
         """The judge's verdict so far."""
-        return self._verdict
+        return None if self._episode is None else self._episode.verdict
 
     @property
     def instruction(self) -> str | None:
@@ -331,34 +296,39 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     @instruction.setter
     def instruction(self, value: Any) -> None:
+        from decomplex_bt.envs.options import read_request
+
         self._request, self._judge = read_request(value), None
 
     # -- recording and replay -----------------------------------------------------------------------------------------
 
     def state_dict(self) -> dict[str, Any]:
         """The running episode as plain values: how it began and every action since."""
-        _ = self.world
-        return {**self._recording.to_dict(), "house": self._house}
+        episode = self._running
+        return {**episode.recording.to_dict(), "house": episode.house}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
         """Brings the environment to a recorded moment by doing all of it again, exactly.
 
         Raises `InputError` naming the step at which the replay departs from the recording.
         """
-        self._house = state["house"]
-        self._move_into(self._residence.domain(self._house[1], path=self._house[0]))
+        self._move_into(state["house"])
         self.np_random.bit_generator.state = state["generator"]
         self._judge = None
         self._begin(state["options"], replayed=state["request"])
         for forward, turn, interaction, target in state["actions"]:
             HouseholdEnv.step(self, {"drive": (forward, turn), "interact": interaction, "target": target})
-        self._recording.check(state["checksums"])
+        self._running.recording.check(state["checksums"])
 
     def __getstate__(self) -> dict[str, Any]:
+        site = self._site
+        if "_home" in vars(self):
+            domain = site["domain"] if isinstance(site["domain"], str) else self._home.base.folder
+            site = {**site, "domain": domain, "house_seed": self._home.seed}
         return {
-            "arguments": {**self._arguments, "domain": self._base.folder, "house_seed": self._house_seed},
+            "arguments": {**site, "config": self.config, "render_mode": self.render_mode},
             "request": self._request,
-            "episode": None if self._world is None else self.state_dict(),
+            "episode": None if self._episode is None else self.state_dict(),
             "generator": None if self._np_random is None else self.np_random.bit_generator.state,
             "seed": self._np_random_seed,
             "spec": self.spec,
@@ -375,213 +345,89 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     # -- the house ----------------------------------------------------------------------------------------------------
 
+    @cached_property
+    def _home(self) -> Home:
+        from decomplex_bt.envs.home import Home
+
+        return Home(**self._site)
+
     def _choose_house(self, options: Mapping[str, Any] | None) -> None:
-        """Moves into the house that the options name, or that is due, or that is drawn.
+        from decomplex_bt.envs.options import read_request
 
-        A house is drawn until the instruction, where there is one, can be asked for in it.
-        """
-        path, seed = read_house(options)
-        self._house_seed = self._house_seed if seed is None else seed
         request = read_request((options or {}).get("instruction"), (options or {}).get("gold")) or self._request
-        if path is not None or self._house_seed is not None or not self._residence.is_generated:
-            self._house = path, self._house_seed if path is None else None
-            self._move_into(self._residence.domain(self._house[1], path=path))
-            return
-        for _ in range(HOUSE_TRIES):
-            self._house = None, int(self.np_random.integers(2**31))
-            self._move_into(self._residence.domain(self._house[1]))
-            if request is None or can_be_asked(request, self.domain):
-                return
-        assert request is not None
-        raise InputError(f"none of {HOUSE_TRIES} houses drawn is one in which {request.text!r} can be asked for")
+        before = self.domain
+        try:
+            self._home.choose(options, request, self.np_random)
+        finally:
+            self._settle_in(before)
 
-    def _move_into(self, domain: Domain) -> None:
-        """Lives in the domain's house from now on; whoever has the map of another one gets the new one."""
-        if getattr(self, "domain", None) is domain:
+    def _move_into(self, house: tuple[str | None, int | None]) -> None:
+        before = self.domain
+        self._home.move(house)
+        self._settle_in(before)
+
+    def _settle_in(self, before: Domain) -> None:
+        """Where the house is another one than before: whoever has the map of the old one gets the new one."""
+        if self.domain is before:
             return
-        setting = setting_of(domain)
-        if hasattr(self, "_rows"):
-            self._residence.check(setting.geometry, self._rows, self._bounds)
-        self.domain, self.setting, self.entities = domain, setting, setting.geometry.names
-        self._stage = Stage(setting.geometry)
         self._judge = None
         if self._camera is not None:
             self._camera.close()
             self._camera = None
         for body in (reference() for reference in self._bodies):
             if body is not None:
-                body.move_to(domain)
+                body.move_to(self.domain)
 
-    # -- beginning ----------------------------------------------------------------------------------------------------
+    # -- an episode ---------------------------------------------------------------------------------------------------
 
     def _begin(self, options: Options, replayed: Request | None = None) -> tuple[Observation, dict[str, Any]]:
+        from decomplex_bt.envs.episode import Episode
+        from decomplex_bt.envs.opening import draw_start
+        from decomplex_bt.envs.recording import Recording
+
         generator = self.np_random.bit_generator.state
         base, mixing, asking, noise, whims = map(np.random.default_rng, self.np_random.integers(2**63, size=5))
         if options.request is not None:
             self._request, self._judge = options.request, None
-        self._options = options
         request, judge = self._ask(replayed or self._request, asking)
-        self._text, self._judging = request.text, judge
-        self._codes = encode(self._text)
-        self._shown_text = shown(self._text)
-        self._max_seconds = self.config.max_seconds if options.max_seconds is None else options.max_seconds
-        self._reward_kind = options.reward or self.config.reward
-        self._recording = Recording(generator, request, options)
-        self._result = Result.NONE
-        self._move = None
-        self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH
-        self._start = draw_start(self.setting, options, judge.tests, self.config.balance, base, mixing)
-        setting = self.setting
-        if self._world is not None:
-            self._world.dismantle()
-        self._world = World(
-            setting.geometry,
-            setting.prior,
-            setting.spots,
-            self._start,
-            config=self.config.world,
-            rng=noise,
-            whims=whims,
-            stage=self._stage,
-        )
-        self._sensor = Sensor(self._world, self.config.sensing, noise)
-        self._add_noise(options)
-        self._sensor.look()
-        self._judged_arrangement = self._world.arrangement
-        self._verdict = judge.begin(self._world, self._sensor)
-        self._meddler = self._make_meddler(options.meddling, noise)
-        self._held_version = -1
-        self._constant_info = {"instruction": self._text, **judge.feasibility()}
+        start = draw_start(self.setting, options, judge.tests, self.config.balance, base, mixing)
+        if self._episode is not None:
+            self._episode.world.dismantle()
+        recording = Recording(generator, request, options)
+        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise, whims=whims)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
-        return self._observe(), {**self._inform(), "exempt": self._world.exempt}
-
-    def _add_noise(self, options: Options) -> None:
-        """How likely grasps slip and looks miss something: as the house has it, or as the options want it."""
-        world, sensor = self.world, self._sensor
-        if not options.noise or not options.chance:
-            world.grasp_slip = sensor.missed_detection = 0.0
-        if options.grasp_slip is not None:
-            world.grasp_slip = options.grasp_slip
-        if options.missed_detection is not None:
-            sensor.missed_detection = options.missed_detection
-
-    def _make_meddler(self, rate: float, noise: Generator) -> Meddler | None:
-        if rate == 0.0:
-            return None
-        judge, rng = self._judging, noise.spawn(1)[0]  # spawning leaves the noise as it is
-        return Meddler(self.world, rng, rate=rate, mentioned=judge.mentioned, allows=judge.allows)
+        return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
 
     def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
+        from decomplex_bt.envs.opening import draw_asked, judge_for
+
         if request is None:
-            return draw_asked(self._base, self.domain, rng)
+            return draw_asked(self._home.base, self.domain, rng)
         if self._judge is None:
             self._judge = judge_for(request, self.domain)
         return request, self._judge
 
-    # -- a step's parts -----------------------------------------------------------------------------------------------
-
-    def _meddle(self) -> Move | None:
-        """Lets somebody else move a thing, if it is time to, and tells the judge."""
-        move = None if self._meddler is None else self._meddler.act()
-        if move is not None:
-            self._judging.take_in(move.thing)
-        return move
-
-    def _has_news(self) -> bool:
-        """Whether something happened between two looks that the judge may go by."""
-        world = self.world
-        is_rearranged = world.arrangement != self._judged_arrangement
-        return is_rearranged or world.event is not None or self._judging.minds_position
+    @property
+    def _running(self) -> Episode:
+        if self._episode is None:
+            raise gym.error.ResetNeeded("there is no episode yet; call reset() first")
+        return self._episode
 
     def _tell_bodies(self) -> None:
         """Tells the bodies that were handed out that the episode is over; they ask for nothing themselves."""
         for body in (reference() for reference in self._bodies):
             if body is not None:
-                body.end(HouseholdEnv._observe(self))
-
-    def _measure_shortest_path(self) -> float:
-        from decomplex_bt.envs.shortest import ShortestPath
-
-        world, sensing = self.config.world, self.config.sensing
-        path = ShortestPath(
-            self.domain,
-            self.setting.geometry,
-            self._start,
-            reach=world.reach,
-            earshot=world.speak_reach,
-            sight=(sensing.range, sensing.inside_range),
-        )
-        length = path.length(*self._judging.carried_out())
-        # What was driven is a way to do it: the shortest is no longer than that.
-        return UNKNOWN_LENGTH if length is None else min(length, self._path_length)
-
-    def _take_verdict(self) -> None:
-        world = self.world
-        self._judged_arrangement = world.arrangement
-        self._verdict = self._judging.update(world.event)
+                body.end(self._running.observe())
 
     def _observe(self) -> Observation:
-        world = self._world
-        assert world is not None
-        x, y = world.robot
-        speed, turn_rate = _clip(world.speed, MAX_SPEED), _clip(world.turn_rate, MAX_TURN_RATE)
-        numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), dtype=np.float32)
-        if world.version != self._held_version:
-            self._held_version = world.version
-            self._held = np.array((world.held, *world.tray), dtype=np.int16)
-        return {
-            "instruction": self._shown_text,
-            "instruction_codes": self._codes.copy(),
-            "robot": numbers[:5],
-            "held": self._held.copy(),
-            "entities": self._table(),
-            "result": int(self._result),
-            "seconds": numbers[5:],
-        }
-
-    def _table(self) -> NDArray[np.float32]:
-        """The entity table, a fresh one; rows that stand for nothing in this house are as of what is not seen."""
-        table = self._sensor.table
-        if len(table) == self._rows:
-            return table.copy()
-        full = np.zeros((self._rows, table.shape[1]), dtype=np.float32)
-        full[:, PLACE] = full[:, FIRST_STATE:] = -1
-        full[: len(table)] = table
-        return full
-
-    def _inform(self) -> dict[str, Any]:
-        world = self.world
-        info = self._judging.report(self._constant_info)
-        info["seconds"] = world.seconds
-        info["path_length"] = self._path_length
-        info["shortest_length"] = self._shortest_length
-        info["events"] = [str(event) for event in (self._move, world.event) if event is not None]
-        info["moved_by_others"] = 0 if self._meddler is None else self._meddler.moves
-        info["result"] = RESULT_NAMES[self._result]
-        return info
-
-    def _reward(self, before: Verdict | None, terminated: bool) -> float:
-        now = self._verdict
-        if now is None:
-            return 0.0
-        if self._reward_kind == "progress":
-            met = before.met if before is not None else 0
-            return (now.met - met) / now.total if now.total else float(now.is_success and terminated)
-        return float(now.is_success and terminated)
+        return self._running.observe()
 
     def _scene(self) -> Scene:
-        return self.camera.scene(self.world, instruction=self._text, **self._captions())
-
-    def _captions(self) -> dict[str, str]:
-        """What a picture says besides the instruction: the verdict, or the task that is due."""
-        verdict = self._verdict
-        if verdict is None or verdict.is_success or verdict.unsettled is None:
-            return {"verdict": "success"} if verdict is not None and verdict.is_success else {}
-        return {"due": f"due: {self._judging.reading.phrase(verdict.unsettled)}"}
+        return self.camera.scene(self.world, instruction=self._running.text, **self._running.captions())
 
     def _film(self) -> None:
         self.camera.note(self.world)
@@ -591,11 +437,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     # -- spaces -------------------------------------------------------------------------------------------------------
 
     def _make_action_space(self) -> gym.Space[Any]:
-        return action_space(self._rows)
+        from decomplex_bt.envs.spaces import action_space
+
+        return action_space(self._home.rows)
 
     def _make_observation_space(self) -> gym.Space[Any]:
-        return observation_space(self._rows, self._bounds, self.config.world.tray_slots)
+        from decomplex_bt.envs.spaces import observation_space
 
-
-def _clip(value: float, most: float) -> float:
-    return value if -most <= value <= most else most if value > 0 else -most
+        return observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)

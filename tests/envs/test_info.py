@@ -126,7 +126,7 @@ def test_the_judge_is_at_most_one_step_late(index):
     prompt, asked = gym.make(HOUSEHOLD), gym.make(HOUSEHOLD)
     _, steps = play(prompt, EXAMPLES[index], index)
     asked.reset(seed=index, options={"instruction": EXAMPLES[index]})
-    asked.unwrapped._has_news = lambda: True
+    asked.unwrapped._episode.has_news = lambda: True
     ends = [any(asked.step(action)[2:4]) for action, _ in steps[:-2]]
     assert not any(ends)
 
@@ -198,7 +198,7 @@ def test_no_drive_is_shorter_than_the_shortest_path(index):
 def test_who_is_there_already_need_not_drive():
     env = HouseholdEnv(GO)
     env.reset(seed=0, options={"chance": False})
-    env._start.position[-1] = 2.2, 6.0
+    env._episode.start.position[-1] = 2.2, 6.0
     env.world._robot.position = 2.2, 6.0
     assert env.step(REST)[4]["shortest_length"] == 0.0
 
@@ -206,6 +206,6 @@ def test_who_is_there_already_need_not_drive():
 def test_a_straight_way_is_as_long_as_it_is():
     env = HouseholdEnv(markup("[Go](1:motion) [to the study](1:goal).", [1]))
     env.reset(seed=0, options={"chance": False})
-    env._start.position[-1] = 8.4, 4.5
+    env._episode.start.position[-1] = 8.4, 4.5
     env.world._robot.position = 8.4, 3.5
     assert env.step(REST)[4]["shortest_length"] == pytest.approx(0.6, abs=0.08)
