@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
@@ -71,15 +72,21 @@ def _tests_value(task: GroundTask) -> bool:
 
 
 def _presence(referent: Referent, searches: Sequence[GroundTask], domain: Domain) -> Iterator[Test]:
-    """Where the things or people of a phrase turn up along a chain of searches."""
+    """Where the things or people of a phrase turn up along a chain of searches.
+
+    The chain ends before a search beside something that may be anywhere. What is fixed cannot turn up elsewhere; it is
+    named all the same, so that the draw can say so.
+    """
     house = domain.house
     things = tuple(name for name in referent.candidates if name in house.things)
     people = tuple(name for name in referent.candidates if name in house.people)
-    stages = tuple(_stage(task, domain) for task in searches)
-    if any(task.places and not stage for task, stage in zip(searches, stages, strict=True)):
+    fixed = tuple(name for name in referent.candidates if name in house.places())
+    pairs = ((task, _stage(task, domain)) for task in searches)
+    stages = tuple(stage for _, stage in takewhile(lambda pair: pair[1] or not pair[0].places, pairs))
+    if not stages:
         return
-    if things:
-        yield PlaceTest(things, stages)
+    if things or fixed:
+        yield PlaceTest(things or fixed, stages)
     if people:
         rooms = [room for stage in stages for place in stage if (room := domain.room_of(place)) is not None]
         yield PersonTest(people, tuple(dict.fromkeys(rooms)))

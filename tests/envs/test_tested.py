@@ -21,6 +21,19 @@ def test_a_chain_of_searches_is_one_test_with_a_stage_for_each():
     assert derive(flow, *tasks) == (PlaceTest(("keys",), (("coffee_table",), ("wardrobe",))),)
 
 
+def test_a_chain_ends_before_a_search_beside_something_that_may_be_anywhere():
+    flow = [{"if": 1, "else": [{"if": 2, "else": [3]}]}]
+    last = task(3, "informing", recipient="user")
+    first, beside = task(1, "searching", "keys", at=["coffee_table"]), task(2, "searching", "keys", at=["pillow"])
+    assert derive(flow, first, beside, last) == (PlaceTest(("keys",), (("coffee_table",),)),)
+    assert derive([{"if": 2, "else": [3]}], beside, last) == ()
+
+
+def test_what_is_fixed_is_named_though_it_cannot_turn_up_elsewhere():
+    tasks = task(1, "check_state", "heater", state=HERE), task(2, "informing", recipient="user")
+    assert derive([{"if": 1, "then": [2]}], *tasks) == (PlaceTest(("heater",), ((),)),)
+
+
 def test_a_search_in_a_room_is_a_test_of_all_its_places():
     flow = [{"if": 1, "then": [2]}]
     tasks = task(1, "searching", "keys", at=["bathroom"]), task(2, "taking", "keys")

@@ -14,7 +14,7 @@ from decomplex_bt.evaluation.report import failure_lines
 from decomplex_bt.evaluation.summary import summarise
 
 DOMAIN = load_domain("household")
-EVERY = 5
+EVERY = 8
 """Of the instructions that ground, one in so many is in the sample."""
 DISTURBED = Setup(grasp_slip=0.1, missed_detection=0.1, meddling=2.0)
 
@@ -22,7 +22,7 @@ DISTURBED = Setup(grasp_slip=0.1, missed_detection=0.1, meddling=2.0)
 @pytest.fixture(scope="module")
 def sample():
     grounded = those_that_ground(read_corpus(DOMAIN.folder / "corpus", DOMAIN.ontology), DOMAIN)
-    assert len(grounded) >= 200
+    assert len(grounded) >= 150
     return grounded[::EVERY]
 
 
