@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
+from scipy.ndimage import label
 
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
 
@@ -254,22 +255,13 @@ def _distances(points: Floats, rect: Rect) -> Floats:
 
 
 def _flood(free: NDArray[np.bool_], seeds: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The free cells that hang together with the seeds, over edges: whole rows and columns of free cells at a time."""
-    rows, columns = _runs(free), _runs(free.T).T
-    reached, count = seeds & free, -1
-    while count != (count := int(np.count_nonzero(reached))):
-        for runs in (rows, columns):
-            is_hit = np.zeros(runs.max() + 1, dtype=bool)
-            is_hit[runs[reached]] = True
-            reached = is_hit[runs] & free
+    """The free cells that hang together with the seeds, over edges."""
+    labels, count = label(free)
+    is_hit = np.zeros(count + 1, dtype=bool)
+    is_hit[labels[seeds]] = True
+    is_hit[0] = False  # what is not free
+    reached: NDArray[np.bool_] = is_hit[labels]
     return reached
-
-
-def _runs(free: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """For each cell a number that the free cells next to each other in a row have in common."""
-    starts = np.ones(free.shape, dtype=bool)
-    starts[:, 1:] = free[:, 1:] & ~free[:, :-1]
-    return np.cumsum(starts.ravel(), dtype=np.int64).reshape(free.shape)
 
 
 def _rect(geometry: Geometry, place: str) -> Rect:
