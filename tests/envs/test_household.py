@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import gc
 import pickle
+import subprocess
+import sys
 import warnings
 
 import gymnasium as gym
@@ -303,3 +305,30 @@ def test_resets_leave_nothing_behind():
         env.reset(seed=seed)
     gc.collect()
     assert len(gc.get_objects()) - before < 60
+
+
+# -- what is read when ------------------------------------------------------------------------------------------------
+
+
+def test_making_one_reads_no_house_and_loads_nothing_for_it():
+    code = (
+        "import sys, gymnasium, decomplex_bt; env = gymnasium.make('decomplex_bt/Household-v0');"
+        "heavy = {'yaml', 'pydantic', 'pymunk', 'scipy', 'networkx', 'PIL', 'rapidfuzz', 'spacy'} & set(sys.modules);"
+        "assert not heavy, heavy; assert env.observation_space.sample(); assert 'yaml' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_what_is_named_is_checked_at_once(tmp_path):
+    broken = tmp_path / "house.yaml"
+    broken.write_text("rooms: [")
+    named = {"house": broken}, {"domain": tmp_path}, {"domain": "castle"}, {"size": "tiny"}, {"house_seed": 1}
+    for arguments in named:
+        with pytest.raises(InputError):
+            gym.make(HOUSEHOLD, **arguments)
+
+
+def test_one_that_was_never_reset_survives_pickling():
+    env = pickle.loads(pickle.dumps(HouseholdEnv(size="small", house_seed=3)))
+    assert env.entities == HouseholdEnv(size="small", house_seed=3).entities
+    assert pickle.loads(pickle.dumps(HouseholdEnv())).entities == HouseholdEnv().entities
