@@ -14,19 +14,23 @@ import numpy as np
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
+from decomplex_bt.understanding.confidence import CALIBRATION_FILE
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.encoder.heads import IMPOSSIBLE, Array, log_softmax
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE, EncoderModel
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.manifest import FILES, check_models
+from decomplex_bt.understanding.manifest import check_models
 from decomplex_bt.understanding.readings import Stages
 from decomplex_bt.understanding.tasks import MAX_ALTERNATIVES, MAX_UNCERTAIN_TOKENS, UNCERTAIN, FoundTask, FoundTasks
+
+FOLDER_FILES = (ENCODER_FILE, HEADS_FILE, PIECES_FILE, "readings.json", CALIBRATION_FILE)
+"""What a folder of a trained encoder holds."""
 
 
 def load_encoder(folder: Path, flows: FlowModel, domain: Domain, language_model: str) -> Stages:
     """The stages from a folder of a trained encoder. Raises `DataFileError` and `EncoderMissingError`."""
-    check_models(folder, domain, language_model, models=(), files=(*FILES, ENCODER_FILE, HEADS_FILE, PIECES_FILE))
+    check_models(folder, domain, language_model, models=(), files=FOLDER_FILES)
     return encoder_stages(folder, flows, domain.ontology)
 
 
