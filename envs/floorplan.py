@@ -242,12 +242,12 @@ class Floorplan:
         """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
         length = math.hypot(end[0] - start[0], end[1] - start[1])
         count = min(int(length / (RESOLUTION / 2)) + 1, len(_COUNTED) - 1)
-        steps = _COUNTED[1 : count + 1] / count
+        steps = _shares(count)
         first = (start[0] - self.x0) / RESOLUTION, (start[1] - self.y0) / RESOLUTION
         columns = (first[0] + steps * ((end[0] - start[0]) / RESOLUTION)).astype(np.int32)
         rows = (first[1] + steps * ((end[1] - start[1]) / RESOLUTION)).astype(np.int32)
         cells = rows * self.columns + columns
-        return bool(free.take(cells, mode="clip").all())
+        return b"\0" not in free.take(cells, mode="clip").tobytes()
 
     def _mask(self, closed: frozenset[str], obstacles: Iterable[Disc]) -> Mask:
         if not closed and not obstacles:
@@ -354,6 +354,12 @@ def floorplan_of(house: House, kinds: Kinds, *, radius: float = 0.22) -> Floorpl
 def _cached(house: str, kinds: str, radius: float) -> Floorplan:
     geometry = Geometry(House.model_validate_json(house), Kinds.model_validate_json(kinds))
     return Floorplan(geometry, radius=radius)
+
+
+@lru_cache(maxsize=len(_COUNTED))
+def _shares(count: int) -> NDArray[np.float64]:
+    """1/count, 2/count, ... up to 1."""
+    return _COUNTED[1 : count + 1] / count
 
 
 def rect_distance(rect: Rect, x: float, y: float) -> float:

@@ -8,7 +8,6 @@ from functools import cached_property
 import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
-from scipy.ndimage import label
 
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
 
@@ -256,6 +255,9 @@ def _distances(points: Floats, rect: Rect) -> Floats:
 
 def _flood(free: NDArray[np.bool_], seeds: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """The free cells that hang together with the seeds, over edges."""
+    # Only here: it takes longer to import than a house takes to be read.
+    from scipy.ndimage import label
+
     labels, count = label(free)
     is_hit = np.zeros(count + 1, dtype=bool)
     is_hit[labels[seeds]] = True

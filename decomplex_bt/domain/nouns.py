@@ -6,8 +6,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from rapidfuzz import fuzz, process
-
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kinds
 
@@ -59,6 +57,9 @@ class Nouns:
 
         Where none looks like it at all, the least unlike ones: a stranger to the house sees what there is.
         """
+        # Only a word that is not known needs it.
+        from rapidfuzz import fuzz, process
+
         allowed = frozenset(among)
         words = [word for word, entities in self.entities.items() if not allowed or allowed & set(entities)]
         matches = process.extract(phrase, words, scorer=fuzz.ratio, limit=limit)
