@@ -3,7 +3,7 @@ development voices.
 
     python benchmarks/ablation.py [--stages tasks arguments flow] [--json FILE]
 
-Each stage is judged alone, with everything before it as annotated. Twenty minutes each for tasks and arguments, five for
+Each stage is judged alone, with everything before it as annotated. Twenty minutes for tasks and arguments, five for
 the flow. The test voices are never read.
 """
 
