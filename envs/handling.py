@@ -115,6 +115,8 @@ def at_place(interaction: Interaction, position: int) -> Callable[..., Script]:
 
     def script(body: HouseholdEmbodiment, *objects: str) -> Script:
         yield from perform(body, interaction, objects[position], near=objects[position])
+        if interaction is Interaction.OPEN:
+            body.senses.note_opened(objects[position])
 
     return script
 

@@ -152,6 +152,11 @@ class Senses:
         """The doorways last seen closed."""
         return frozenset(name for name, value in self._door_states.items() if value == "closed")
 
+    def note_opened(self, name: str) -> None:
+        """Notes that the robot has opened a door, which it need not see: it may have its back to it."""
+        if name in self._door_states:
+            self._door_states[name] = "open"
+
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
         """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
         return [
