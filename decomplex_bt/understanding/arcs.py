@@ -462,7 +462,8 @@ def _with_joins(plain: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator
     joined = list(plain)
     for i in range(1, len(plain)):
         before, own = plain[i - 1], plain[i]
-        if wordings[i].joins and own.role == "condition" and before.role in CONDITION_ROLES and own.attachment[:2] == "<1":
+        is_nested = own.role == "condition" and before.role in CONDITION_ROLES and own.attachment[:2] == "<1"
+        if wordings[i].joins and is_nested:
             place = "<1+" if wordings[i].joins == "or" else own.attachment
             joined[i] = Arc(wordings[i].joins, place, own.order)
     if tuple(joined) != plain:

@@ -84,7 +84,8 @@ class ReadingModel:
             stored = json.loads(path.read_text(encoding="utf-8"))
             self._weights = tuple(float(stored[name]) for name in FEATURES)
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise DataFileError(path, f"no weights of readings ({type(error).__name__}); run `decomplex-bt train`") from None
+            problem = f"no weights of readings ({type(error).__name__}); run `decomplex-bt train`"
+            raise DataFileError(path, problem) from None
 
     def ranked(self, readings: Sequence[Reading]) -> list[tuple[Reading, float]]:
         """The readings (at least one) with their probabilities, likeliest first."""
