@@ -32,7 +32,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "corpus_statistics": BASIC | {"planning", "corpus_structures"},
     "behaviour": BASIC | {"understanding", "planning"},
     "envs": BASIC | {"understanding", "planning", "behaviour"},
-    "evaluation": BASIC | {"understanding", "planning", "behaviour", "envs", ""},
+    "evaluation": BASIC | {"understanding", "planning", "behaviour", ""},
     "reproduction": BASIC | {"formats", "understanding", "evaluation", "corpus_statistics"},
     "": BASIC | {"understanding", "behaviour", "envs"},
     "cli": BASIC

@@ -132,14 +132,14 @@ def evaluate_agents(
 
 def those_that_ground(examples: Sequence[Example], domain: Domain) -> tuple[Example, ...]:
     """The examples whose gold flow asks for what there is in the domain's house."""
-    from decomplex_bt.envs.judge import Judge
+    from decomplex_bt.planning.grounding import ground
 
     def grounds(example: Example) -> bool:
         try:
-            Judge(example.instruction, domain, judged_by="gold")
+            ground(example.instruction, domain)
         except InputError:
             return False
-        return True
+        return bool(example.instruction.tasks)
 
     return tuple(example for example in examples if grounds(example))
 
