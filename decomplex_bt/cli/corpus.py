@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, SeedOption, chosen, domain_of
+from decomplex_bt.cli.options import (
+    DomainOption,
+    EncoderOption,
+    Format,
+    FormatOption,
+    JsonOption,
+    SeedOption,
+    chosen,
+    domain_of,
+)
 from decomplex_bt.cli.output import print_json, track, use_utf8
 
 if TYPE_CHECKING:
@@ -95,6 +104,7 @@ def score(
     ask: Annotated[
         bool, typer.Option("--ask", help="Also ask back in doubt, and let the annotation answer.")
     ] = False,
+    encoder: EncoderOption = None,
     seed: SeedOption = 0,
 ) -> int:
     """Understand every instruction of a corpus and score it against the annotation, simple and complex ones apart.
@@ -111,7 +121,7 @@ def score(
         reliability.check_plot(plot)
     loaded = load_domain(domain_of(domain))
     gold = [example.instruction for example in scoring.examples_of(path, split, loaded.ontology)]
-    interpreter = Interpreter.load(loaded, models=models)
+    interpreter = Interpreter.load(loaded, models=models, encoder=encoder)
     texts = [instruction.text for instruction in gold]
     readings = list(track(interpreter.interpret_batch(texts), total=len(texts), label="understanding"))
     parts: list[scoring.Part] = [scoring.Scores(metrics.score_by_complexity(readings, gold))]

@@ -22,6 +22,12 @@ SeedOption = Annotated[int, typer.Option("--seed", "-s", min=0, help="Seed of al
 DomainOption = Annotated[
     str, typer.Option("--domain", "-d", help="A domain by name, or the folder of one (a path with a slash in it).")
 ]
+EncoderOption = Annotated[
+    bool | None,
+    typer.Option(
+        "--encoder/--no-encoder", help="Read with the encoder, or with the CRFs alone.", show_default="where installed"
+    ),
+]
 ThresholdOption = Annotated[
     float | None,
     typer.Option(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, JsonOption, chosen, domain_of
+from decomplex_bt.cli.options import DomainOption, EncoderOption, Format, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, track, use_utf8
 from decomplex_bt.errors import InputError
 
@@ -36,6 +36,7 @@ def parse(
         typer.Option(min=0, metavar="N", help="Also tell how certain the control flow is, and at most N others."),
     ] = None,
     domain: DomainOption = "household",
+    encoder: EncoderOption = None,
 ) -> int:
     """Understand instructions, one a line: tasks, arguments and control flow.
 
@@ -47,7 +48,7 @@ def parse(
     from decomplex_bt.understanding.interpreter import Interpreter
 
     with _open(source) as stream:
-        interpreter = Interpreter.load(domain_of(domain))
+        interpreter = Interpreter.load(domain_of(domain), encoder=encoder)
         lines = _Lines(stream)
         is_typed = stream.isatty()
         understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)

@@ -49,14 +49,16 @@ _REFERRING = frozenset("it them that this those these one ones there he she her 
 
 def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause, ...]:
     """The clause of every task, in text order."""
-    return tuple(_clause(observed, tasks, k) for k in range(len(tasks)))
+    said = frozenset(j for task in tasks for _, indices in task.arguments for j in indices)
+    return tuple(_clause(observed, tasks, k, said) for k in range(len(tasks)))
 
 
 def wordings_of(clauses: Sequence[Clause]) -> tuple[Wording, ...]:
     return tuple(clause.wording for clause in clauses)
 
 
-def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
+def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: frozenset[int]) -> Clause:
+    """The clause of task `k`; `said`: the tokens of all arguments."""
     document = observed.document
     token = tasks[k].token
     previous = tasks[k - 1].token if k else -1
@@ -68,10 +70,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int) -> Clause:
         (j for j in range(token + 1, following) if document.tokens[j].text in _PUNCTUATION and j not in message),
         following,
     )
-    said = {j for task in tasks for _, indices in task.arguments for j in indices}
-    cues = [
-        cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)
-    ]
+    cues = [cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)]
     far = tuple(cue.name for cue in cues if previous < cue.first <= split)
     near = tuple(cue.name for cue in cues if split < cue.first < token)
     behind = tuple(cue.name for cue in cues if token < cue.first < end)

@@ -121,15 +121,6 @@ def _fitted(seen: Sequence[tuple[float, bool]]) -> tuple[float, float]:
     return round(float(slope), 5), round(float(shift), 5)
 
 
-def expected_calibration_error(seen: Sequence[tuple[float, bool]], *, bins: int = 10) -> float:
-    """The mean gap between confidence and share right over bins of equal width, each weighing as much as it holds."""
-    total = 0.0
-    for k in range(bins):
-        inside = [(c, r) for c, r in seen if k / bins <= c < (k + 1) / bins or (k == bins - 1 and c >= 1.0)]
-        total += abs(sum(c for c, _ in inside) - sum(r for _, r in inside))
-    return total / len(seen) if seen else 0.0
-
-
 def _logit(chance: float) -> float:
     clipped = min(max(chance, 1e-6), 1 - 1e-6)
     return math.log(clipped / (1 - clipped))
