@@ -15,13 +15,14 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "if", "in case", "just in case", "provided", "provided that", "providing", "providing that", "as long as", "so long as",
             "assuming", "assuming that", "supposing", "suppose", "on condition that", "on the condition that", "in the event",
             "in the event that", "given that", "granted", "iff", "as far as", "if in fact", "if by any chance", "if ever", "if indeed",
+            "subject to", "to the extent that", "on the off chance", "on the off chance that", "conditional on", "contingent on", "what if",
         ),
         "only_if": ("only if", "only when", "but only if", "but only when", "only in case", "only as long as", "only provided"),
         "even_if": ("even if", "even though", "although", "whether or not", "even when"),
-        "unless": ("unless", "except if", "except when", "if not already", "but not if", "not if", "but not when"),
+        "unless": ("unless", "except if", "except when", "if not already", "but not if", "not if", "but not when", "save if", "save where", "save when", "except where", "except in case", "other than if"),
         "whether": ("whether", "whether or not"),
         "depending": ("depending on", "depending", "depends on"),
-        "when": ("when", "whenever", "the moment", "the minute", "every time"),
+        "when": ("when", "whenever", "the moment", "the minute", "every time", "the second", "the instant", "where", "wherever"),
         # stands for a whole condition, without a verb that is a task
         "so": (
             "if so", "if yes", "if yeah", "if that is the case", "in that case", "in which case", "if true", "if possible", "if you can",
@@ -63,7 +64,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "before that", "but before that", "before this", "before you do that", "before doing that", "before you do", "before any of that", "before you do any of that", "beforehand",
             "but first", "prior to that", "but before", "ahead of that", "before doing so", "before you do so", "before all that", "before you do this",
         ),
-        "after": ("after", "once", "as soon as", "now that", "having", "upon", "immediately after", "right after"),
+        "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),
         "until": ("until", "till", "til", "not until", "until after"),
         "first": (
             "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
@@ -140,6 +141,9 @@ def _inverts(document: Document, i: int) -> bool:
     if tokens[i].lower not in _INVERTING or i + 1 >= len(tokens):
         return False
     opens = i == 0 or tokens[i - 1].text in _MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
+    if tokens[i].lower == "should" and tokens[i + 1].tag in _SUBJECT_TAGS and tokens[i].dep == "aux":
+        subject = next((t for t in tokens if t.head == tokens[i].head and t.dep in ("nsubj", "nsubjpass", "expl")), None)
+        opens = opens or (subject is not None and subject.i > i)
     if not opens or tokens[i + 1].tag in ("VB", "VBP", "MD") or tokens[i + 1].lower in ("i", "we"):
         return False
     end = next((t.text for t in tokens[i:] if t.text in (".", "?", "!", ";")), "")
@@ -147,6 +151,7 @@ def _inverts(document: Document, i: int) -> bool:
 
 
 _INVERTING = frozenset(("should", "were", "had"))
+_SUBJECT_TAGS = frozenset(("PRP", "PRP$", "DT", "EX", "NN", "NNS", "NNP", "NNPS"))
 
 
 def _answers(document: Document, words: Sequence[str]) -> list[Cue]:

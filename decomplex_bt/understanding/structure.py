@@ -282,6 +282,7 @@ def _resemblance_features(observed: Observed, clauses: Sequence[Clause], k: int)
             item.setdefault("same_object", min(3, k - j))
             item.setdefault("same_object.types", f"{other.task.type}|{clause.task.type}")
     item.update(_mention_features(observed, clauses, k))
+    item.update(_outcome_features(observed, clauses, k))
     item["object"] = "noun" if clause.objects else "pronoun" if _speaks_of_pronoun(observed, clause) else "none"
     item["object.type"] = f"{item['object']}.{clause.task.type}.{_last_of(clause.near, GOVERNING)}"
     item["earlier_search"] = any(other.task.type == "searching" for other in clauses[:k])
@@ -318,6 +319,61 @@ def _mention_features(observed: Observed, clauses: Sequence[Clause], k: int) -> 
         item[f"{mark}.differs"] = f"{differs}.{opposite}.{other.task.type}.{clause.task.type}.{opens}"
         item[f"{mark}.first_word"] = f"{tokens[min(clause.first, clause.task.token)].lower}.{other.task.type}"
     return item
+
+
+def _outcome_features(observed: Observed, clauses: Sequence[Clause], k: int) -> Features:
+    """Whether a condition asks how an action before it went ("turn it on; if it will not light, ..."), seen from both:
+    then the action is the condition, and what asks is a mention of it."""
+    item: Features = {}
+    asking = next((m for m in range(k + 1, min(k + 4, len(clauses))) if _asks(clauses[m])), None)
+    if asking is not None:
+        gap = f"{asking - k}.{min(2, clauses[asking].sentence - clauses[k].sentence)}"
+        for name, value in _outcome(observed, clauses, k, asking).items():
+            item[f"outcome.{name}"] = value
+            item[f"outcome.{name}.gap"] = f"{value}.{gap}"
+    if _asks(clauses[k]):
+        for j in range(k - 1, max(-1, k - 3), -1):
+            gap = f"{k - j}.{min(2, clauses[k].sentence - clauses[j].sentence)}"
+            for name, value in _outcome(observed, clauses, j, k).items():
+                item[f"action{k - j}.{name}"] = f"{value}.{gap}"
+    return item
+
+
+def _asks(clause: Clause) -> bool:
+    return bool({*clause.far, *clause.near} & _ASKING)
+
+
+_ASKING = frozenset(("if", "unless", "when", "fail", "else", "so"))
+
+
+def _outcome(observed: Observed, clauses: Sequence[Clause], j: int, m: int) -> dict[str, str]:
+    """How the clause of task `m` speaks of the action `j`."""
+    action, clause = clauses[j], clauses[m]
+    tokens = observed.document.tokens
+    inside = range(clause.first, clause.last + 1)
+    modal = next((tokens[i].lemma for i in inside if tokens[i].tag == "MD"), "") or next(
+        (tokens[i].lemma for i in inside if tokens[i].lemma in ("do", "have", "be")), "none"
+    )
+    subject = next((tokens[i] for i in inside if tokens[i].dep in ("nsubj", "nsubjpass", "expl")), None)
+    what = "none" if subject is None else subject.lower if subject.lower in _SUBJECTS else (
+        "shared" if subject.lemma in action.nouns else subject.pos
+    )
+    says = next((word for word in _OUTCOMES if any(tokens[i].lower == word for i in inside)), "") or "+".join(
+        sorted({kind for kind, _ in clause.task.arguments} & {"state", "location"})
+    )
+    turned = f"{clause.wording.is_negated}.{clause.wording.is_contrary}"
+    same = tokens[action.task.token].lemma == tokens[clause.task.token].lemma
+    kinds = f"{action.task.type}.{clause.task.type}"
+    return {
+        "how": f"{kinds}.{turned}.{modal}.{same}",
+        "of": f"{kinds}.{turned}.{what}",
+        "says": f"{action.task.type}.{turned}.{says}",
+        "verb": f"{action.task.type}.{tokens[clause.task.token].lemma}.{clause.wording.is_negated}",
+    }
+
+
+_SUBJECTS = frozenset("it they that this you there he she any none".split())
+_OUTCOMES = ("there", "work", "fail", "open", "gone", "stuck", "possible", "manage", "reach", "budge")
 
 
 def _speaks_of_pronoun(observed: Observed, clause: Clause) -> bool:
