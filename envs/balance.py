@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from decomplex_bt.envs.chance import POWER, Draw, _choose
+from decomplex_bt.envs.chance import POWER, Draw, choose
 from decomplex_bt.envs.geometry import Floats
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
@@ -132,7 +132,7 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
     holds = _holds(1 - float(np.prod([1 - p for p in inside.values()])), balance, rng)
     present = [row for row in rows if draw.start.home[row] and _room(draw, row) in wanted]
     if holds and not present:
-        row = rows[_choose(np.full(len(rows), 1 / len(rows)), rng)]
+        row = rows[choose(np.full(len(rows), 1 / len(rows)), rng)]
         draw.stand(row, _pick_room(prior.rooms[row - first], wanted, rng), rng)
     elif not holds:
         others = [room for room in range(len(geometry.rooms)) if room not in wanted]
@@ -149,7 +149,7 @@ def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settl
     stages = [_holding(draw, stage) for stage in test.stages]
     is_possible = np.array([*(bool(stage) for stage in stages), True])
     shares = at_least(_leaf_shares(draw, things, stages)[is_possible], least)
-    leaf = int(np.flatnonzero(is_possible)[_choose(shares, rng)])
+    leaf = int(np.flatnonzero(is_possible)[choose(shares, rng)])
     for stage, places in zip(test.stages, stages, strict=True):
         if not places:
             draw.start.exempt.append(f"nothing lies at {', '.join(stage)}")
@@ -180,7 +180,7 @@ def _move_out(draw: Draw, thing: int, forbidden: Sequence[int], rng: Generator) 
     rows, weights = draw.prior.places(thing)
     weights = np.where(np.isin(rows, forbidden), 0, weights)
     while weights.sum() > 0:
-        column = _choose(weights / weights.sum(), rng)
+        column = choose(weights / weights.sum(), rng)
         if draw.lay(thing, int(rows[column]), rng):
             return
         weights[column] = 0
@@ -194,7 +194,7 @@ def _move_in(draw: Draw, thing: int, wanted: Sequence[int], rng: Generator) -> b
     fallback = np.isin(rows, wanted).astype(float)
     for weights in (preferred, fallback):
         while weights.sum() > 0:
-            column = _choose(weights / weights.sum(), rng)
+            column = choose(weights / weights.sum(), rng)
             if draw.lay(thing, int(rows[column]), rng):
                 return True
             weights[column] = 0
@@ -238,4 +238,4 @@ def _pick_room(weights: Floats, rooms: Sequence[int], rng: Generator) -> int:
     """One of these rooms by weight, by equal weights where none has any."""
     shares = weights[list(rooms)]
     shares = shares if shares.sum() > 0 else np.ones(len(rooms))
-    return rooms[_choose(shares / shares.sum(), rng)]
+    return rooms[choose(shares / shares.sum(), rng)]

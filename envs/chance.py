@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from math import pi
 
 import numpy as np
-from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.geometry import Floats
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Spots
+from decomplex_bt.envs.stream import Source, Stream
 from decomplex_bt.errors import InputError
 
 TRIES = 12
 """Places tried before a thing is laid anywhere else, and spots before people stand in each other's way."""
+Point = tuple[float, float]
 POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
 
 
@@ -57,12 +58,13 @@ class Draw:
         )
         self._discs: dict[int, dict[int, Disc]] = {}
         self._people: dict[int, Disc] = {}
+        self._rooms: dict[int, int] = {}
 
-    def everything(self, rng: Generator) -> None:
+    def everything(self, rng: Stream) -> None:
         """Draws all of it from the prior, in a fixed order. Raises `InputError` where something finds no spot."""
         prior, start = self.prior, self.start
-        start.broken = rng.random(len(prior.broken)) < prior.broken
-        is_positive = rng.random(prior.chance.shape) < prior.chance
+        start.broken = rng.array(len(prior.broken)) < prior.broken
+        is_positive = rng.array(*prior.chance.shape) < prior.chance
         start.states = np.where(prior.has_state, is_positive, -1).astype(np.int8)
         start.states[start.broken & (start.states[:, POWER] >= 0), POWER] = 0
         self._things(rng)
@@ -84,19 +86,17 @@ class Draw:
                 self.stand(row, int(np.argmax(prior.rooms[index])), rng)
         self._settle()
 
-    def robot(self, rng: Generator | None) -> None:
+    def robot(self, rng: Source | None) -> None:
         """Where the robot stands; drawn last, so that it stands clear of everything on the floor. None: no chance."""
         row = self.geometry.robot_row
         rooms = self.prior.robot_rooms
-        room = int(np.argmax(rooms)) if rng is None else int(_choose(rooms, rng))
+        room = int(np.argmax(rooms)) if rng is None else _pick_index(self.prior.robot_room_sums, rng)
         rng = rng or np.random.default_rng(0)
-        taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
-        people = [(x, y) for x, y, _ in self._standing() if self.geometry.room_at(x, y) == room]
-        spots = self.spots.robot(room, taken, people)
+        spots = self.spots.robot(room, self._taken_in(room), self._company_in(room))
         self.start.position[row] = _pick(spots, rng, "the robot", self.geometry.rooms[room])
-        self.start.heading = float(rng.uniform(-pi, pi))
+        self.start.heading = -pi + 2 * pi * rng.random()
 
-    def lay(self, thing: int, place: int, rng: Generator) -> bool:
+    def lay(self, thing: int, place: int, rng: Source) -> bool:
         """Lays a thing at a place (`ABSENT`: nowhere), at a free spot; False, and nothing changed, where it is full."""
         start = self.start
         if place == ABSENT:
@@ -110,7 +110,7 @@ class Draw:
         self._discs.setdefault(place, {})[thing] = (*spot, self.prior.radius[thing])
         return True
 
-    def stand(self, person: int, room: int | None, rng: Generator) -> None:
+    def stand(self, person: int, room: int | None, rng: Source) -> None:
         """Stands a person in a room (None: out of the house), so that the robot still gets everywhere.
 
         Where the room is too crowded for that they stand in another. Raises `InputError` where there is no spot at all.
@@ -119,60 +119,75 @@ class Draw:
         start.home[person] = False
         start.position[person] = np.nan
         self._people.pop(person, None)
+        self._rooms.pop(person, None)
         if room is None:
             return
-        others = [other for other in range(len(self.geometry.rooms)) if other != room]
-        for candidate in (room, *others):
-            spot = self._spot_in_company(candidate, rng)
-            if spot is not None:
-                break
-        else:
-            taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
-            spots = self.spots.standing(room, taken)
-            spot = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
-        start.position[person] = spot
+        at = self._spot_in_company(room, rng)
+        if at is None:
+            others = (other for other in range(len(self.geometry.rooms)) if other != room)
+            elsewhere = ((other, spot) for other in others if (spot := self._spot_in_company(other, rng)) is not None)
+            room, at = next(elsewhere, (room, None))
+        if at is None:
+            spots = self.spots.standing(room, self._taken_in(room))
+            at = _pick(spots, rng, self.geometry.names[person], self.geometry.rooms[room])
+        start.position[person] = at
         start.home[person] = True
-        self._people[person] = (float(spot[0]), float(spot[1]), PERSON_RADIUS)
+        self._people[person] = (*at, PERSON_RADIUS)
+        self._rooms[person] = room
 
-    def _spot_in_company(self, room: int, rng: Generator) -> Floats | None:
+    def _spot_in_company(self, room: int, rng: Source) -> Point | None:
         """A spot that leaves the robot its ways through a room, past those who stand there already; None if none."""
-        taken = [*self._standing(), *self._lying_at(int(self.geometry.floor_row[room]))]
-        spots = self.spots.standing(room, taken)
-        company = [(x, y) for x, y, _ in self._people.values() if self.geometry.room_at(x, y) == room]
+        spots = self.spots.standing(room, self._taken_in(room))
+        company = self._company_in(room)
         for _ in range(TRIES if len(spots) else 0):
-            spot: Floats = spots[int(rng.random() * len(spots))]
-            if not company or self.spots.leaves_way(room, [*company, (float(spot[0]), float(spot[1]))]):
-                return spot
+            x, y = spots[int(rng.random() * len(spots))].tolist()
+            if not company or self.spots.leaves_way(room, [*company, (x, y)]):
+                return x, y
         # in large company few spots are left: look at them all
-        good = [at for at in spots.tolist() if self.spots.leaves_way(room, [*company, (at[0], at[1])])]
-        return np.array(good[int(rng.random() * len(good))]) if good else None
+        good = [(x, y) for x, y in spots.tolist() if self.spots.leaves_way(room, [*company, (x, y)])]
+        return good[int(rng.random() * len(good))] if good else None
 
-    def _things(self, rng: Generator) -> None:
-        prior = self.prior
-        draws = rng.random(len(prior.place_sums))
-        columns = (draws[:, None] >= prior.place_sums).sum(axis=1).clip(max=prior.place_sums.shape[1] - 1)
-        places = prior.place_table[np.arange(len(columns)), columns].tolist()
-        laid: list[tuple[int, int, float, float]] = []
-        for thing, place in zip(self.geometry.thing_rows, places, strict=True):
+    def _company_in(self, room: int) -> list[Point]:
+        """Where people stand in a room."""
+        return [self._people[person][:2] for person, where in self._rooms.items() if where == room]
+
+    def _taken_in(self, room: int) -> list[Disc]:
+        """What takes up room on a room's floor: the people in the house, and the things that lie there."""
+        return [*self._standing(), *self._lying_at(self.prior.floors[room])]
+
+    def _things(self, rng: Stream) -> None:
+        prior, discs = self.prior, self._discs
+        rows, last = prior.place_list, len(prior.place_list) - 1
+        draws = rng.array(len(prior.place_sums)).tolist()
+        laid: list[int] = []
+        places: list[int] = []
+        at: list[Point] = []
+        for thing, sums, draw in zip(self.geometry.thing_rows, prior.place_sums, draws, strict=True):
+            place = rows[min(bisect_right(sums, draw), last)]
+            radius = prior.radius[thing]
             tries = 0
             while place != ABSENT:
-                spot = self._free_spot(thing, place, rng)
+                there = discs.get(place)
+                spot = self.spots.draw_lying(place, radius, there.values() if there else (), rng)
                 if spot is None and tries == TRIES:
                     place, spot = self._anywhere(thing, rng)
+                    there = discs.get(place)
                 if spot is not None:
-                    laid.append((thing, place, *spot))
-                    self._discs.setdefault(place, {})[thing] = (*spot, prior.radius[thing])
+                    laid.append(thing)
+                    places.append(place)
+                    at.append(spot)
+                    if there is None:
+                        discs[place] = {thing: (*spot, radius)}
+                    else:
+                        there[thing] = (*spot, radius)
                     break
                 tries += 1
-                rows, weights = prior.places(thing)
-                place = int(rows[_choose(weights, rng)])
-        if not laid:
-            return
-        lying = [thing for thing, _, _, _ in laid]
-        self.start.place[lying] = [place for _, place, _, _ in laid]
-        self.start.position[lying] = [(x, y) for _, _, x, y in laid]
+                place = rows[_pick_index(sums, rng)]
+        if laid:
+            self.start.place[laid] = places
+            self.start.position[laid] = at
 
-    def _anywhere(self, thing: int, rng: Generator) -> tuple[int, tuple[float, float]]:
+    def _anywhere(self, thing: int, rng: Source) -> tuple[int, tuple[float, float]]:
         """Some place with a free spot: where the places of a thing are all full, it lies elsewhere."""
         for place in np.flatnonzero(self.prior.holds).tolist():
             spot = self._free_spot(thing, place, rng)
@@ -182,10 +197,10 @@ class Draw:
             f"{self.geometry.names[thing]} finds no free spot in the whole house; give it more places, or fewer things"
         )
 
-    def _everybody(self, rng: Generator) -> None:
+    def _everybody(self, rng: Source) -> None:
         for row, home, rooms in zip(self.geometry.people_rows, self.prior.homes, self.prior.room_sums, strict=True):
             is_home = rng.random() < home
-            room = min(bisect_right(rooms, rng.random()), len(rooms) - 1)
+            room = _pick_index(rooms, rng)
             self.stand(row, room if is_home else None, rng)
 
     def _settle(self) -> None:
@@ -208,7 +223,7 @@ class Draw:
             del self._discs[at][thing]
             self.start.place[thing], self.start.position[thing] = ABSENT, np.nan
 
-    def _free_spot(self, thing: int, place: int, rng: Generator) -> tuple[float, float] | None:
+    def _free_spot(self, thing: int, place: int, rng: Source) -> tuple[float, float] | None:
         discs = self._discs.get(place, {})
         taken: Collection[Disc] = discs.values()
         if thing in discs:
@@ -225,12 +240,18 @@ class Draw:
         return [disc for _, disc in sorted(self._people.items())]
 
 
-def _choose(weights: Floats, rng: Generator) -> int:
+def choose(weights: Floats, rng: Source) -> int:
     """An index drawn by weight; the weights sum to one."""
-    return min(int(np.searchsorted(np.cumsum(weights), rng.random(), side="right")), len(weights) - 1)
+    return _pick_index(np.cumsum(weights).tolist(), rng)
 
 
-def _pick(spots: Floats, rng: Generator, who: str, room: str) -> Floats:
+def _pick_index(sums: Sequence[float], rng: Source) -> int:
+    """An index drawn by the sums of the weights up to each."""
+    return min(bisect_right(sums, rng.random()), len(sums) - 1)
+
+
+def _pick(spots: Floats, rng: Source, who: str, room: str) -> Point:
     if not len(spots):
         raise InputError(f"{who} finds no free spot to stand in {room}; make the room larger or emptier")
-    return spots[int(rng.random() * len(spots))]
+    x, y = spots[int(rng.random() * len(spots))].tolist()
+    return x, y

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -37,8 +37,8 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house. `noise` is the world's generator for slips and misses, `whims` the one
-    for where people go.
+    `house` is the path or the seed of its house. `noise` is the world's generator for slips and misses, `whims` makes
+    the one for where people go.
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class Episode:
         recording: Recording,
         *,
         noise: Generator,
-        whims: Generator,
+        whims: Callable[[], Generator],
     ) -> None:
         self.domain, self.setting, self.house, self._rows = home.domain, home.setting, home.house, home.rows
         self.judge, self.start, self.recording = judge, start, recording

@@ -185,7 +185,7 @@ def plan_rest(instruction: GroundInstruction, agenda: Sequence[Node], bindings: 
         else:
             branch, ahead = enter(node, truth)
             course = plan_rest(instruction, (*ahead, *rest), bound, after)
-            course = replace(course, tasks=(task.number, *course.tasks), branches=(*branch, *course.branches))
+            course = Course(course.cause, (task.number, *course.tasks), (*branch, *course.branches))
         if course.is_feasible:
             return course
         failed = failed or course

@@ -41,7 +41,8 @@ class Geometry:
     """All of a house that never changes in an episode. Read only; shared by every episode in that house.
 
     `names` are the rows of the entity table and `row` their inverse; `rooms` the room names in order. `footprints`:
-    `(places, 4)` x0, y0, x1, y1, a floor's being its room. `place_room`: room index of each place.
+    `(places, 4)` x0, y0, x1, y1, a floor's being its room. `place_room`: room index of each place; `room_of_place` the
+    same with -1 at its end, which is for nowhere.
     `walls`: centre lines. `leaves`: door name to the line that its closed leaf stands on. `blocks`: footprints of
     furniture with a body.
     """
@@ -65,6 +66,7 @@ class Geometry:
         self.leaves = {name: line for name, line in openings.items() if house.doorways[name].kind is not None}
         self.footprints = self._footprints()
         self.place_room = np.array([self.room_index[self._room_of(name)] for name in self.names[: self.place_count]])
+        self.room_of_place = np.append(self.place_room, -1)
         self.walls = tuple(_walls(house, openings.values()))
         self.wall_lines = np.array(self.walls)
         self.blocks = tuple(

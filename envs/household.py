@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Mapping
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -386,27 +386,28 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.recording import Recording
 
         generator = self.np_random.bit_generator.state
-        base, mixing, asking, noise, whims = map(np.random.default_rng, self.np_random.integers(2**63, size=5))
+        seeds = self.np_random.integers(2**63, size=5).tolist()
+        base, mixing, asking, noise, whims = (partial(np.random.default_rng, seed) for seed in seeds)
         if options.request is not None:
             self._request, self._judge = options.request, None
         request, judge = self._ask(replayed or self._request, asking)
-        start = draw_start(self.setting, options, judge.tests, self.config.balance, base, mixing)
+        start = draw_start(self.setting, options, judge.tests, self.config.balance, base(), mixing())
         if self._episode is not None:
             self._episode.world.dismantle()
         recording = Recording(generator, request, options)
-        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise, whims=whims)
+        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise(), whims=whims)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
         return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
 
-    def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
+    def _ask(self, request: Request | None, rng: Callable[[], Generator]) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
         from decomplex_bt.envs.opening import draw_asked, judge_for
 
         if request is None:
-            return draw_asked(self._home.base, self.domain, rng)
+            return draw_asked(self._home.base, self.domain, rng())
         if self._judge is None:
             self._judge = judge_for(request, self.domain)
         return request, self._judge

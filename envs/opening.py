@@ -12,6 +12,7 @@ from decomplex_bt.envs.chance import Draw, Start
 from decomplex_bt.envs.judge import Judge
 from decomplex_bt.envs.options import Options, Request, apply_options
 from decomplex_bt.envs.setting import Setting, draw_request
+from decomplex_bt.envs.stream import Stream
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
@@ -59,11 +60,12 @@ def draw_start(
 ) -> Start:
     """How the world begins: drawn, mixed towards the tests, and as the options want it."""
     draw = Draw(setting.prior, setting.spots)
+    chance = Stream(base)
     if options.chance:
-        draw.everything(base)
+        draw.everything(chance)
         mix(draw, tests, balance if options.balance is None else options.balance, mixing)
     else:
         draw.likeliest()
     apply_options(options, draw, mixing)
-    draw.robot(base if options.chance else None)
+    draw.robot(chance if options.chance else None)
     return draw.start

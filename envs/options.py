@@ -80,7 +80,9 @@ KEYS = (
 
 def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Options:
     """The options as a value. Raises `InputError` for an unknown name or value, naming the nearest known."""
-    given = dict(options or {})
+    if not options:
+        return Options()
+    given = dict(options)
     house = geometry.house
     places = geometry.names[: geometry.place_count]
     return Options(

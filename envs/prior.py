@@ -22,7 +22,8 @@ class Prior:
     `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
     `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
     `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`:
-    rows of what may be hot or cold.
+    rows of what may be hot or cold. `place_list`: where a thing may lie, `place_sums`: of each thing the cumulated
+    probabilities of these. `floors`: the floor's row of each room.
     """
 
     def __init__(self, geometry: Geometry) -> None:
@@ -42,11 +43,13 @@ class Prior:
         self.homes: list[float] = self.home.tolist()
         self.room_sums: list[list[float]] = np.cumsum(self.rooms, axis=1).tolist()
         self.robot_rooms = self._shares(geometry.house.robot_start, "robot_start")
+        self.robot_room_sums: list[float] = np.cumsum(self.robot_rooms).tolist()
+        self.floors: list[int] = geometry.floor_row.tolist()
         rows = np.array(geometry.thing_rows)
         self.warm_things = rows[self.has_state[rows, STATE_PAIRS.index("temperature")]]
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
-        self.place_table = np.array([rows for rows, _ in self._of_thing.values()])
-        self.place_sums = np.array([np.cumsum(weights) for _, weights in self._of_thing.values()])
+        self.place_list = [*range(geometry.place_count), ABSENT]
+        self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]
 
     def mass(self, thing: int, places: Iterable[int] | None) -> float:
         """The probability that a thing lies at one of these places (rows); None: anywhere in the house."""

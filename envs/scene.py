@@ -7,7 +7,7 @@ distance from the origin, and the squared distances from which it can be seen an
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from math import ceil, cos, sin
 from typing import NamedTuple
@@ -34,23 +34,32 @@ Rows = NDArray[np.int64]
 
 class RoomSamples(NamedTuple):
     """The points of the fixed places of one room. `features` `(6, n)`; segment `i` is the place `rows[i]`, its points
-    begin at `starts[i]`. `holding`: the segments of what can be looked over. `floor`: the points of the floor."""
+    begin at `starts[i]`. `holding`: the segments of what can be looked over. `floor`: the points of the floor. `doors`:
+    of each segment that is a door it and its row, and the room that it leads to."""
 
     features: Floats
     rows: Rows
     starts: Rows
     holding: Rows
     floor: slice
+    doors: tuple[tuple[int, int, int], ...]
 
 
 class Samples:
-    """What sensing needs of a house, made once. `floor_starts`: where each floor begins among all points of floors."""
+    """What sensing needs of a house, made once.
+
+    `limit`: from how far what lies at each place can be seen, the last one for what lies at none; `is_floor` likewise.
+    `floor_starts`: where each floor begins among all points of floors. `numbers`: as many as there may be points.
+    """
 
     def __init__(self, geometry: Geometry, reach: float, inside_reach: float) -> None:
         self.reach = reach
         kinds = [geometry.house.kind(name, geometry.kinds) for name in geometry.names[: geometry.place_count]]
-        self.is_inside = np.array([kind.inside for kind in kinds])
-        self.is_floor = np.isin(np.arange(geometry.place_count), geometry.floor_row)
+        self.limit = np.array([*(inside_reach if kind.inside else reach for kind in kinds), reach])
+        is_floor = np.isin(np.arange(geometry.place_count), geometry.floor_row)
+        self.is_floor = np.append(is_floor, False)
+        sides = {geometry.row[leaf]: geometry.house.doorways[leaf].rooms for leaf in geometry.leaves}
+        leads = {row: [geometry.room_index[room] for room in rooms] for row, rooms in sides.items()}
         of_room: list[list[tuple[int, list[tuple[float, float]]]]] = [[] for _ in geometry.rooms]
         for place in range(geometry.place_count):
             for room, points in _points(geometry, place):
@@ -58,15 +67,24 @@ class Samples:
         full = [
             (inside_reach if kind.inside else reach) ** 2 if kind.surface or kind.inside else NEVER for kind in kinds
         ]
-        self.rooms = tuple(self._lay_out(segments, np.array(full)) for segments in of_room)
+        self.rooms = tuple(
+            self._lay_out(room, segments, np.array(full), leads) for room, segments in enumerate(of_room)
+        )
         sizes = [room.floor.stop - room.floor.start for room in self.rooms]
         self.floor_starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
         self.floor_count = sum(sizes)
+        self.numbers = np.arange(sum(room.features.shape[1] for room in self.rooms) + len(geometry.names))
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
         ]
 
-    def _lay_out(self, segments: Sequence[tuple[int, list[tuple[float, float]]]], full: Floats) -> RoomSamples:
+    def _lay_out(
+        self,
+        room: int,
+        segments: Sequence[tuple[int, list[tuple[float, float]]]],
+        full: Floats,
+        leads: Mapping[int, Sequence[int]],
+    ) -> RoomSamples:
         rows = np.array([place for place, _ in segments])
         counts = [len(points) for _, points in segments]
         starts = np.concatenate(([0], np.cumsum(counts)[:-1])).astype(np.int64)
@@ -80,6 +98,9 @@ class Samples:
             starts=starts,
             holding=np.flatnonzero(full[rows] > 0),
             floor=slice(int(starts[floor]), int(starts[floor]) + counts[floor]),
+            doors=tuple(
+                (segment, row, sum(leads[row]) - room) for segment, (row, _) in enumerate(segments) if row in leads
+            ),
         )
 
 
@@ -90,38 +111,46 @@ class Scene:
     points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides its last one,
     with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`: which points
     are a floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points
-    `where`; `moved_at` is the caller's note of when they were brought in line last.
+    `where` (handed over for each room, with their features); `moved_at` is the caller's note of when they were brought
+    in line last.
     """
 
-    def __init__(self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[Rows], limit: Floats) -> None:
+    def __init__(self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[tuple[Rows, Floats]]) -> None:
         self.rooms = rooms
         self.moved_at = -1
-        features, rows, starts, holding = [], [], [], []
+        fixed = [samples.rooms[room] for room in rooms]
+        counts = [len(moving) for moving, _ in movable]
+        size = sum(room.features.shape[1] for room in fixed) + sum(counts)
+        width = sum(len(room.rows) for room in fixed) + sum(counts)
+        features = self.features = np.empty((6, size))
+        rows, starts = self.rows, self.starts = np.empty(width, np.int64), np.empty(width, np.int64)
         self.spans: dict[int, slice] = {}
         self.floors: list[tuple[slice, slice]] = []
-        where: list[int] = []
+        self.twins: list[tuple[int, int]] = []
+        holding, where = [], []
         count = segments = 0
-        for room, moving in zip(rooms, movable, strict=True):
-            fixed = samples.rooms[room]
-            size, mobile = fixed.features.shape[1], len(moving)
-            points = np.zeros((6, mobile))
-            points[LIMIT], points[FULL_LIMIT], points[ONE] = limit[moving] ** 2, NEVER, 1.0
-            features += [fixed.features, points]
-            rows += [fixed.rows, moving]
-            starts += [fixed.starts + count, np.arange(count + size, count + size + mobile)]
-            holding.append(fixed.holding + segments)
-            where.extend(range(count + size, count + size + mobile))
-            self.floors.append((slice(fixed.floor.start + count, fixed.floor.stop + count), samples.floors[room]))
-            self.spans[room] = slice(count, count + size + mobile)
-            count, segments = count + size + mobile, segments + len(fixed.rows) + mobile
-        self.features = np.concatenate(features, axis=1)
-        self.rows, self.starts = np.concatenate(rows), np.concatenate(starts)
+        for index, (room, of_room, (moving, points), mobile) in enumerate(
+            zip(rooms, fixed, movable, counts, strict=True)
+        ):
+            first, begin, floor = count, segments, of_room.floor
+            count, segments = count + of_room.features.shape[1], segments + len(of_room.rows)
+            features[:, first:count] = of_room.features
+            rows[begin:segments] = of_room.rows
+            np.add(of_room.starts, first, out=starts[begin:segments])
+            holding.append(of_room.holding + begin)
+            self.twins += [(begin + segment, row) for segment, row, to in of_room.doors if to in rooms[index + 1 :]]
+            self.floors.append((slice(floor.start + first, floor.stop + first), samples.floors[room]))
+            if mobile:
+                features[:, count : count + mobile] = points
+                rows[segments : segments + mobile] = moving
+                starts[segments : segments + mobile] = at = samples.numbers[count : count + mobile]
+                where.append(at)
+                count, segments = count + mobile, segments + mobile
+            self.spans[room] = slice(first, count)
         self.holding = np.concatenate(holding)
-        self.holding_rows = self.rows[self.holding]
-        self.movable, self.where = np.concatenate(movable), np.array(where, dtype=np.int64)
-        listed = self.rows.tolist()
-        last = {row: segment for segment, row in enumerate(listed)}
-        self.twins = [(segment, row) for segment, row in enumerate(listed) if last[row] != segment]
+        self.holding_rows = rows[self.holding]
+        self.where = np.concatenate(where) if where else samples.numbers[:0]
+        self.movable = np.concatenate([moving for moving, _ in movable])
 
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
@@ -181,6 +210,13 @@ class Scene:
 def samples_of(geometry: Geometry, reach: float, inside_reach: float) -> Samples:
     """The samples of a house, for one who sees so far; shared by all episodes in it."""
     return Samples(geometry, reach, inside_reach)
+
+
+def movable_features(limit: Floats) -> Floats:
+    """`(6, n)`, of what moves and can be seen from so far; where it is, `Scene.move` fills in."""
+    features = np.zeros((6, len(limit)))
+    features[LIMIT], features[FULL_LIMIT], features[ONE] = limit**2, NEVER, 1.0
+    return features
 
 
 def _features(points: Floats) -> Floats:

@@ -6,20 +6,24 @@ what is in a closed container, and into an open one it looks from `inside_range`
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import radians
 
 import numpy as np
 from numpy.random import Generator
+from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE
 from decomplex_bt.envs.config import SensingConfig
+from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS
-from decomplex_bt.envs.scene import Scene, samples_of
+from decomplex_bt.envs.scene import Scene, movable_features, samples_of
 from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.envs.world import World
 
 VISIBLE, X, Y, HEADING, PLACE, INSPECTED = range(6)
 FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
+Table = NDArray[np.float32]
 MOST_SCENES = 32
 """Scenes kept at once."""
 
@@ -42,15 +46,12 @@ class Sensor:
         self._floors = slice(geometry.place_count - len(geometry.rooms), geometry.place_count)
         self._half_angle = radians(min(config.field_of_view, 360.0)) / 2
         count = geometry.robot_row - geometry.place_count
+        self._shut = np.zeros(self._places + 1, dtype=np.bool_)  # the last one is for what is at no place
         self._seen_floor = np.full(samples.floor_count, -np.inf)
         self._seen_when = np.full(count, -np.inf)
         self._full_looks = np.zeros(geometry.place_count, dtype=np.int64)
         self._tracked = np.zeros(count, dtype=bool)
-        self._known = np.zeros((len(geometry.names), len(COLUMNS)), dtype=np.float32)
-        self._known[: self._places, X : Y + 1] = geometry.footprints.reshape(-1, 2, 2).mean(axis=1)
-        self._known[:, PLACE] = self._known[:, FIRST_STATE:] = -1
-        self._truth = self._known.copy()
-        self._truth[:, VISIBLE] = 1
+        self._known, self._truth = (table.copy() for table in _tables(geometry))
         self._version = self._arrangement = self._stirs = -1
         self._looked_at = -config.every
         self._scenes: dict[tuple[int, ...], Scene] = {}
@@ -83,26 +84,27 @@ class Sensor:
         world, samples = self.world, self._samples
         self._truth[:, FIRST_STATE:] = world.states
         self._truth[:, PLACE] = world.place
-        shut = world.prior.has_door & (world.states[: self._places, APERTURE] == 0)
-        self._is_open = ~shut
+        shut = self._shut
+        np.logical_and(world.prior.has_door, world.states[: self._places, APERTURE] == 0, out=shut[:-1])
+        self._is_open = ~shut[:-1]
         place = world.place[self._movable]
         at = np.where((place >= 0) & (place < self._places), place, self._places)
-        limit = np.where(np.append(samples.is_inside, False)[at], self.config.inside_range, self.config.range)
-        limit[np.append(shut, False)[at] | ~world.is_somewhere[self._movable]] = -1
-        self._limit = np.concatenate((np.zeros(self._places), limit))
-        is_on_floor = np.append(samples.is_floor, False)[at]
-        self._on_floors = np.flatnonzero(is_on_floor)
+        limit = self._limit = samples.limit[at]
+        limit[shut[at] | ~world.is_somewhere[self._movable]] = -1
+        is_on_floor = samples.is_floor[at]
+        self._on_floors = is_on_floor.nonzero()[0]
         self._floors_at = at[self._on_floors]
-        self._elsewhere = np.flatnonzero(~is_on_floor) + self._places
+        self._elsewhere = (~is_on_floor).nonzero()[0] + self._places
 
     def _sort_movable(self) -> None:
         """Sorts the things and people that can be seen at all by the rooms they are in."""
         world, user = self.world, self.world.geometry.user_row
-        rows = np.flatnonzero(self._limit[self._places :] >= 0) + self._places
+        rows = (self._limit >= 0).nonzero()[0] + self._places
         rooms = world.room[rows]
-        order = np.argsort(rooms, kind="stable")
+        order = rooms.argsort(kind="stable")
         self._by_room = rows[order]
-        self._room_ends = np.searchsorted(rooms[order], np.arange(len(world.geometry.rooms) + 1)).tolist()
+        self._features = movable_features(self._limit[self._by_room - self._places])
+        self._room_ends = [0, *np.bincount(rooms, minlength=len(world.geometry.rooms)).cumsum().tolist()]
         self._scenes.clear()
         # What lies on a floor may be reported where it was seen last, everything else only where it is.
         self._truth[self._elsewhere, X : Y + 1] = world.position[self._elsewhere]
@@ -143,8 +145,9 @@ class Sensor:
             if len(self._scenes) >= MOST_SCENES:
                 self._scenes.clear()
             ends = self._room_ends
-            movable = [self._by_room[ends[room] : ends[room + 1]] for room in rooms]
-            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, self._limit)
+            spans = [slice(ends[room], ends[room + 1]) for room in rooms]
+            movable = [(self._by_room[span], self._features[:, span]) for span in spans]
+            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable)
         if scene.moved_at != self._stirs:
             scene.moved_at = self._stirs
             scene.move(self.world.position)
@@ -183,3 +186,14 @@ class Sensor:
             self.table = np.where(self.visible[:, None], truth, self._known)
         self.table[: self._places, INSPECTED] = self.inspected
         self.table[-1, X : HEADING + 1] = *world.robot, world.robot_heading
+
+
+@lru_cache(maxsize=8)
+def _tables(geometry: Geometry) -> tuple[Table, Table]:
+    """The entity table before anything is seen, and before anything is true: of what is fixed, where it is."""
+    known = np.zeros((len(geometry.names), len(COLUMNS)), dtype=np.float32)
+    known[: geometry.place_count, X : Y + 1] = geometry.footprints.reshape(-1, 2, 2).mean(axis=1)
+    known[:, PLACE] = known[:, FIRST_STATE:] = -1
+    truth = known.copy()
+    truth[:, VISIBLE] = 1
+    return known, truth

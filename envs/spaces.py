@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from math import isfinite, pi
 from typing import Any
 
@@ -79,13 +80,15 @@ def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Int
     return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), _INTERACTIONS[interact], target
 
 
+@lru_cache(maxsize=64)
 def shown(text: str) -> str:
     """The text as it is observed: what is neither printable ASCII nor Latin-1 as "?"."""
     return "".join(character if character in _CHARACTERS else "?" for character in text)
 
 
+@lru_cache(maxsize=64)
 def encode(text: str) -> NDArray[np.uint8]:
-    """The observed text's code points, `(2000,)`, 0 after its end."""
+    """The observed text's code points, `(2000,)`, 0 after its end; not to be changed, for it is kept."""
     codes = np.zeros(MAX_CHARACTERS, dtype=np.uint8)
     codes[: len(text)] = [ord(character) for character in shown(text)]
     return codes

@@ -6,10 +6,11 @@ from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
-from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
+from decomplex_bt.envs.stream import Source
+from decomplex_bt.envs.ways import Ways
 
 LYING_PITCH = 0.05  # [m] between neighbouring spots on furniture
 FLOOR_PITCH = 0.15  # [m] between neighbouring spots on a floor
@@ -37,7 +38,7 @@ class Spots:
         self._of_place: dict[int, Floats] = {}
         self._person_spots: dict[int, Floats] = {}
         self._lying: dict[tuple[int, float], Floats] = {}
-        self._listed: dict[tuple[int, float], list[list[float]]] = {}
+        self._listed: dict[tuple[int, float], list[tuple[float, float]]] = {}
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots at which a thing of this radius can lie on or in a place, none on another; may be empty."""
@@ -52,22 +53,20 @@ class Spots:
             self._lying[key] = points[fits]
         return _apart(self._lying[key], radius, taken)
 
-    def draw_lying(
-        self, place: int, radius: float, taken: Collection[Disc], rng: Generator
-    ) -> tuple[float, float] | None:
+    def draw_lying(self, place: int, radius: float, taken: Collection[Disc], rng: Source) -> tuple[float, float] | None:
         """One of the spots of `lying`, each as likely; None where there is none. Tries some before it looks at all."""
-        key = (place, radius)
-        if key not in self._listed:
-            self._listed[key] = self.lying(place, radius).tolist()
-        spots = self._listed[key]
-        count, draw = len(spots), rng.random
-        for _ in range(TRIES if spots else 0):
-            x, y = spots[int(draw() * count)]
+        spots = self._listed.get((place, radius))
+        if spots is None:
+            self._listed[place, radius] = spots = [(x, y) for x, y in self.lying(place, radius).tolist()]
+        count = len(spots)
+        for _ in range(TRIES if count else 0):
+            spot = x, y = spots[int(rng.random() * count)]
             for ox, oy, other in taken:
-                if (x - ox) ** 2 + (y - oy) ** 2 < (radius + other) ** 2:
+                across, along, gap = x - ox, y - oy, radius + other
+                if across * across + along * along < gap * gap:
                     break
             else:
-                return x, y
+                return spot
         left = self.lying(place, radius, taken).tolist()
         return tuple(left[int(rng.random() * len(left))]) if left else None
 
@@ -79,9 +78,12 @@ class Spots:
         if room not in self._person_spots:
             floor = int(self.geometry.floor_row[room])
             points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + FLOOR_GAP]
-            free = [self._ways[room].leaves_way_past(x, y) for x, y in points[::STANDING_STRIDE].tolist()]
-            self._person_spots[room] = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
-        return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, taken)
+            ways = self._ways[room]
+            free = [ways.are_free(((x, y),)) for x, y in points[::STANDING_STRIDE].tolist()]
+            self._person_spots[room] = spots = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
+            for x, y in spots.tolist():
+                ways.keep(x, y)
+        return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, self._near(room, taken))
 
     def leaves_way(self, room: int, people: Iterable[tuple[float, float]]) -> bool:
         """Whether the robot still gets everywhere in a room with all these people standing in it."""
@@ -91,7 +93,7 @@ class Spots:
         """`(n, 2)` spots where the robot can stand in a room and get everywhere in it, past the people there."""
         points, cells = self._robot_spots[room]
         is_free = self._ways[room].reached(people)[cells]
-        discs = tuple(taken)
+        discs = self._near(room, taken)
         return points[is_free & _are_apart(points, PASSAGE, discs)] if discs else points[is_free]
 
     def is_free(self, x: float, y: float, radius: float, taken: Iterable[Disc]) -> bool:
@@ -99,6 +101,21 @@ class Spots:
         point = np.array([[x, y]])
         room = int(self.geometry.rooms_at(point)[0])
         return bool(self._clearance(point, room)[0] >= radius and len(_apart(point, radius, taken)))
+
+    def _near(self, room: int, taken: Iterable[Disc]) -> list[Disc]:
+        """Of what is taken, that which may be in the way of somebody in a room."""
+        x0, y0, x1, y1 = self._surroundings[room]
+        return [
+            disc
+            for disc in taken
+            if x0 < disc[0] + disc[2] and disc[0] - disc[2] < x1 and y0 < disc[1] + disc[2] and disc[1] - disc[2] < y1
+        ]
+
+    @cached_property
+    def _surroundings(self) -> list[Rect]:
+        """Per room the rectangle around it out of which nobody in it stands in anybody's way."""
+        gap = PERSON_RADIUS + 2 * PASSAGE
+        return [(x0 - gap, y0 - gap, x1 + gap, y1 + gap) for x0, y0, x1, y1 in self.geometry.room_rects.tolist()]
 
     def _candidates(self, place: int) -> Floats:
         if place not in self._of_place:
@@ -162,68 +179,23 @@ class Spots:
         return tuple(spots)
 
     @cached_property
-    def _ways(self) -> tuple[_Ways, ...]:
-        return tuple(_Ways(self, room) for room in range(len(self.geometry.rooms)))
+    def _ways(self) -> tuple[Ways, ...]:
+        return tuple(self._ways_of(room) for room in range(len(self.geometry.rooms)))
 
-
-class _Ways:
-    """The ways through one room: whether all that is used in it hangs together when people stand in them."""
-
-    def __init__(self, spots: Spots, room: int) -> None:
-        geometry = spots.geometry
+    def _ways_of(self, room: int) -> Ways:
+        geometry = self.geometry
         x0, y0, x1, y1 = geometry.room_rects[room].tolist()
-        self._cells = cells = _grid((x0, y0, x1, y1), WAY_PITCH)
-        self._shape = len(np.unique(cells[:, 1])), len(np.unique(cells[:, 0]))
+        cells = _grid((x0, y0, x1, y1), WAY_PITCH)
         middles = [(portal.middle.real, portal.middle.imag) for portal in geometry.portals[room]]
         doorways = [np.hypot(*(cells - middle).T) <= DOORWAY_REACH for middle in middles]
-        self._passable = np.logical_or.reduce([spots._clearance(cells, room) >= PASSAGE, *doorways])
+        passable = np.logical_or.reduce([self._clearance(cells, room) >= PASSAGE, *doorways])
         used = [
             _distances(cells, _rect(geometry, name)) <= APPROACH
             for name, piece in geometry.house.furniture.items()
             if piece.room == geometry.rooms[room]
         ]
-        self._past_one: dict[frozenset[tuple[float, float]], NDArray[np.uint8]] = {}
-        self._last: tuple[frozenset[tuple[float, float]], NDArray[np.bool_]] = frozenset(), self._passable
-        self._marks = np.array([*doorways, *used] or [np.ones(len(cells), dtype=bool)])
-
-    def are_free(self, people: Iterable[tuple[float, float]]) -> bool:
-        """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
-        return bool((self._marks & self.reached(people)).any(axis=1).all())
-
-    def cells_of(self, points: Floats) -> NDArray[np.int64]:
-        """The cells that points lie in."""
-        rows, columns = self._shape
-        low, high = self._cells[0], self._cells[-1]
-        steps = np.rint((points - low) / np.maximum(high - low, 1e-9) * (columns - 1, rows - 1)).astype(np.int64)
-        return steps[:, 1] * columns + steps[:, 0]
-
-    def reached(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
-        """Which cells hang together with the first doorway, past the people; answers that come again are kept."""
-        standing = frozenset(people)
-        if not standing:
-            return self._reached_alone
-        if len(standing) == 1 and standing in self._past_one:
-            return np.unpackbits(self._past_one[standing], count=len(self._passable)).view(np.bool_)
-        last = self._last
-        if last[0] != standing:
-            self._last = last = standing, self._flooded(standing)
-        return last[1]
-
-    @cached_property
-    def _reached_alone(self) -> NDArray[np.bool_]:
-        return self._flooded(())
-
-    def leaves_way_past(self, x: float, y: float) -> bool:
-        """Whether a person standing here leaves all ways free; the answer is kept, for they may stand here again."""
-        standing = frozenset(((x, y),))
-        self._past_one[standing] = np.packbits(self._flooded(standing))
-        return self.are_free(standing)
-
-    def _flooded(self, people: Iterable[tuple[float, float]]) -> NDArray[np.bool_]:
-        free = self._passable.copy()
-        for x, y in sorted(people):
-            free &= (self._cells[:, 0] - x) ** 2 + (self._cells[:, 1] - y) ** 2 >= (PERSON_RADIUS + PASSAGE) ** 2
-        return _flood(free.reshape(self._shape), self._marks[0].reshape(self._shape)).ravel()
+        marks = np.array([*doorways, *used] or [np.ones(len(cells), dtype=bool)])
+        return Ways(cells, passable, marks, PERSON_RADIUS + PASSAGE)
 
 
 def _grid(rect: Rect, pitch: float) -> Floats:
@@ -242,28 +214,16 @@ def _apart(points: Floats, radius: float, taken: Iterable[Disc]) -> Floats:
 
 
 def _are_apart(points: Floats, radius: float, taken: Sequence[Disc]) -> NDArray[np.bool_]:
-    discs = np.array(taken)
-    gaps = np.hypot(points[:, :1] - discs[:, 0], points[:, 1:] - discs[:, 1])
-    return (gaps >= discs[:, 2] + radius).all(axis=1)
+    x, y, other = np.array(taken).T[:, :, None]
+    across, along, gap = x - points[:, 0], y - points[:, 1], other + radius
+    is_apart: NDArray[np.bool_] = (across * across + along * along >= gap * gap).all(axis=0)
+    return is_apart
 
 
 def _distances(points: Floats, rect: Rect) -> Floats:
     x0, y0, x1, y1 = rect
     x, y = points[:, 0], points[:, 1]
     return np.hypot(np.maximum(np.maximum(x0 - x, x - x1), 0.0), np.maximum(np.maximum(y0 - y, y - y1), 0.0))
-
-
-def _flood(free: NDArray[np.bool_], seeds: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The free cells that hang together with the seeds, over edges."""
-    # Only here: it takes longer to import than a house takes to be read.
-    from scipy.ndimage import label
-
-    labels, count = label(free)
-    is_hit = np.zeros(count + 1, dtype=bool)
-    is_hit[labels[seeds]] = True
-    is_hit[0] = False  # what is not free
-    reached: NDArray[np.bool_] = is_hit[labels]
-    return reached
 
 
 def _rect(geometry: Geometry, place: str) -> Rect:

@@ -5,10 +5,11 @@ SI units; world frame with the origin bottom left; headings in radians, counter-
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from enum import IntFlag
+from functools import cached_property
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -24,7 +25,7 @@ from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.motor import make_motor
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
-from decomplex_bt.envs.stage import Stage
+from decomplex_bt.envs.stage import Stage, clear
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
@@ -73,8 +74,9 @@ class World:
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
     `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
-    that are closed. `rng` is for slips, `whims` for where people go who may go wherever they like. `stage`: the fixed
-    shapes to use, which leave the world they were in before; None: this world gets its own.
+    that are closed. `rng` is for slips, `whims` (made when it is first asked for) for where people go who may go
+    wherever they like. `stage`: the fixed shapes to use, which leave the world they were in before; None: this world
+    gets its own.
     """
 
     def __init__(
@@ -86,11 +88,11 @@ class World:
         *,
         config: WorldConfig,
         rng: Generator,
-        whims: Generator,
+        whims: Callable[[], Generator],
         stage: Stage | None = None,
     ) -> None:
         self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config
-        self.rng, self.whims = rng, whims
+        self.rng, self._whims = rng, whims
         self.grasp_slip = geometry.house.grasp_slip
         self.place = start.place.copy()
         self._position = start.position.copy()
@@ -137,6 +139,10 @@ class World:
         if self._is_stale:
             self._read_all()
         return self._position
+
+    @cached_property
+    def whims(self) -> Generator:
+        return self._whims()
 
     def is_floor(self, row: int) -> bool:
         return row in self._floors
@@ -217,13 +223,12 @@ class World:
         A space that still holds something when it is thrown away is taken to pieces by callbacks from within the
         garbage collector, where what they touch may be gone already: the process may crash.
         """
-        space = self.space
-        space.remove(*space.constraints, *space.shapes, *space.bodies)
+        clear(self.space)
         self._bodies.clear()
 
     def __del__(self) -> None:
-        with suppress(Exception):  # half made, or the interpreter is shutting down
-            self.dismantle()
+        with suppress(Exception):  # half made, or the interpreter is shutting down: pymunk looks what is still there
+            self.space.remove(*self.space.constraints, *self.space.shapes, *self.space.bodies)
 
     # -- building -----------------------------------------------------------------------------------------------------
 
@@ -391,16 +396,18 @@ class World:
 
     def _locate_all(self) -> None:
         geometry = self.geometry
+        self.room[:] = geometry.room_of_place[self.place]
         self.room[: geometry.place_count] = geometry.place_room
-        lying = np.flatnonzero(self.place != ABSENT)
-        self.room[lying] = geometry.place_room[self.place[lying]]
-        people = np.flatnonzero(self.home)
-        self.room[people] = geometry.rooms_at(self.position[people])
+        for person in np.flatnonzero(self.home).tolist():
+            self.room[person] = geometry.room_at(*self.position[person].tolist())
         self.robot_room = self.room[-1] = geometry.room_at(*self.robot)
         self.locate()
 
     def _carried_rows(self) -> NDArray[np.int64]:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])
+
+
+_FILTERS = {category: pymunk.ShapeFilter(categories=int(category)) for category in Collision}
 
 
 def _say(member: Interaction | Result) -> str:
@@ -409,5 +416,5 @@ def _say(member: Interaction | Result) -> str:
 
 def _shaped(shape: pymunk.Shape, category: Collision) -> pymunk.Shape:
     shape.friction = CONTACT_FRICTION
-    shape.filter = pymunk.ShapeFilter(categories=int(category))
+    shape.filter = _FILTERS[category]
     return shape

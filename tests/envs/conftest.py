@@ -62,7 +62,7 @@ def trial() -> Callable[..., Trial]:
         draw.start.position[row] = at
         draw.start.heading = 0.0 if facing is None else atan2(facing[1] - at[1], facing[0] - at[0])
         world = World(
-            setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=rng
+            setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=lambda: rng
         )
         world.grasp_slip = 0.0
         sensor = Sensor(world, SensingConfig(), rng)

@@ -11,6 +11,7 @@ from decomplex_bt.envs.chance import POWER, TEMPERATURE, Draw
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.spots import PERSON_RADIUS
+from decomplex_bt.envs.stream import Stream
 from decomplex_bt.errors import InputError
 
 SETTING = setting_of(load_domain("household"))
@@ -19,7 +20,7 @@ ROW = SETTING.geometry.row
 
 def drawn(seed, tests=(), balance=0.3):
     draw = Draw(SETTING.prior, SETTING.spots)
-    draw.everything(np.random.default_rng(seed))
+    draw.everything(Stream(np.random.default_rng(seed)))
     mix(draw, tests, balance, np.random.default_rng([seed, 1]))
     return draw.start
 

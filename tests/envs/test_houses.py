@@ -42,7 +42,9 @@ def truth_of(domain, seed=0):
     draw, rng = Draw(setting.prior, setting.spots), np.random.default_rng(seed)
     draw.likeliest()
     draw.robot(None)
-    world = World(setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=rng)
+    world = World(
+        setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=lambda: rng
+    )
     return WorldTruth(world, Sensor(world, SensingConfig(), rng))
 
 
