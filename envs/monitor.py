@@ -77,6 +77,7 @@ class Monitor:
         self._watch: tuple[str, ...] = ()
         self.minds_position = True
         self._room = truth.room
+        self._executed = tuple(instruction.task(node.task) for node, _ in instruction.flow.walk())
         self._holds = self._goals_that_hold()
         self.verdict = self._judge()
 
@@ -137,14 +138,21 @@ class Monitor:
         """The reading with its next task become due: whether the true world allows it is settled here."""
         since = self.record.step
         room = self.truth.room
-        reading = replace(reading, since=since, room=room, is_impossible=False, moment=None, tried=frozenset())
-        if reading.due is None:
-            return reading
-        task = self.instruction.task(reading.due.task)
-        bindings = name_candidates(task, reading.bindings, self.domain, self.truth)
-        cause = find_cause(task, bindings, self.domain, self.truth)
-        moment = self._moment(task, bindings) if isinstance(reading.due, If) else None
-        return replace(reading, bindings=bindings, is_impossible=cause is not None, moment=moment)
+        bindings, moment, is_impossible = reading.bindings, None, False
+        if reading.due is not None:
+            task = self.instruction.task(reading.due.task)
+            bindings = name_candidates(task, bindings, self.domain, self.truth)
+            is_impossible = find_cause(task, bindings, self.domain, self.truth) is not None
+            moment = self._moment(task, bindings) if isinstance(reading.due, If) else None
+        return replace(
+            reading,
+            bindings=bindings,
+            since=since,
+            room=room,
+            is_impossible=is_impossible,
+            moment=moment,
+            tried=frozenset(),
+        )
 
     def _moment(self, task: GroundTask, bindings: Bindings) -> Moment | None:
         if task.type not in FINDING_OUT:
@@ -249,7 +257,7 @@ class Monitor:
         if name in house.rooms:
             return places_in(self.domain, name)
         place = self.truth.place(name) if name in house.things else None
-        return (name, place) if place is not None and place in house.furniture else (name,)
+        return (name, place) if place is not None and self.domain.room_of(place) is not None else (name,)
 
     def _floors(self, task: GroundTask) -> Iterator[str]:
         """The floors of the rooms of the places that a task names, on which people stand."""
@@ -317,10 +325,7 @@ class Monitor:
     def _goals_that_hold(self) -> dict[int, bool]:
         """For every task that is executed, whether what it is to bring about holds, for any of its candidates."""
         evidence = Evidence(self.domain, self.truth, self.record, -1)
-        return {
-            node.task: goal_holds(self.instruction.task(node.task), {}, evidence)
-            for node, _ in self.instruction.flow.walk()
-        }
+        return {task.number: goal_holds(task, {}, evidence) for task in self._executed}
 
     def _blame(self, task: GroundTask, due: GroundTask) -> str:
         return f"task {task.number} ({task.phrase}) was brought about while task {due.number} ({due.phrase}) was due"

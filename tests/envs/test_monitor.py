@@ -212,6 +212,15 @@ def test_a_search_fails_when_the_place_was_inspected_and_stays_so():
     assert episode.inspect("drawer").is_success
 
 
+def test_beside_a_thing_on_the_floor_it_is_the_floor_that_is_inspected():
+    search = task(1, "searching", "glasses", at=["medicine_cabinet", "bag"])
+    world = HandWorld({"glasses": "nightstand", "bag": "bedroom_floor"})
+    episode = Episode(world, [{"if": 1, "then": [2]}], search, task(2, "bringing", "glasses", recipient="user"))
+    assert not episode.inspect("medicine_cabinet").is_success
+    assert episode.inspect("bedroom_floor").is_success
+    assert episode.truths == [(1, False, None)]
+
+
 def test_a_thing_a_look_has_missed_is_no_proof_of_absence():
     episode = Episode(HandWorld({"pen_1": "desk"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
     episode.inspect("desk")
