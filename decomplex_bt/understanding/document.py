@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -90,8 +91,17 @@ class Document:
 
     def indices(self, span: Span) -> range:
         """The tokens that lie in a span of characters, even in part."""
-        inside = [token.i for token in self.tokens if token.start < span.end and token.end > span.start]
-        return range(inside[0], inside[-1] + 1) if inside else range(0)
+        first = bisect_right(self._ends, span.start)
+        stop = bisect_left(self._starts, span.end)
+        return range(first, stop) if first < stop else range(0)
+
+    @cached_property
+    def _starts(self) -> tuple[int, ...]:
+        return tuple(token.start for token in self.tokens)
+
+    @cached_property
+    def _ends(self) -> tuple[int, ...]:
+        return tuple(token.end for token in self.tokens)
 
 
 _SENTENCE_ENDS = frozenset((".", "?", "!", ";", "...", "…", "!!", "??", "?!"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -49,6 +49,47 @@ class Observed:
             result.append(("", 0) if last is None else (last.name, min(6, i - last.last)))
             last = starting.get(i, last)
         return tuple(result)
+
+    @cached_property
+    def verbs_around(self) -> tuple[tuple[int | None, int | None], ...]:
+        """For every token the nearest verbs of a known task to its left and right, in its sentence and at most 7
+        tokens away."""
+        sentences, tokens = self.document.sentences, self.document.tokens
+        verbs = [i for i, t in enumerate(tokens) if self.senses[i] and t.pos in ("VERB", "AUX", "NOUN")]
+        result: list[tuple[int | None, int | None]] = []
+        passed = 0  # of the verbs, those before the token
+        for i in range(len(tokens)):
+            at = passed < len(verbs) and verbs[passed] == i
+            before = verbs[passed - 1] if passed else None
+            after = verbs[passed + at] if passed + at < len(verbs) else None
+            result.append(
+                (
+                    before if before is not None and i - before < 8 and sentences[before] == sentences[i] else None,
+                    after if after is not None and after - i < 8 and sentences[after] == sentences[i] else None,
+                )
+            )
+            passed += at
+        return tuple(result)
+
+    @cached_property
+    def words(self) -> tuple[Features, ...]:
+        """For every token the features of its form and of its neighbours', which all token models share."""
+        return tuple({**word_features(self, i), **window_features(self, i)} for i in range(len(self.document)))
+
+    @cached_property
+    def phrases(self) -> tuple[Features, ...]:
+        """For every token the features of the argument model that hold whatever the tasks are."""
+        return tuple(
+            {**word, **noun_features(self, i), **cue_features(self, i)} for i, word in enumerate(self.words)
+        )
+
+    @cached_property
+    def marks(self) -> tuple[int, ...]:
+        """For every token what it separates its neighbours by, as bits; see `_separator`."""
+        return tuple(
+            sum({_CUE_BITS.get(name, 0) for name in names}) | _WORD_BITS.get(token.lower, 0)
+            for token, names in zip(self.document.tokens, self.cue_names, strict=True)
+        )
 
     @cached_property
     def verbs_since_cue(self) -> tuple[str, ...]:
@@ -143,20 +184,21 @@ def word_features(observed: Observed, i: int) -> Features:
     }
 
 
-def window_features(observed: Observed, i: int, reach: int = 2) -> Features:
+def window_features(observed: Observed, i: int) -> Features:
     """The words and tags around the token; "^" and "$" stand for the instruction's ends."""
     tokens = observed.document.tokens
     features: Features = {}
-    for offset in range(-reach, reach + 1):
-        if offset == 0:
-            continue
+    for offset, lower, tag in _WINDOW:
         j = i + offset
         if 0 <= j < len(tokens):
-            features[f"{offset}:lower"] = tokens[j].lower
-            features[f"{offset}:tag"] = tokens[j].tag
+            features[lower] = tokens[j].lower
+            features[tag] = tokens[j].tag
         else:
-            features[f"{offset}:lower"] = "^" if j < 0 else "$"
+            features[lower] = "^" if j < 0 else "$"
     return features
+
+
+_WINDOW = tuple((offset, f"{offset}:lower", f"{offset}:tag") for offset in (-2, -1, 1, 2))
 
 
 def verb_features(observed: Observed, i: int) -> Features:
@@ -224,10 +266,11 @@ def clause_features(observed: Observed, i: int) -> Features:
 
 def cue_features(observed: Observed, i: int) -> Features:
     """The cues the token and its neighbours are part of."""
+    names = observed.cue_names
     features: Features = {}
     for offset in (-1, 0, 1):
-        if 0 <= i + offset < len(observed.document):
-            for name in observed.cue_names[i + offset]:
+        if 0 <= i + offset < len(names):
+            for name in names[i + offset]:
                 features[f"cue{offset:+d}.{name}"] = 1.0
     return features
 
@@ -235,18 +278,15 @@ def cue_features(observed: Observed, i: int) -> Features:
 def verb_context_features(observed: Observed, i: int) -> Features:
     """The verbs to either side: whether the token introduces another verb or is introduced by one ("go and get")."""
     features: Features = {}
-    for name, steps in (
-        ("verb_before", range(i - 1, max(-1, i - 8), -1)),
-        ("verb_after", range(i + 1, min(len(observed.document), i + 8))),
-    ):
-        for distance, j in enumerate(steps, start=1):
-            if observed.document.sentences[j] != observed.document.sentences[i]:
-                break
-            if observed.senses[j] and observed.document.tokens[j].pos in ("VERB", "AUX", "NOUN"):
-                features[name] = observed.senses[j][0]
-                features[f"{name}.gap"] = min(distance, 4)
-                features[f"{name}.lemma"] = observed.document.tokens[j].lemma
-                break
+    before, after = observed.verbs_around[i]
+    if before is not None:
+        features["verb_before"] = observed.senses[before][0]
+        features["verb_before.gap"] = min(i - before, 4)
+        features["verb_before.lemma"] = observed.document.tokens[before].lemma
+    if after is not None:
+        features["verb_after"] = observed.senses[after][0]
+        features["verb_after.gap"] = min(after - i, 4)
+        features["verb_after.lemma"] = observed.document.tokens[after].lemma
     return features
 
 
@@ -254,38 +294,27 @@ def task_features(observed: Observed) -> list[Features]:
     """The features of the task CRF, one dictionary a token."""
     return [
         {
-            **word_features(observed, i),
-            **window_features(observed, i),
+            **word,
             **verb_features(observed, i),
             **clause_features(observed, i),
             **cue_features(observed, i),
             **verb_context_features(observed, i),
         }
-        for i in range(len(observed.document))
+        for i, word in enumerate(observed.words)
     ]
 
 
 def argument_features(observed: Observed, tasks: Mapping[int, str]) -> list[Features]:
     """The features of the argument CRF; `tasks` maps token indices to task types."""
-    places = sorted(tasks)
     return [
-        {
-            **word_features(observed, i),
-            **window_features(observed, i),
-            **noun_features(observed, i),
-            **cue_features(observed, i),
-            **owner_features(observed, i, places, tasks),
-        }
-        for i in range(len(observed.document))
+        {**phrase, **owner}
+        for phrase, owner in zip(observed.phrases, owner_features(observed, tasks), strict=True)
     ]
 
 
 def plain_argument_features(observed: Observed) -> list[Features]:
     """The argument features without anything of the tasks (the paper's first baseline, section IV-B)."""
-    return [
-        {**word_features(observed, i), **window_features(observed, i), **noun_features(observed, i)}
-        for i in range(len(observed.document))
-    ]
+    return [{**word, **noun_features(observed, i)} for i, word in enumerate(observed.words)]
 
 
 def noun_features(observed: Observed, i: int) -> Features:
@@ -313,69 +342,93 @@ def noun_features(observed: Observed, i: int) -> Features:
     return features
 
 
-def owner_features(observed: Observed, i: int, places: Sequence[int], tasks: Mapping[int, str]) -> Features:
-    """How the token lies to the tasks around it: types, distances, what separates them, which one governs it."""
+def owner_features(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Features]:
+    """How each token lies to the tasks around it: types, distances, what separates them, which one governs it."""
     document = observed.document
-    features: Features = {}
-    if i in tasks:
-        features["task"] = tasks[i]
-    before = next((p for p in reversed(places) if p < i), None)
-    after = next((p for p in places if p > i), None)
-    separators = {}
-    for name, place in (("before", before), ("after", after)):
-        if place is None:
-            features[name] = "none"
-            separators[name] = "none"
-            continue
-        features[name] = tasks[place]
-        features[f"{name}.lemma"] = document.tokens[place].lemma
-        features[f"{name}.gap"] = min(8, abs(i - place))
-        separators[name] = _separator(observed, min(i, place), max(i, place))
-        features[f"{name}.separator"] = separators[name]
-        features[f"{name}.type.tag"] = f"{tasks[place]}.{document.tokens[i].tag}"
-    features["separators"] = f"{separators['before']}|{separators['after']}"
-    features["types"] = f"{features['before']}|{features['after']}"
-    path = [document.tokens[i].dep]
-    for above in document.ancestors(i):
-        if above in tasks:
-            side = "before" if above == before else "after" if above == after else "other"
-            features["governor"] = side
-            features["governor.type"] = f"{side}.{tasks[above]}"
-            features["path"] = f"{side}." + ".".join(path[-3:])
-            features["path.type"] = f"{tasks[above]}." + ".".join(path[-3:])
-            break
-        path.append(document.tokens[above].dep)
-        if len(path) > 6:
-            break
-    return features
+    tokens = document.tokens
+    befores, afters = _nearest(range(len(tokens)), tasks), _nearest(range(len(tokens) - 1, -1, -1), tasks)[::-1]
+    separators = (
+        _separators(observed, range(len(tokens)), tasks),
+        _separators(observed, range(len(tokens) - 1, -1, -1), tasks)[::-1],
+    )
+    for i, token in enumerate(tokens):
+        features: Features = {}
+        if i in tasks:
+            features["task"] = tasks[i]
+        before, after = befores[i], afters[i]
+        if before is None:
+            features["before"] = "none"
+        else:
+            features["before"] = tasks[before]
+            features["before.lemma"] = tokens[before].lemma
+            features["before.gap"] = min(8, i - before)
+            features["before.separator"] = separators[0][i]
+            features["before.type.tag"] = f"{tasks[before]}.{token.tag}"
+        if after is None:
+            features["after"] = "none"
+        else:
+            features["after"] = tasks[after]
+            features["after.lemma"] = tokens[after].lemma
+            features["after.gap"] = min(8, after - i)
+            features["after.separator"] = separators[1][i]
+            features["after.type.tag"] = f"{tasks[after]}.{token.tag}"
+        features["separators"] = f"{separators[0][i]}|{separators[1][i]}"
+        features["types"] = f"{features['before']}|{features['after']}"
+        path = [token.dep]
+        for above in document.ancestors(i):
+            if above in tasks:
+                side = "before" if above == before else "after" if above == after else "other"
+                last = ".".join(path[-3:])
+                features["governor"] = side
+                features["governor.type"] = f"{side}.{tasks[above]}"
+                features["path"] = f"{side}.{last}"
+                features["path.type"] = f"{tasks[above]}.{last}"
+                break
+            path.append(tokens[above].dep)
+            if len(path) > 6:
+                break
+        yield features
 
 
-def _separator(observed: Observed, left: int, right: int) -> str:
-    """What stands between two tokens: a sentence end, a governing cue, a comma with "and", ..., in that order."""
-    document = observed.document
-    if document.sentences[left] != document.sentences[right]:
-        return "sentence"
-    between = range(left + 1, right)
-    names = {name for j in between for name in observed.cue_names[j]}
-    for name in (
-        "if",
-        "only_if",
-        "unless",
-        "when",
-        "whether",
-        "before",
-        "after",
-        "until",
-        "else",
-        "fail",
-        "so",
-        "then",
-    ):
-        if name in names:
-            return name
-    words = {document.tokens[j].lower for j in between}
-    comma = "," if words & {",", "-", "–", "—", ":"} else ""
-    for word in ("and", "but", "or", "that", "to"):
-        if word in words:
-            return comma + word
-    return comma or "none"
+def _nearest(places: range, tasks: Mapping[int, str]) -> list[int | None]:
+    """Of each token, in the order of `places`, the nearest task passed so far."""
+    result: list[int | None] = []
+    last: int | None = None
+    for i in places:
+        result.append(last)
+        if i in tasks:
+            last = i
+    return result
+
+
+def _separators(observed: Observed, places: range, tasks: Mapping[int, str]) -> list[str]:
+    """Of each token, in the order of `places`, what stands between it and the task passed last: a sentence end, a
+    governing cue, a comma with "and", ..., in that order; "none" where no task was passed."""
+    sentences, marks = observed.document.sentences, observed.marks
+    result: list[str] = []
+    last, passed = -1, 0
+    for i in places:
+        result.append("none" if last < 0 else "sentence" if sentences[i] != sentences[last] else _separator(passed))
+        if i in tasks:
+            last, passed = i, 0
+        else:
+            passed |= marks[i]
+    return result
+
+
+_CUES = ("if", "only_if", "unless", "when", "whether", "before", "after", "until", "else", "fail", "so", "then")
+_WORDS = ("and", "but", "or", "that", "to")
+_CUE_BITS = {name: 1 << rank for rank, name in enumerate(_CUES)}
+_WORD_BITS = {word: 1 << rank for rank, word in enumerate(_WORDS, start=len(_CUES))}
+_COMMA = 1 << len(_CUES) + len(_WORDS)
+_WORD_BITS |= dict.fromkeys((",", "-", "–", "—", ":"), _COMMA)
+
+
+def _separator(passed: int) -> str:
+    """What separates most of all that was passed, given as bits."""
+    cue = next((name for name in _CUES if passed & _CUE_BITS[name]), None)
+    if cue is not None:
+        return cue
+    comma = "," if passed & _COMMA else ""
+    word = next((word for word in _WORDS if passed & _WORD_BITS[word]), None)
+    return comma or "none" if word is None else comma + word
