@@ -29,12 +29,18 @@ _GROUPS = {
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One way to fill a gap, `candidate` None for leaving it. `type`: that of the argument it makes."""
+    """One way to fill a gap, `candidate` None for leaving it. `type`: that of the argument it makes; `shared`: the
+    features of the candidate, one and the same tuple for all its spellings; `own`: those of this spelling."""
 
     candidate: Candidate | None
     type: str
     text: str
-    features: tuple[str, ...]
+    shared: tuple[str, ...]
+    own: tuple[str, ...] = ()
+
+    @property
+    def features(self) -> tuple[str, ...]:
+        return (*self.shared, *self.own)
 
     @property
     def key(self) -> tuple[str, str]:
@@ -167,7 +173,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{determiner}",
                     f"way:{way}.{gap.form}.{determiner}.{candidate.shape}",
                 )
-                options.append(Option(candidate, gap.type, text, (*features, *more)))
+                options.append(Option(candidate, gap.type, text, features, more))
     options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 

@@ -470,12 +470,29 @@ def _with_joins(plain: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator
         yield tuple(joined)
 
 
+def branch_orders(
+    roles: Sequence[str], attachments: Sequence[str], wordings: Sequence[Wording], i: int
+) -> tuple[str, ...]:
+    """The order labels that the consequences of condition `i` speak for in its place: in "fetch the cup; if it is
+    dirty, wash it first" it is the whole condition that comes first."""
+    if roles[i] not in CONDITION_ROLES:
+        return ()
+    found: list[str] = []
+    for m in range(i + 1, len(roles)):
+        if roles[m] in CONDITION_ROLES or not attachments[m].startswith("<1"):
+            break
+        found += [order for order in wordings[m].orders if order in ("before", "first")]
+    return tuple(dict.fromkeys(found))
+
+
 def _with_orders(arcs: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:
     """The arcs with every small set of order labels: few labels first, and those that the words speak for."""
     yield arcs
     movable = [i for i, arc in enumerate(arcs) if arc.role not in ("mention", "again")]
     changes = [(i, order) for i in movable for order in ORDERS[1:]]
-    cost = {(i, order): 2 if order in wordings[i].orders else 5 for i, order in changes}
+    roles, places = [arc.role for arc in arcs], [arc.attachment for arc in arcs]
+    said = [{*wordings[i].orders, *branch_orders(roles, places, wordings, i)} for i in range(len(arcs))]
+    cost = {(i, order): 2 if order in said[i] else 5 for i, order in changes}
     sets = [(change,) for change in changes]
     sets += [pair for pair in combinations(changes, 2) if pair[0][0] != pair[1][0]]  # type: ignore[misc]
     for chosen in sorted(sets, key=lambda labels: sum(cost[label] for label in labels)):

@@ -10,8 +10,8 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from decomplex_bt.domain.ontology import Ontology
@@ -23,6 +23,9 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import PREDICATE, REFERRING, Gap, gap_of, unsaid_gaps
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
+
+Hints = Callable[[Gap, Sequence[Option]], Sequence[float]]
+"""For a gap and its options, what to add to the score of each."""
 
 REFERENCES_FILE = "references.json"
 PENALTY = 0.5
@@ -46,8 +49,13 @@ class ReferenceModel:
             ) from None
         self._ontology = ontology
 
-    def resolve(self, observed: Observed, tasks: Sequence[Task], flow: Flow) -> tuple[Task, ...]:
-        """The tasks with every referring argument's value resolved and unsaid arguments added, in text order."""
+    def resolve(
+        self, observed: Observed, tasks: Sequence[Task], flow: Flow, hints: Hints | None = None
+    ) -> tuple[Task, ...]:
+        """The tasks with every referring argument's value resolved and unsaid arguments added, in text order.
+
+        `hints`: what another model adds to the scores of a gap's options.
+        """
         context = Context(observed, tasks, flow)
         resolved: list[Task] = []
         for task in tasks:
@@ -55,25 +63,39 @@ class ReferenceModel:
             for argument in task.arguments:
                 gap = gap_of(observed.document, task, argument)
                 if gap is not None:
-                    option, probability = self._best(context, gap)
+                    option, probability = self._best(context, gap, hints)
                     if option.candidate is not None:
                         argument = replace(argument, value=option.text, confidence=argument.confidence * probability)
                         context.mention(gap, option)
                 arguments.append(argument)
             implied = []
             for gap in unsaid_gaps(observed.document, task, self._ontology):
-                option, probability = self._best(context, gap)
+                option, probability = self._best(context, gap, hints)
                 if option.candidate is not None:
                     implied.append(Argument(option.type, option.text, None, probability))
                     context.mention(gap, option)
             resolved.append(replace(task, arguments=(*implied, *arguments)))
         return tuple(resolved)
 
-    def _best(self, context: Context, gap: Gap) -> tuple[Option, float]:
+    def scores(self, options: Sequence[Option]) -> list[float]:
+        """The model's own score of each option of a gap: unnormalised log probabilities."""
+        weights = self._weights
+        scores: list[float] = []
+        shared: tuple[str, ...] = ()
+        score = 0.0
+        for option in options:
+            if option.shared is not shared:  # else another spelling of the candidate before
+                shared = option.shared
+                score = sum([weights.get(feature, 0.0) for feature in shared])
+            scores.append(sum([weights.get(feature, 0.0) for feature in option.own], score))
+        return scores
+
+    def _best(self, context: Context, gap: Gap, hints: Hints | None) -> tuple[Option, float]:
         """The likeliest filling; options with the same words share their probability."""
         options = options_of(context, gap)
-        weights = self._weights
-        scores = [sum(weights.get(feature, 0.0) for feature in option.features) for option in options]
+        scores = self.scores(options)
+        if hints is not None:
+            scores = [score + added for score, added in zip(scores, hints(gap, options), strict=True)]
         highest = max(scores)
         chances: dict[tuple[str, str], float] = {}
         for option, score in zip(options, scores, strict=True):
@@ -85,17 +107,23 @@ class ReferenceModel:
 
 def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], ontology: Ontology) -> None:
     """Fits the weights by conditional logit on annotated instructions and writes them to `path`."""
-    choices = [choice for observed, instruction in data for choice in _choices(observed, instruction, ontology)]
+    choices = [choice for observed, instruction in data for choice in choices_of(observed, instruction, ontology)]
     weights = _fitted(choices)
     kept = {name: round(weight, 3) for name, weight in sorted(weights.items()) if abs(weight) >= SMALLEST}
     path.write_text(json.dumps(kept, indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
-_Choice = tuple[list[Option], list[bool]]
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """The options of an annotated gap, each with whether it is right."""
+
+    gap: Gap
+    options: list[Option]
+    right: list[bool]
 
 
-def _choices(observed: Observed, instruction: Instruction, ontology: Ontology) -> Iterator[_Choice]:
-    """Every gap's options, each with whether it is right; gaps that no option fills rightly are left out."""
+def choices_of(observed: Observed, instruction: Instruction, ontology: Ontology) -> Iterator[Choice]:
+    """Every gap of an annotated instruction; gaps that no option fills rightly are left out."""
     document = observed.document
     said = [replace(t, arguments=tuple(a for a in t.arguments if a.span is not None)) for t in instruction.tasks]
     context = Context(observed, said, instruction.flow)
@@ -118,31 +146,31 @@ def _choices(observed: Observed, instruction: Instruction, ontology: Ontology) -
             ]
             if any(right):
                 if len(options) > 1:
-                    yield options, right
+                    yield Choice(gap, options, right)
                 context.mention(gap, options[right.index(True)])
 
 
-def _fitted(choices: Sequence[_Choice]) -> Mapping[str, float]:
+def _fitted(choices: Sequence[Choice]) -> Mapping[str, float]:
     import numpy as np
     from scipy.optimize import minimize
     from scipy.sparse import csr_matrix
 
-    counts = Counter(feature for options, _ in choices for option in options for feature in option.features)
+    counts = Counter(feature for choice in choices for option in choice.options for feature in option.features)
     names = sorted(feature for feature, count in counts.items() if count >= RAREST)
     number = {name: i for i, name in enumerate(names)}
     columns: list[int] = []
     ends = [0]
-    for options, _ in choices:
-        for option in options:
+    for choice in choices:
+        for option in choice.options:
             columns.extend(number[feature] for feature in option.features if feature in number)
             ends.append(len(columns))
     if not choices:
         return {}
     table = csr_matrix((np.ones(len(columns)), columns, ends), shape=(len(ends) - 1, len(names)))
     transposed = table.T.tocsr()
-    sizes = np.array([len(options) for options, _ in choices])
+    sizes = np.array([len(choice.options) for choice in choices])
     starts = np.concatenate([[0], np.cumsum(sizes)[:-1]])
-    right = np.array([is_right for _, rights in choices for is_right in rights])
+    right = np.array([is_right for choice in choices for is_right in choice.right])
 
     def loss(weights: np.ndarray) -> tuple[float, np.ndarray]:
         scores = table @ weights

@@ -35,7 +35,7 @@ class Crf:
         if not items:
             return Labelling((), (), 1.0)
         labels = self._tagger.tag(pycrfsuite.ItemSequence(items))
-        marginals = tuple(self._tagger.marginal(label, i) for i, label in enumerate(labels))
+        marginals = tuple(map(self._tagger.marginal, labels, range(len(labels))))
         return Labelling(tuple(labels), marginals, self._tagger.probability(labels))
 
     def uncertain(self, labelling: Labelling, threshold: float) -> dict[int, tuple[tuple[str, float], ...]]:

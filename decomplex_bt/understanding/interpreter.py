@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TypeVar
@@ -14,13 +14,14 @@ from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, T
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
-from decomplex_bt.understanding.coreference import REFERENCES_FILE, ReferenceModel
+from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
+from decomplex_bt.understanding.tasks import TASKS_FILE, TaskModel
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
@@ -43,7 +44,9 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
-            self._stages = load_encoder(folder, FlowModel(models), domain, parser.model_name)
+            self._stages = load_encoder(
+                folder, TaskModel(models / TASKS_FILE), FlowModel(models), domain, parser.model_name
+            )
         else:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")
@@ -91,7 +94,9 @@ class Interpreter:
         observed = Observed(document, self._gazetteer)
         ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
         reading, belief = ranked[0][0], belief_of(ranked)
-        tasks = self._references.resolve(observed, self._tasks_of(document, reading, belief), reading.flow)
+        tasks = self._references.resolve(
+            observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
+        )
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,
@@ -104,6 +109,11 @@ class Interpreter:
                 Alternative(flow, shrunk(chance, belief.flow, certainty)) for flow, chance in belief.flows[1:]
             ),
         )
+
+    def _hints(self, observed: Observed, reading: Reading) -> Hints | None:
+        if self._stages.references is None:
+            return None
+        return partial(self._stages.references.scores, observed, {task.token: task.type for task in reading.tasks})
 
     def _tasks_of(self, document: Document, reading: Reading, belief: Belief) -> list[Task]:
         certainty = self._calibration.of

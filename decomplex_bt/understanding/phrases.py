@@ -45,6 +45,11 @@ class Candidate:
     shape: str = "whole"
     mention: str = ""
 
+    @property
+    def anchor(self) -> int:
+        """The token that stands for the phrase: its head, or the word that refers to it here."""
+        return self.tokens.start if self.mention else self.head
+
 
 def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
     """All noun phrases of the instruction that something may refer to, from left to right; pronouns are none.

@@ -17,11 +17,13 @@ from typing import Protocol
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow, If
+from decomplex_bt.understanding.affinity import Option
 from decomplex_bt.understanding.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
+from decomplex_bt.understanding.gaps import Gap
+from decomplex_bt.understanding.tasks import TASKS_FILE, FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -62,6 +64,13 @@ class FlowStage(Protocol):
         """The likeliest flows, best first."""
 
 
+class ReferenceStage(Protocol):
+    """What knows more of references than their forms and places."""
+
+    def scores(self, observed: Observed, tasks: Mapping[int, str], gap: Gap, options: Sequence[Option]) -> list[float]:
+        """What to add to the score of each option of a gap; `tasks` maps token indices to task types."""
+
+
 @dataclass(frozen=True, slots=True)
 class Stages:
     """The trained models that a reading goes through."""
@@ -69,11 +78,12 @@ class Stages:
     tasks: TaskStage
     arguments: ArgumentStage
     flows: FlowStage
+    references: ReferenceStage | None = None
 
 
 def load_stages(folder: Path) -> Stages:
     """The stages from a folder of trained models."""
-    return Stages(TaskModel(folder / "tasks.crf"), ArgumentModel(folder / "arguments.crf"), FlowModel(folder))
+    return Stages(TaskModel(folder / TASKS_FILE), ArgumentModel(folder / "arguments.crf"), FlowModel(folder))
 
 
 class ReadingModel:
@@ -145,66 +155,87 @@ def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontol
         MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments.arguments if a.owner == t.token))
         for t in found.tasks
     ]
+    counts = _Counts.of(observed, marked, ontology)
     for flow in stages.flows.alternatives(observed, marked):
         logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
-        features = (*logs, *_features(observed, marked, flow, ontology))
+        features = (*logs, *_features(observed, marked, flow, counts))
         yield Reading(found.tasks, arguments.arguments, flow.flow, features)
 
 
+@dataclass(frozen=True, slots=True)
+class _Counts:
+    """What the tasks of a reading tell of it whatever its flow; all but the sets are among `FEATURES`.
+
+    `cued`: the tokens of tasks that a cue makes conditions, `checks`: those of checks.
+    """
+
+    cued: frozenset[int]
+    checks: frozenset[int]
+    uncovered: int
+    shared: int
+    lacking: int
+    idle: int
+    idle_verbs: int
+    bare: int
+
+    @classmethod
+    def of(cls, observed: Observed, tasks: Sequence[MarkedTask], ontology: Ontology) -> _Counts:
+        document = observed.document
+        places = {task.token for task in tasks}
+        uncovered = shared = 0
+        cued: set[int] = set()
+        for cue in observed.cues:
+            if cue.name not in _OPENING:
+                continue
+            inside = [i for i in _clause_after(observed, cue.last) if i in places]
+            uncovered += not inside
+            shared += len(inside) > 1
+            cued.update(inside[:1])
+        in_arguments = {i for task in tasks for _, tokens in task.arguments for i in tokens}
+        kinds = [{kind for kind, _ in task.arguments} for task in tasks]
+        required = [ontology.task_types[task.type].required for task in tasks]
+        return cls(
+            cued=frozenset(cued),
+            checks=frozenset(t.token for t in tasks if t.type == "check_state"),
+            uncovered=uncovered,
+            shared=shared,
+            lacking=sum(len(r) > 0 and not said & set(r[0]) for said, r in zip(kinds, required, strict=True)),
+            idle=len(set(document.sentences) - {document.sentences[i] for i in places}),
+            idle_verbs=sum(
+                token.tag in ("VB", "VBP")
+                and token.dep in ("ROOT", "conj", "ccomp", "advcl")
+                and bool(observed.senses[token.i])
+                and token.i not in places
+                and token.i not in in_arguments
+                for token in document.tokens
+            ),
+            bare=sum(not said & _WHAT_AND_WHERE for said in kinds),
+        )
+
+
 def _features(
-    observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, ontology: Ontology
+    observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, counts: _Counts
 ) -> tuple[float, ...]:
     """The counts among `FEATURES`, in their order."""
-    document = observed.document
-    places = {task.token for task in tasks}
-    uncovered = shared = 0
-    cued: set[int] = set()
-    for cue in observed.cues:
-        if cue.name not in _OPENING:
-            continue
-        inside = [i for i in _clause_after(observed, cue.last) if i in places]
-        uncovered += not inside
-        shared += len(inside) > 1
-        cued.update(inside[:1])
     conditions = {t.token for t, arc in zip(tasks, flow.arcs, strict=True) if arc.role in CONDITION_ROLES}
-    checks = {t.token for t in tasks if t.type == "check_state"}
-    uncued = sum(i not in cued and not observed.question[i] and i in checks for i in conditions)
-    sentences = set(document.sentences)
-    idle = len(sentences - {document.sentences[i] for i in places})
-    in_arguments = {i for task in tasks for _, tokens in task.arguments for i in tokens}
-    idle_verbs = sum(
-        token.tag in ("VB", "VBP")
-        and bool(observed.senses[token.i])
-        and token.i not in places
-        and token.i not in in_arguments
-        and token.dep in ("ROOT", "conj", "ccomp", "advcl")
-        for token in document.tokens
-    )
+    uncued = sum(i not in counts.cued and not observed.question[i] and i in counts.checks for i in conditions)
     opposite = any(arc.attachment.endswith("-") for arc in flow.arcs) or any("fail" in c.far for c in flow.clauses)
     stranded = any(cue.name in ("else", "fail") for cue in observed.cues) and not opposite and not conditions
-    missing = sum(
-        not {kind for kind, _ in task.arguments} & _WHAT_AND_WHERE
-        for task in tasks
-    )
-    lacking = sum(
-        len(ontology.task_types[task.type].required) > 0
-        and not {kind for kind, _ in task.arguments} & set(ontology.task_types[task.type].required[0])
-        for task in tasks
-    )
+    branching = [(node, place) for node, place in flow.flow.walk() if isinstance(node, If)]
     return (
         float(len(tasks)),
-        float(uncovered),
-        float(shared),
+        float(counts.uncovered),
+        float(counts.shared),
         float(uncued),
-        float(len(cued - conditions)),
-        float(lacking),
-        float(idle),
-        float(idle_verbs),
+        float(len(counts.cued - conditions)),
+        float(counts.lacking),
+        float(counts.idle),
+        float(counts.idle_verbs),
         float(stranded),
-        float(missing),
-        float(len(checks)),
-        float(len(conditions) - sum(len(node.tasks) for node, _ in flow.flow.walk() if isinstance(node, If))),
-        float(sum(isinstance(node, If) and place != "top" for node, place in flow.flow.walk())),
+        float(counts.bare),
+        float(len(counts.checks)),
+        float(len(conditions) - sum(len(node.tasks) for node, _ in branching)),
+        float(sum(place != "top" for _, place in branching)),
         float(sum(arc.attachment[:2] in ("<2", "<3", ">2") for arc in flow.arcs)),
     )
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES
-from decomplex_bt.understanding.clauses import Clause
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, branch_orders
+from decomplex_bt.understanding.clauses import Clause, wordings_of
 from decomplex_bt.understanding.crf import Features
 from decomplex_bt.understanding.cues import GOVERNING
 from decomplex_bt.understanding.features import Observed
@@ -85,6 +85,7 @@ def order_features(
 ) -> list[Features]:
     """For every task, role and attachment being known: is it executed out of the order of the text?"""
     items: list[Features] = []
+    wordings = wordings_of(clauses)
     for k, clause in enumerate(clauses):
         document = observed.document
         item: Features = {
@@ -103,6 +104,8 @@ def order_features(
             item[f"says.{label}"] = 1.0
             item[f"says.{label}.place"] = f"{place}.{roles[k]}"
             item[f"says.{label}.opens"] = f"{opens}.{len(ahead) > 0}"
+        for label in branch_orders(roles, attachments, wordings, k):
+            item[f"branch.{label}"] = f"{place}.{clause.boundary}"
         for label in ("before", "after", "first", "last"):
             item[f"others.{label}.ahead"] = any(label in clauses[j].wording.orders for j in ahead)
             item[f"others.{label}.behind"] = any(label in clauses[j].wording.orders for j in behind)

@@ -9,13 +9,16 @@ from dataclasses import dataclass
 from itertools import chain, compress
 from pathlib import Path
 
+import numpy as np
+
 from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
-from decomplex_bt.understanding.coreference import REFERENCES_FILE, train_references
+from decomplex_bt.understanding.coreference import REFERENCES_FILE, ReferenceModel, train_references
 from decomplex_bt.understanding.dependencies import FlowModel, marked_tasks, train_flow
+from decomplex_bt.understanding.disturbances import DISTURBANCES, with_fillers
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
@@ -23,12 +26,15 @@ from decomplex_bt.understanding.interpreter import ENCODER_FOLDER
 from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of, train_readings
-from decomplex_bt.understanding.tasks import train_tasks
+from decomplex_bt.understanding.tasks import TASKS_FILE, TaskModel, train_tasks
 
 Progress = Callable[[str], None]
 
 EDITS = (without_punctuation, without_apostrophes)
 """The noised copies that tasks and arguments are trained on besides the text itself."""
+
+DISTURBED = ("typing slips", "speech recogniser")
+"""The disturbances in copies that the encoder alone is trained on."""
 
 FOLDS = 3
 """Into how many parts the voices are split to read every instruction by models that never saw its voice."""
@@ -119,30 +125,52 @@ def train_with_encoder(
 ) -> int:
     """Trains the encoder into `folder`; the voices in `for_choice` only teach the choice among readings and its
     confidence. Gives the number of flows that no labels can say."""
+    from decomplex_bt.understanding.encoder.model import EncoderModel
+    from decomplex_bt.understanding.encoder.referents import train_shares
     from decomplex_bt.understanding.encoder.stages import encoder_stages
     from decomplex_bt.understanding.encoder.training import train_encoder
 
     data = _corpus(examples, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
-    noised = list(chain.from_iterable(learnt.noised))
-    train_encoder(folder, learnt.plain, noised, domain.ontology, progress=progress)
-    progress("readings")
-    with tempfile.TemporaryDirectory() as scratch:  # flow models that, like the encoder, never saw the voices kept back
+    kept = data.only([voice in for_choice for voice in data.voices]).plain
+    copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *_disturbed(learnt.plain, domain, parser)]
+    train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
+    model = EncoderModel(folder)
+    with tempfile.TemporaryDirectory() as scratch:  # CRFs that, like the encoder, never saw the voices kept back
+        progress("tasks")
+        train_tasks(Path(scratch) / TASKS_FILE, learnt.for_tasks())
+        progress("flow")
         left_out = train_flow(Path(scratch), learnt.for_flow())
-        stages = encoder_stages(folder, FlowModel(Path(scratch)), domain.ontology)
-        kept = data.only([voice in for_choice for voice in data.voices]).plain
+        progress("readings")
+        crf, flows = TaskModel(Path(scratch) / TASKS_FILE), FlowModel(Path(scratch))
+        stages = encoder_stages(model, crf, flows, domain.ontology)
         _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in kept])
+        progress("references")
+        train_references(Path(scratch) / REFERENCES_FILE, learnt.plain, domain.ontology)
+        references = ReferenceModel(Path(scratch) / REFERENCES_FILE, domain.ontology)
+        train_shares(folder, model, references, kept, domain.ontology)
     return left_out
+
+
+def _disturbed(
+    pairs: Sequence[tuple[Observed, Instruction]], domain: Domain, parser: Parser
+) -> list[tuple[Observed, Instruction]]:
+    """A copy of every instruction for each of `DISTURBED`."""
+    rng = np.random.default_rng(0)
+    copies = [DISTURBANCES[name](instruction, rng) for name in DISTURBED for _, instruction in pairs]
+    return observe(copies, parser, Gazetteer.of(domain.lexicon, domain.kinds))
 
 
 def _corpus(examples: Sequence[Example], domain: Domain, parser: Parser, progress: Progress) -> Corpus:
     gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
     progress("parsing")
     texts = [example.instruction for example in examples]
+    rng = np.random.default_rng(0)
     return Corpus(
         tuple(example.voice for example in examples),
         tuple(observe(texts, parser, gazetteer)),
         tuple(tuple(observe([edited(text, edit) for text in texts], parser, gazetteer)) for edit in EDITS),
+        tuple(observe([with_fillers(text, rng) for text in texts], parser, gazetteer)),
     )
 
 
@@ -194,15 +222,21 @@ def judged(
 
 @dataclass(frozen=True)
 class Corpus:
-    """Parsed instructions with the voice of each, and their noised copies, one tuple an edit, in the same order."""
+    """Parsed instructions with the voice of each, and copies in the same order: noised ones, one tuple an edit, and
+    ones with fillers."""
 
     voices: tuple[str, ...]
     plain: tuple[tuple[Observed, Instruction], ...]
     noised: tuple[tuple[tuple[Observed, Instruction], ...], ...]
+    filled: tuple[tuple[Observed, Instruction], ...]
+
+    def for_tasks(self) -> list[tuple[Observed, Instruction]]:
+        """What tasks and arguments are learnt from: the texts and all their noised copies."""
+        return [*self.plain, *chain.from_iterable(self.noised)]
 
     def for_flow(self) -> list[tuple[Observed, Instruction]]:
-        """What the flow is learnt from: the texts, and their copies without punctuation."""
-        return [*self.plain, *self.noised[EDITS.index(without_punctuation)]]
+        """What the flow is learnt from: the texts, and their copies without punctuation and with fillers."""
+        return [*self.plain, *self.noised[EDITS.index(without_punctuation)], *self.filled]
 
     def only(self, kept: Sequence[bool]) -> Corpus:
         """The part at the places where `kept` is true."""
@@ -210,13 +244,14 @@ class Corpus:
             tuple(compress(self.voices, kept)),
             tuple(compress(self.plain, kept)),
             tuple(tuple(compress(copies, kept)) for copies in self.noised),
+            tuple(compress(self.filled, kept)),
         )
 
 
 def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
-    with_noise = [*data.plain, *chain.from_iterable(data.noised)]
+    with_noise = data.for_tasks()
     progress("tasks")
-    train_tasks(folder / "tasks.crf", with_noise)
+    train_tasks(folder / TASKS_FILE, with_noise)
     progress("arguments")
     train_arguments(folder / "arguments.crf", with_noise)
     progress("flow")

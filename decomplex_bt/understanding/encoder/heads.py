@@ -1,4 +1,4 @@
-"""The heads on the encoder, in numpy: token vectors in, scores of labels and owners out.
+"""The heads on the encoder, in numpy: token vectors in, scores of labels, owners and referents out.
 
 The network in `network` is trained with the same formulas; a test holds the two to one another.
 """
@@ -45,6 +45,12 @@ class Heads:
         """(argument starts, tasks): how well each task owns the argument that starts there."""
         offsets = np.array([[sum(p < i for p in places) - k for k in range(len(places))] for i in starts])
         return self._biaffine("owner", typed[list(starts)], typed[list(places)], offsets)[..., 0]
+
+    def references(self, typed: Array, gap: int, anchors: Sequence[int], places: Sequence[int]) -> Array:
+        """(anchors,): how well the phrase at each anchor fills the gap at a token; `places`: the tasks' tokens."""
+        before = sum(p < gap for p in places)
+        offsets = np.array([[before - sum(p < anchor for p in places) for anchor in anchors]])
+        return self._biaffine("refer", typed[[gap]], typed[list(anchors)], offsets)[0, :, 0]
 
     def _linear(self, name: str, x: Array) -> Array:
         return x @ self._weights[f"{name}.weight"].T + self._weights[f"{name}.bias"]

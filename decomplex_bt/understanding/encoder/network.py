@@ -1,4 +1,4 @@
-"""The network in torch, for training only: a pretrained encoder with heads for tasks and arguments."""
+"""The network in torch, for training only: a pretrained encoder with heads for tasks, arguments and references."""
 
 from __future__ import annotations
 
@@ -56,6 +56,7 @@ class Network(nn.Module):
         self.ttype = nn.Embedding(s.task_labels, s.type_embedding)
         self.bio = nn.Sequential(nn.Linear(typed, s.hidden), _Gelu(), nn.Linear(s.hidden, s.argument_labels))
         self.owner = Biaffine(typed, s.biaffine, 1)
+        self.refer = Biaffine(typed, s.biaffine, 1)
 
     def encode(self, ids: Tensor, mask: Tensor, firsts: Tensor) -> Tensor:
         """Token vectors (batch, tokens, size): of each token its first piece's. `firsts` (batch, tokens)."""
