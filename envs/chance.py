@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
-from math import pi
+from math import nan, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from decomplex_bt.errors import InputError
 TRIES = 12
 """Places tried before a thing is laid anywhere else, and spots before people stand in each other's way."""
 Point = tuple[float, float]
+NOWHERE: Point = (nan, nan)
 POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
 
 
@@ -156,36 +157,35 @@ class Draw:
         return [*self._standing(), *self._lying_at(self.prior.floors[room])]
 
     def _things(self, rng: Stream) -> None:
-        prior, discs = self.prior, self._discs
+        prior, discs, start, draw_lying = self.prior, self._discs, self.start, self.spots.draw_lying
         rows, last = prior.place_list, len(prior.place_list) - 1
         draws = rng.array(len(prior.place_sums)).tolist()
-        laid: list[int] = []
         places: list[int] = []
         at: list[Point] = []
         for thing, sums, draw in zip(self.geometry.thing_rows, prior.place_sums, draws, strict=True):
-            place = rows[min(bisect_right(sums, draw), last)]
+            place = rows[bisect_right(sums, draw, 0, last)]
+            spot = NOWHERE
             radius = prior.radius[thing]
             tries = 0
             while place != ABSENT:
                 there = discs.get(place)
-                spot = self.spots.draw_lying(place, radius, there.values() if there else (), rng)
-                if spot is None and tries == TRIES:
-                    place, spot = self._anywhere(thing, rng)
+                found = draw_lying(place, radius, there.values() if there else (), rng)
+                if found is None and tries == TRIES:
+                    place, found = self._anywhere(thing, rng)
                     there = discs.get(place)
-                if spot is not None:
-                    laid.append(thing)
-                    places.append(place)
-                    at.append(spot)
+                if found is not None:
+                    spot = found
                     if there is None:
-                        discs[place] = {thing: (*spot, radius)}
-                    else:
-                        there[thing] = (*spot, radius)
+                        there = discs[place] = {}
+                    there[thing] = (*found, radius)
                     break
                 tries += 1
                 place = rows[_pick_index(sums, rng)]
-        if laid:
-            self.start.place[laid] = places
-            self.start.position[laid] = at
+            places.append(place)
+            at.append(spot)
+        if places:
+            things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
+            start.place[things], start.position[things] = places, at
 
     def _anywhere(self, thing: int, rng: Source) -> tuple[int, tuple[float, float]]:
         """Some place with a free spot: where the places of a thing are all full, it lies elsewhere."""
@@ -247,7 +247,7 @@ def choose(weights: Floats, rng: Source) -> int:
 
 def _pick_index(sums: Sequence[float], rng: Source) -> int:
     """An index drawn by the sums of the weights up to each."""
-    return min(bisect_right(sums, rng.random()), len(sums) - 1)
+    return bisect_right(sums, rng.random(), 0, len(sums) - 1)
 
 
 def _pick(spots: Floats, rng: Source, who: str, room: str) -> Point:

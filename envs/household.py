@@ -184,7 +184,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
-        episode = self._running
+        episode = self._episode or self._running
         reward, terminated, truncated = episode.step(action)
         if (terminated or truncated) and self._bodies:
             self._tell_bodies()

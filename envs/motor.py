@@ -1,9 +1,9 @@
 """The motor: sets one body going, lets time run, and reads the body, with as little as can be around Chipmunk's calls.
 
 `pymunk.Space.step` spends most of its time on what may be added or removed meanwhile, and a property of a body on
-making vectors. Nothing is added within a control step here, so that only the first of its substeps goes through pymunk,
-and the others straight to the Chipmunk function that pymunk itself calls. Where a version of pymunk does not have it in
-the same place, pymunk's own calls are made: the numbers are the same.
+making vectors. Nothing is added within a control step here, so that only the first substep after a body or shape was
+added or removed goes through pymunk, and all others straight to the Chipmunk function that pymunk itself calls. Where a
+version of pymunk does not have it in the same place, pymunk's own calls are made: the numbers are the same.
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ class Motor(Protocol):
 
 def make_motor(space: pymunk.Space, body: pymunk.Body) -> Motor:
     """The fastest motor that this version of pymunk allows."""
-    if _FUNCTIONS and hasattr(space, "_space") and hasattr(body, "_body"):
+    names = ("_space", "_bodies_to_check", "_removed_shapes")
+    if _FUNCTIONS and hasattr(body, "_body") and all(hasattr(space, name) for name in names):
         return DirectMotor(space, body)
     return PymunkMotor(space, body)
 
@@ -74,7 +75,7 @@ class DirectMotor:
     """Moves a body by the Chipmunk functions that pymunk calls."""
 
     def __init__(self, space: pymunk.Space, body: pymunk.Body) -> None:
-        self._step_first = space.step
+        self._pymunk_space: Any = space
         self._space: Any = space._space
         self._owner, self._body = body, body._body
         self._step, self._set_velocity, self._set_turn_rate = _FUNCTIONS[:3]
@@ -85,10 +86,11 @@ class DirectMotor:
         self._set_turn_rate(self._body, turn_rate)
 
     def run(self, substep: float, substeps: int) -> None:
-        if substeps > 0:
-            self._step_first(substep)
-        step, space = self._step, self._space
-        for _ in range(substeps - 1):
+        step, space, owner = self._step, self._space, self._pymunk_space
+        if substeps > 0 and (owner._bodies_to_check or owner._removed_shapes):
+            owner.step(substep)
+            substeps -= 1
+        for _ in range(substeps):
             step(space, substep)
 
     def read(self) -> State:

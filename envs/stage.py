@@ -70,4 +70,5 @@ def _is_known(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> bool:
     """Whether this is a pymunk whose inside is where it is expected."""
     if _add_shape is None or not hasattr(space, "_space"):
         return False
-    return isinstance(vars(space).get("_shapes"), dict) and all(hasattr(shape, "_shape") for shape in shapes[:1])
+    # Not by `vars(space)`: a space whose `__dict__` was asked for once is slower from then on.
+    return isinstance(getattr(space, "_shapes", None), dict) and all(hasattr(shape, "_shape") for shape in shapes[:1])

@@ -363,6 +363,10 @@ class World:
         if self._carried.size:
             position[self._carried] = position[self.place[self._carried]]
 
+    def _is_stirring(self) -> bool:
+        """Whether anything but the robot may have moved."""
+        return bool(self._awake) or not all(body.is_sleeping for _, body in self._loose)
+
     def locate(self) -> None:
         """Brings rooms in line with positions, and the floor a thing lies on with where it was pushed."""
         room, before = self.room, self.robot_room
@@ -371,7 +375,7 @@ class World:
         if here != before:
             room[-1] = here
             self.arrangement += 1
-        if self._is_stale and (self._loose or self._carried.size):
+        if self._is_stale and (self._carried.size or self._is_stirring()):
             self._read_all()
         if self._moved:
             self._locate(sorted(self._moved))

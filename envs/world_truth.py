@@ -38,7 +38,7 @@ class WorldTruth:
             self._view_rows = np.array([self._row[name] for name in names if name in self._row], dtype=np.int64)
             self._view_places = self._view_rows[self._view_rows < self.geometry.place_count]
         world, sensor = self.world, self.sensor
-        seen, inspected = sensor.visible[self._view_rows], sensor.inspected[self._view_places]
+        seen, inspected = sensor.visible.take(self._view_rows), sensor.inspected.take(self._view_places)
         return world.version, world.arrangement, seen.tobytes(), inspected.tobytes()
 
     def is_near(self, name: str) -> bool:

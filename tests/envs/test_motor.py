@@ -9,6 +9,7 @@ import pytest
 
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs import stage as stage_module
 from decomplex_bt.envs import world as world_module
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.houses import generate_house, with_house
@@ -46,6 +47,15 @@ def test_a_stage_that_has_been_used_is_as_good_as_new():
     for seed in (1, 2, 3):
         drive(used, seed)
     assert drive(used, 9) == drive(fresh, 9)
+
+
+def test_a_stage_set_up_by_pymunk_s_own_calls_is_the_same(monkeypatch):
+    direct = HouseholdEnv(TELL)
+    traces = [drive(direct, seed) for seed in (4, 5)]
+    monkeypatch.setattr(stage_module, "_add_shape", None)
+    public = HouseholdEnv(TELL)
+    assert [drive(public, seed) for seed in (4, 5)] == traces
+    assert len(public.world.space.shapes) == len(direct.world.space.shapes)
 
 
 @pytest.mark.parametrize("seed", [None, 3, 5, 8])
