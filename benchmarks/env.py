@@ -1,11 +1,14 @@
 """What the environment costs beside the bare physics it runs, in one run and interleaved. Read the ratios.
 
-    python benchmarks/env.py [ROUNDS]
+    python benchmarks/env.py [ROUNDS] [PYTHON]
 
 `step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it. `reset`:
-with the instruction known, to building a `Space` with everything in it anew. Each round measures all of them; the
-medians are printed, with steps a second beside those of Gymnasium's CartPole (and of BabyAI's BossLevel, where minigrid
-is installed), what importing and making an environment costs beside importing what it stands on, and memory.
+with the instruction known, to building a `Space` with everything in it anew by pymunk's own calls. Each round measures
+all of them; the medians are printed, with steps a second beside those of Gymnasium's CartPole (and of BabyAI's
+BossLevel and of PushT, where minigrid and gym-pusht are installed), what importing and making an environment costs
+beside importing what it stands on, and memory.
+
+`PYTHON`: the interpreter of an environment with gym-pusht, which wants a pymunk older than ours.
 """
 
 from __future__ import annotations
@@ -24,18 +27,35 @@ from typing import Any
 
 import gymnasium as gym
 import numpy as np
+import pymunk
 
 import decomplex_bt  # noqa: F401 - registers the environments
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.envs.household import HouseholdEnv
-from decomplex_bt.envs.stage import Stage
-from decomplex_bt.envs.world import World
 
 STEPS = 400
 RESETS = 15
+PUSHT = f"""
+from time import perf_counter
+import gymnasium, gym_pusht, numpy
+peer = gymnasium.make("gym_pusht/PushT-v0", obs_type="state")
+best = 9.0
+for _ in range(3):
+    peer.reset(seed=0)
+    spent = 0.0
+    for _ in range({STEPS}):
+        start = perf_counter()
+        _, _, terminated, truncated, _ = peer.step(numpy.array([256.0, 256.0], dtype=numpy.float32))
+        spent += perf_counter() - start
+        if terminated or truncated:
+            peer.reset()
+    best = min(best, spent / {STEPS})
+print(1 / best)
+"""
+"""PushT's steps a second, as `_peer_steps` counts them, in an interpreter of its own."""
 
 
-def main(rounds: int = 9) -> None:
+def main(rounds: int = 9, other_python: str = sys.executable) -> None:
     env = gym.make("decomplex_bt/Household-v0", instruction=_instruction()).unwrapped
     assert isinstance(env, HouseholdEnv)
     env.reset(seed=0)
@@ -51,7 +71,7 @@ def main(rounds: int = 9) -> None:
             times[name].append(measure())
     for name, values in times.items():
         print(f"{name:20} {median(values) * 1e6:8.1f} µs")
-    for name, steps in _peers(env).items():
+    for name, steps in _peers(env, other_python).items():
         print(f"{name:20} {steps:8.0f} steps/s")
     for over, under in (("env.step", "ten bare steps"), ("env.reset", "building the space")):
         ratio = median(a / b for a, b in zip(times[over], times[under], strict=True))
@@ -62,7 +82,7 @@ def main(rounds: int = 9) -> None:
     print(f"memory: {megabytes:.2f} MB for an environment more; {objects} objects gained over 1000 resets")
 
 
-def _peers(env: HouseholdEnv) -> dict[str, float]:
+def _peers(env: HouseholdEnv, other_python: str) -> dict[str, float]:
     """Steps a second with an action of one kind and no rendering, ours first; resets are not counted."""
     steps = {"Household-v0": 1 / min(_steps(env) for _ in range(5))}
     peers = {"CartPole-v1": "CartPole-v1"}
@@ -72,6 +92,9 @@ def _peers(env: HouseholdEnv) -> dict[str, float]:
     for name, identity in peers.items():
         peer = gym.make(identity)
         steps[name] = 1 / min(_peer_steps(peer) for _ in range(3))
+    pushed = subprocess.run([other_python, "-c", PUSHT], capture_output=True, text=True, check=False)
+    if pushed.returncode == 0:
+        steps["PushT"] = float(pushed.stdout)
     return steps
 
 
@@ -172,14 +195,59 @@ def _resets(env: HouseholdEnv) -> float:
 
 
 def _builds(env: HouseholdEnv) -> float:
+    """All that is in the space of an episode made anew, by pymunk's own calls and nothing else."""
     env.reset(seed=0)
-    world, fresh = env.world, World.__new__(World)
-    fresh.__dict__.update(world.__dict__)
+    space = env.world.space
+    bodies = [_body_of(body) for body in space.bodies]
+    row = {body: index for index, body in enumerate(space.bodies)}
+    shapes = [(*_shape_of(shape), row[shape.body], shape.friction, shape.filter) for shape in space.shapes]
+    joints = [(*_joint_of(joint), row[joint.a], row[joint.b], joint.max_force) for joint in space.constraints]
     start = perf_counter()
     for _ in range(RESETS):
-        fresh._build(Stage(world.geometry))
+        fresh = pymunk.Space()
+        fresh.sleep_time_threshold = space.sleep_time_threshold
+        fresh.idle_speed_threshold = space.idle_speed_threshold
+        fresh.collision_slop = space.collision_slop
+        made: list[pymunk.Body] = []
+        for arguments, position, angle in bodies:
+            made.append(pymunk.Body(*arguments))
+            if position is not None:
+                made[-1].position, made[-1].angle = position, angle
+        parts: list[pymunk.Shape | pymunk.Constraint] = []
+        for kind, arguments, index, friction, category in shapes:
+            shape = kind(made[index], *arguments)
+            if friction:
+                shape.friction, shape.filter = friction, category
+            parts.append(shape)
+        for kind, arguments, one, other, force in joints:
+            joint = kind(made[one], made[other], *arguments)
+            joint.max_bias, joint.max_force = 0, force
+            parts.append(joint)
+        fresh.add(*made, *parts)
     return (perf_counter() - start) / RESETS
 
 
+def _body_of(body: pymunk.Body) -> tuple[tuple[Any, ...], tuple[float, float] | None, float]:
+    if body.body_type == pymunk.Body.STATIC:
+        return (0, 0, pymunk.Body.STATIC), None, 0.0
+    return (body.mass, body.moment), tuple(body.position), body.angle
+
+
+def _shape_of(shape: pymunk.Shape) -> tuple[type[pymunk.Shape], tuple[Any, ...]]:
+    if isinstance(shape, pymunk.Circle):
+        return pymunk.Circle, (shape.radius, tuple(shape.offset))
+    if isinstance(shape, pymunk.Segment):
+        return pymunk.Segment, (tuple(shape.a), tuple(shape.b), shape.radius)
+    assert isinstance(shape, pymunk.Poly)
+    return pymunk.Poly, ([tuple(corner) for corner in shape.get_vertices()],)
+
+
+def _joint_of(joint: pymunk.Constraint) -> tuple[type[pymunk.Constraint], tuple[Any, ...]]:
+    if isinstance(joint, pymunk.PivotJoint):
+        return pymunk.PivotJoint, (joint.anchor_a, joint.anchor_b)
+    assert isinstance(joint, pymunk.GearJoint)
+    return pymunk.GearJoint, (joint.phase, joint.ratio)
+
+
 if __name__ == "__main__":
-    main(*(int(argument) for argument in sys.argv[1:2]))
+    main(*map(int, sys.argv[1:2]), *sys.argv[2:3])
