@@ -81,6 +81,7 @@ class Episode:
         self._meddler = self._make_meddler(options.meddling, noise)
         self._move: Move | None = None
         self._held_version = -1
+        self._is_table_full = len(self.sensor.table) == self._rows
         self._constant_info = {"instruction": text, **judge.feasibility()}
 
     def _add_noise(self, options: Options) -> None:
@@ -176,16 +177,14 @@ class Episode:
             "instruction_codes": self._codes.copy(),
             "robot": numbers[:5],
             "held": self._held.copy(),
-            "entities": self._table(),
+            "entities": self.sensor.table.copy() if self._is_table_full else self._table(),
             "result": int(self._result),
             "seconds": numbers[5:],
         }
 
     def _table(self) -> NDArray[np.float32]:
-        """The entity table, a fresh one; rows that stand for nothing in this house are as of what is not seen."""
+        """The entity table of a house with fewer rows than the space has: those over are as of what is not seen."""
         table = self.sensor.table
-        if len(table) == self._rows:
-            return table.copy()
         full = np.zeros((self._rows, table.shape[1]), dtype=np.float32)
         full[:, PLACE] = full[:, FIRST_STATE:] = -1
         full[: len(table)] = table

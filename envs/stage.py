@@ -45,8 +45,9 @@ class Stage:
         if not _is_known(space, self._shapes):
             space.add(*self._shapes)
             return
+        chipmunk_space = space._space
         for shape in self._shapes:
-            _add_shape(space._space, shape._shape)
+            _add_shape(chipmunk_space, shape._shape)
         space._shapes.update(dict.fromkeys(self._shapes))
 
 
@@ -61,9 +62,10 @@ def _take_out(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> None:
     if not _is_known(space, shapes):
         space.remove(*shapes)
         return
+    kept, chipmunk_space = space._shapes, space._space
     for shape in shapes:
-        _remove_shape(space._space, shape._shape)
-        del space._shapes[shape]
+        _remove_shape(chipmunk_space, shape._shape)
+        del kept[shape]
 
 
 def _is_known(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> bool:
