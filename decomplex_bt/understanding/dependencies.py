@@ -14,10 +14,16 @@ from pathlib import Path
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc, arcs_of, flow_of
-from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of, wordings_of
+from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of
 from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.structure import attachment_features, order_features, paper_features, role_features
+from decomplex_bt.understanding.structure import (
+    Chain,
+    attachment_features,
+    order_features,
+    paper_features,
+    role_features,
+)
 
 PARAMETERS = CrfParameters(c1=0.1, c2=1.0, max_iterations=150)
 MODELS = ("roles", "attachments", "orders")
@@ -62,14 +68,15 @@ class FlowModel:
         if not tasks:
             return (FoundFlow(Flow()),)
         clauses = clauses_of(observed, tasks)
+        chain = Chain(observed, clauses)
         found: list[FoundFlow] = []
-        for roles in varied(self.roles, role_features(observed, clauses)):
+        for roles in varied(self.roles, role_features(chain)):
             chained = chained_roles(clauses, roles.labels)
-            for attachments in varied(self.attachments, attachment_features(observed, clauses, chained)):
-                orders = self.orders.label(order_features(observed, clauses, chained, attachments.labels))
+            for attachments in varied(self.attachments, attachment_features(chain, chained)):
+                orders = self.orders.label(order_features(chain, chained, attachments.labels))
                 arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                found.append(FoundFlow(flow_of(arcs, wordings_of(clauses)), arcs, clauses, chances))
+                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
         return likeliest(found)
 
 
@@ -120,15 +127,16 @@ def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> in
         if not instruction.tasks:
             continue
         clauses = clauses_of(observed, marked_tasks(observed, instruction))
-        arcs = arcs_of(instruction.flow, wordings_of(clauses))
+        chain = Chain(observed, clauses)
+        arcs = arcs_of(instruction.flow, chain.wordings)
         if arcs is None:
             left_out += 1
             continue
         roles = [arc.role for arc in arcs]
         attachments = [arc.attachment for arc in arcs]
-        sequences["roles"].append(role_features(observed, clauses))
-        sequences["attachments"].append(attachment_features(observed, clauses, roles))
-        sequences["orders"].append(order_features(observed, clauses, roles, attachments))
+        sequences["roles"].append(role_features(chain))
+        sequences["attachments"].append(attachment_features(chain, roles))
+        sequences["orders"].append(order_features(chain, roles, attachments))
         for name, values in zip(MODELS, (roles, attachments, [arc.order for arc in arcs]), strict=True):
             labels[name].append(values)
     for name in MODELS:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, branch_orders
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, Wording, branch_orders
 from decomplex_bt.understanding.clauses import Clause, wordings_of
 from decomplex_bt.understanding.crf import Features
 from decomplex_bt.understanding.cues import GOVERNING
@@ -39,28 +41,54 @@ def paper_features(observed: Observed, clauses: Sequence[Clause], *, with_task_t
     return items
 
 
-def role_features(observed: Observed, clauses: Sequence[Clause]) -> list[Features]:
+@dataclass(frozen=True)
+class Chain:
+    """The clauses of an instruction's tasks, with the features of each that hold whatever labels the tasks get."""
+
+    observed: Observed
+    clauses: Sequence[Clause]
+
+    @cached_property
+    def wordings(self) -> tuple[Wording, ...]:
+        return wordings_of(self.clauses)
+
+    @cached_property
+    def own(self) -> tuple[Features, ...]:
+        """Of every clause the features of its own."""
+        return tuple(_own_features(self.observed, self.clauses, k) for k in range(len(self.clauses)))
+
+    @cached_property
+    def neighbours(self) -> tuple[Mapping[int, Features], ...]:
+        """Of every clause those of the two before and behind it, by how far away they are."""
+        return tuple(
+            {
+                offset: _neighbour_features(self.observed, self.clauses, k, offset)
+                for offset in (-2, -1, 1, 2)
+                if 0 <= k + offset < len(self.clauses)
+            }
+            for k in range(len(self.clauses))
+        )
+
+
+def role_features(chain: Chain) -> list[Features]:
     """For every task: is it a condition, a mention of one, or a plain task?"""
-    own = [_own_features(observed, clauses, k) for k in range(len(clauses))]
     items: list[Features] = []
-    for k in range(len(clauses)):
-        item = dict(own[k])
+    for k, (own, neighbours) in enumerate(zip(chain.own, chain.neighbours, strict=True)):
+        item = dict(own)
         for offset in (-2, -1, 1, 2):
-            if 0 <= k + offset < len(clauses):
-                item.update(_neighbour_features(observed, clauses, k, offset))
-            else:
-                item[f"{offset:+d}.none"] = 1.0
-        item.update(_resemblance_features(observed, clauses, k))
-        item.update(_surrounding_features(observed, clauses, k))
+            item.update(neighbours.get(offset) or {f"{offset:+d}.none": 1.0})
+        item.update(_resemblance_features(chain.observed, chain.clauses, k))
+        item.update(_surrounding_features(chain.observed, chain.clauses, k))
         items.append(item)
     return items
 
 
-def attachment_features(observed: Observed, clauses: Sequence[Clause], roles: Sequence[str]) -> list[Features]:
+def attachment_features(chain: Chain, roles: Sequence[str]) -> list[Features]:
     """For every task, the roles being known: to which condition does it belong, and to which side of it?"""
+    clauses = chain.clauses
     items: list[Features] = []
     for k, clause in enumerate(clauses):
-        item = _own_features(observed, clauses, k)
+        item = dict(chain.own[k])
         item["role"] = roles[k]
         item["role.type"] = f"{roles[k]}.{clause.task.type}"
         for offset in (-2, -1, 1, 2):
@@ -74,20 +102,16 @@ def attachment_features(observed: Observed, clauses: Sequence[Clause], roles: Se
         if after:
             item.update(_right_features(clauses, k, after[0]))
         for offset in (-1, 1):
-            if 0 <= k + offset < len(clauses):
-                item.update(_neighbour_features(observed, clauses, k, offset))
+            item.update(chain.neighbours[k].get(offset, {}))
         items.append(item)
     return items
 
 
-def order_features(
-    observed: Observed, clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]
-) -> list[Features]:
+def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str]) -> list[Features]:
     """For every task, role and attachment being known: is it executed out of the order of the text?"""
+    document, clauses, wordings = chain.observed.document, chain.clauses, chain.wordings
     items: list[Features] = []
-    wordings = wordings_of(clauses)
     for k, clause in enumerate(clauses):
-        document = observed.document
         item: Features = {
             "bias": 1.0,
             "role": roles[k],
