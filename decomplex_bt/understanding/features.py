@@ -229,6 +229,7 @@ def verb_features(observed: Observed, i: int) -> Features:
 def clause_features(observed: Observed, i: int) -> Features:
     """Where the token stands in its clause: dependents, subject, auxiliaries, cues before it, sentence and its mood."""
     document = observed.document
+    token = document.tokens[i]
     features: Features = {}
     for child in document.children[i]:
         kid = document.tokens[child]
@@ -236,25 +237,23 @@ def clause_features(observed: Observed, i: int) -> Features:
         if kid.dep in ("nsubj", "nsubjpass", "expl"):
             features["subject"] = kid.lower if kid.tag in ("PRP", "EX", "DT", "WP", "WDT", "NN") else kid.tag
         elif kid.dep in ("aux", "mark", "neg", "prt", "dative", "prep", "cc"):
-            features[f"{kid.dep}"] = kid.lower
+            features[kid.dep] = kid.lower
         elif kid.dep in ("dobj", "attr", "acomp", "pobj"):
             features[f"{kid.dep}.noun"] = observed.gazetteer.category(kid.lemma) or kid.tag
-    for distance, above in enumerate(document.ancestors(i)):
-        features[f"above.{distance}"] = document.tokens[above].lemma
-        if distance == 1:
-            break
+    for name, above in zip(("above.0", "above.1"), document.ancestors(i), strict=False):
+        features[name] = document.tokens[above].lemma
     cue, gap = observed.nearest_cue[i]
+    since, reported, senses = observed.verbs_since_cue[i], observed.reported[i], observed.senses[i]
     features["cue"] = cue
     features["cue.gap"] = f"{cue}.{gap}"
-    features["cue.tag"] = f"{cue}.{document.tokens[i].tag}"
-    since = observed.verbs_since_cue[i]
+    features["cue.tag"] = f"{cue}.{token.tag}"
     features["since"] = since
-    features["since.tag"] = f"{since}.{document.tokens[i].tag}"
-    features["since.lemma"] = f"{since}.{document.tokens[i].lemma}"
-    features["since.sense"] = f"{since}.{observed.senses[i][0] if observed.senses[i] else ''}"
-    features["since.subject"] = f"{since}.{features.get('subject', 'none')}.{document.tokens[i].tag}"
-    features["reported"] = observed.reported[i]
-    features["reported.tag"] = f"{observed.reported[i]}.{document.tokens[i].tag}"
+    features["since.tag"] = f"{since}.{token.tag}"
+    features["since.lemma"] = f"{since}.{token.lemma}"
+    features["since.sense"] = f"{since}.{senses[0] if senses else ''}"
+    features["since.subject"] = f"{since}.{features.get('subject', 'none')}.{token.tag}"
+    features["reported"] = reported
+    features["reported.tag"] = f"{reported}.{token.tag}"
     features["first_word"] = observed.first_words[i]
     if i and document.sentences[i] == document.sentences[i - 1]:
         features["question"] = observed.question[i]
