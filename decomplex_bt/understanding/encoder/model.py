@@ -34,9 +34,7 @@ class EncoderModel:
         options.log_severity_level = 3
         path = folder / ENCODER_FILE
         try:
-            self._session = onnxruntime.InferenceSession(
-                path.read_bytes(), options, providers=["CPUExecutionProvider"]
-            )
+            self._session = onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
         except Exception as error:  # the library raises its own exceptions, one for each kind of damage
             raise DataFileError(path, f"no encoder ({error}); run `decomplex-bt train --encoder`") from None
         self.heads = Heads(folder / HEADS_FILE)
