@@ -2,27 +2,31 @@
 
     python benchmarks/understanding.py [--rounds 5]
 
-Prints: one instruction, text to flow, against `nlp(text)` without ner; a batch against one by one; a cold process that
-parses one instruction against one that only imports spaCy and loads the model; the peak memory of the former.
+Prints, with the CRFs alone and with the encoder where it is installed: one instruction, text to flow, against
+`nlp(text)` without ner; a batch against one by one, beside what the pipeline itself gains by `nlp.pipe`; a cold process
+that parses one instruction against one that only imports spaCy and loads the model; the peak memory of the former.
 """
 
 from __future__ import annotations
 
 import argparse
-import resource
 import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from decomplex_bt.corpus import read_split
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.interpreter import Interpreter, has_encoder
 
-COLD = "from decomplex_bt.understanding.interpreter import Interpreter; Interpreter.load().interpret('Close the door.')"
+COLD = (
+    "from decomplex_bt.understanding.interpreter import Interpreter;"
+    "Interpreter.load(encoder={encoder}).interpret('Close the door.')"
+)
 COLD_BARE = "from decomplex_bt.understanding.document import Parser; Parser()._nlp('Close the door.')"
+PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 
 
 def seconds(action: Callable[[], object]) -> float:
@@ -43,24 +47,38 @@ def main() -> None:
     rounds = arguments.parse_args().rounds
     domain = load_domain("household")
     texts = [e.instruction.text for e in read_split(domain.folder / "corpus", domain.ontology, "test")][:100]
-    interpreter, nlp = Interpreter.load(domain), Parser()._nlp
+    nlp = Parser()._nlp
+    ratio, _ = median_ratio(lambda: [nlp(t) for t in texts], lambda: list(nlp.pipe(texts, batch_size=128)), rounds)
+    print(f"bare spaCy in a batch is {ratio:.2f} times as fast as one by one")
+    for encoder in (False, True) if has_encoder(domain.folder / "models") else (False,):
+        print("with the encoder:" if encoder else "with the CRFs alone:")
+        measure(Interpreter.load(domain, encoder=encoder), nlp, texts, rounds)
+        measure_cold(encoder, rounds)
 
+
+def measure(interpreter: Interpreter, nlp: Callable[[str], object], texts: Sequence[str], rounds: int) -> None:
+    """Prints the ratios of an interpreter that is loaded."""
     ratio, took = median_ratio(
         lambda: [interpreter.interpret(t) for t in texts], lambda: [nlp(t) for t in texts], rounds
     )
-    print(f"one instruction: {1000 * took / len(texts):.2f} ms, {ratio:.2f} times bare spaCy")
-    ratio, took = median_ratio(
+    print(f"  one instruction: {1000 * took / len(texts):.2f} ms, {ratio:.2f} times bare spaCy")
+    ratio, _ = median_ratio(
         lambda: [interpreter.interpret(t) for t in texts], lambda: list(interpreter.interpret_batch(texts)), rounds
     )
-    print(f"a batch is {ratio:.2f} times as fast as one by one")
+    print(f"  a batch is {ratio:.2f} times as fast as one by one")
 
-    def run(program: str) -> None:
-        subprocess.run([sys.executable, "-c", program], check=True)
 
-    ratio, took = median_ratio(lambda: run(COLD), lambda: run(COLD_BARE), rounds)
-    print(f"a cold parse: {took:.2f} s, {ratio:.2f} times a process that only loads spaCy and the model")
-    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    print(f"peak memory of a cold parse: {memory:.0f} MB")
+def measure_cold(encoder: bool, rounds: int) -> None:
+    """Prints the ratio of a process that parses one instruction, and its peak memory."""
+    program = COLD.format(encoder=encoder)
+    ratio, took = median_ratio(lambda: run(program), lambda: run(COLD_BARE), rounds)
+    print(f"  a cold parse: {took:.2f} s, {ratio:.2f} times a process that only loads spaCy and the model")
+    print(f"  peak memory of a cold parse: {int(run(program + PEAK)) / 1024:.0f} MB")
+
+
+def run(program: str) -> str:
+    """What a Python program prints in a process of its own."""
+    return subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True).stdout
 
 
 if __name__ == "__main__":
