@@ -21,7 +21,6 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
-from decomplex_bt.understanding.tasks import TASKS_FILE, TaskModel
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
@@ -44,9 +43,7 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
-            self._stages = load_encoder(
-                folder, TaskModel(models / TASKS_FILE), FlowModel(models), domain, parser.model_name
-            )
+            self._stages = load_encoder(folder, FlowModel(models), domain, parser.model_name)
         else:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")

@@ -23,7 +23,7 @@ from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, F
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
-from decomplex_bt.understanding.tasks import TASKS_FILE, FoundTask, FoundTasks, TaskModel
+from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -83,7 +83,7 @@ class Stages:
 
 def load_stages(folder: Path) -> Stages:
     """The stages from a folder of trained models."""
-    return Stages(TaskModel(folder / TASKS_FILE), ArgumentModel(folder / "arguments.crf"), FlowModel(folder))
+    return Stages(TaskModel(folder / "tasks.crf"), ArgumentModel(folder / "arguments.crf"), FlowModel(folder))
 
 
 class ReadingModel:

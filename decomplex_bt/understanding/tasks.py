@@ -12,7 +12,6 @@ from decomplex_bt.understanding.crf import Crf, CrfParameters, train_crf
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed, task_features
 
-TASKS_FILE = "tasks.crf"
 OUTSIDE = "O"
 PARAMETERS = CrfParameters(c1=0.2, c2=0.05, max_iterations=150)
 
@@ -59,11 +58,6 @@ class TaskModel:
             found.append(FoundTasks(_tasks(labels, marginals), self._crf.probability(labels)))
         found.sort(key=lambda alternative: -alternative.probability)
         return tuple(found[:MAX_ALTERNATIVES])
-
-    def chances(self, observed: Observed, labels: Sequence[str]) -> list[list[float]]:
-        """For every token the marginal probability of each of `labels`."""
-        self._crf.label(task_features(observed))
-        return [[self._crf.marginal(label, i) for label in labels] for i in range(len(observed.document))]
 
     def find(self, observed: Observed) -> tuple[FoundTask, ...]:
         """The tasks of a document in text order."""

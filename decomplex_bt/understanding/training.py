@@ -26,7 +26,7 @@ from decomplex_bt.understanding.interpreter import ENCODER_FOLDER
 from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of, train_readings
-from decomplex_bt.understanding.tasks import TASKS_FILE, TaskModel, train_tasks
+from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
 
@@ -126,7 +126,7 @@ def train_with_encoder(
     """Trains the encoder into `folder`; the voices in `for_choice` only teach the choice among readings and its
     confidence. Gives the number of flows that no labels can say."""
     from decomplex_bt.understanding.encoder.model import EncoderModel
-    from decomplex_bt.understanding.encoder.referents import train_shares
+    from decomplex_bt.understanding.encoder.referents import train_share
     from decomplex_bt.understanding.encoder.stages import encoder_stages
     from decomplex_bt.understanding.encoder.training import train_encoder
 
@@ -136,19 +136,16 @@ def train_with_encoder(
     copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *_disturbed(learnt.plain, domain, parser)]
     train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
     model = EncoderModel(folder)
-    with tempfile.TemporaryDirectory() as scratch:  # CRFs that, like the encoder, never saw the voices kept back
-        progress("tasks")
-        train_tasks(Path(scratch) / TASKS_FILE, learnt.for_tasks())
+    with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
         progress("flow")
         left_out = train_flow(Path(scratch), learnt.for_flow())
         progress("readings")
-        crf, flows = TaskModel(Path(scratch) / TASKS_FILE), FlowModel(Path(scratch))
-        stages = encoder_stages(model, crf, flows, domain.ontology)
+        stages = encoder_stages(model, FlowModel(Path(scratch)), domain.ontology)
         _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in kept])
         progress("references")
         train_references(Path(scratch) / REFERENCES_FILE, learnt.plain, domain.ontology)
         references = ReferenceModel(Path(scratch) / REFERENCES_FILE, domain.ontology)
-        train_shares(folder, model, references, kept, domain.ontology)
+        train_share(folder, model, references, kept, domain.ontology)
     return left_out
 
 
@@ -230,10 +227,6 @@ class Corpus:
     noised: tuple[tuple[tuple[Observed, Instruction], ...], ...]
     filled: tuple[tuple[Observed, Instruction], ...]
 
-    def for_tasks(self) -> list[tuple[Observed, Instruction]]:
-        """What tasks and arguments are learnt from: the texts and all their noised copies."""
-        return [*self.plain, *chain.from_iterable(self.noised)]
-
     def for_flow(self) -> list[tuple[Observed, Instruction]]:
         """What the flow is learnt from: the texts, and their copies without punctuation and with fillers."""
         return [*self.plain, *self.noised[EDITS.index(without_punctuation)], *self.filled]
@@ -249,9 +242,9 @@ class Corpus:
 
 
 def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
-    with_noise = data.for_tasks()
+    with_noise = [*data.plain, *chain.from_iterable(data.noised)]
     progress("tasks")
-    train_tasks(folder / TASKS_FILE, with_noise)
+    train_tasks(folder / "tasks.crf", with_noise)
     progress("arguments")
     train_arguments(folder / "arguments.crf", with_noise)
     progress("flow")

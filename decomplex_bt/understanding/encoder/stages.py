@@ -20,61 +20,39 @@ from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.encoder.heads import IMPOSSIBLE, Array, log_softmax
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE, EncoderModel
-from decomplex_bt.understanding.encoder.referents import SHARES_FILE, load_references
+from decomplex_bt.understanding.encoder.referents import SHARE_FILE, load_references
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.manifest import check_models
 from decomplex_bt.understanding.readings import Stages
-from decomplex_bt.understanding.tasks import (
-    MAX_ALTERNATIVES,
-    MAX_UNCERTAIN_TOKENS,
-    UNCERTAIN,
-    FoundTask,
-    FoundTasks,
-    TaskModel,
-)
+from decomplex_bt.understanding.tasks import MAX_ALTERNATIVES, MAX_UNCERTAIN_TOKENS, UNCERTAIN, FoundTask, FoundTasks
 
-FOLDER_FILES = (ENCODER_FILE, HEADS_FILE, PIECES_FILE, SHARES_FILE, "readings.json", CALIBRATION_FILE)
+FOLDER_FILES = (ENCODER_FILE, HEADS_FILE, PIECES_FILE, SHARE_FILE, "readings.json", CALIBRATION_FILE)
 """What a folder of a trained encoder holds."""
 
 
-def load_encoder(
-    folder: Path, crf: TaskModel, flows: FlowModel, domain: Domain, language_model: str
-) -> Stages:
+def load_encoder(folder: Path, flows: FlowModel, domain: Domain, language_model: str) -> Stages:
     """The stages from a folder of a trained encoder. Raises `DataFileError` and `EncoderMissingError`."""
     check_models(folder, domain, language_model, models=(), files=FOLDER_FILES)
     model = EncoderModel(folder)
-    stages = encoder_stages(model, crf, flows, domain.ontology)
+    stages = encoder_stages(model, flows, domain.ontology)
     return replace(stages, references=load_references(folder, model, domain.ontology))
 
 
-def encoder_stages(model: EncoderModel, crf: TaskModel, flows: FlowModel, ontology: Ontology) -> Stages:
+def encoder_stages(model: EncoderModel, flows: FlowModel, ontology: Ontology) -> Stages:
     """As `load_encoder`, but for references."""
-    return Stages(EncoderTasks(model, ontology, crf), EncoderArguments(model, ontology), flows)
-
-
-SMALLEST = 1e-6
-"""Probabilities of the CRF below count as this."""
-CRF_SHARE = 0.0
-"""How much the log probabilities of the task CRF count beside the encoder's: they err in different places."""
+    return Stages(EncoderTasks(model, ontology), EncoderArguments(model, ontology), flows)
 
 
 class EncoderTasks:
-    """Task sets from the network's label of each token, the task CRF's opinion added; stands in for `TaskModel`."""
+    """Task sets from the network's label of each token; stands in for `TaskModel`."""
 
-    def __init__(self, model: EncoderModel, ontology: Ontology, crf: TaskModel) -> None:
+    def __init__(self, model: EncoderModel, ontology: Ontology) -> None:
         self._model = model
-        self._crf = crf
         self._labels = task_labels(tuple(ontology.task_types))
-
-    def chances(self, observed: Observed) -> Array:
-        """(tokens, task labels): probabilities."""
-        own = log_softmax(self._model.heads.tasks(self._model.vectors(observed.document)))
-        other = np.log(np.maximum(np.array(self._crf.chances(observed, self._labels)), SMALLEST))
-        return np.exp(log_softmax(own + CRF_SHARE * other))
 
     def alternatives(self, observed: Observed) -> tuple[FoundTasks, ...]:
         """The likeliest task sets, best first: all ways to label the least certain tokens."""
-        chances = self.chances(observed)
+        chances = np.exp(log_softmax(self._model.heads.tasks(self._model.vectors(observed.document))))
         best = chances.argmax(axis=1)
         order = sorted(range(len(best)), key=lambda i: (chances[i, best[i]], i))
         places = [i for i in order if (chances[i] > UNCERTAIN).sum() > 1][:MAX_UNCERTAIN_TOKENS]
