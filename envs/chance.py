@@ -13,13 +13,12 @@ from numpy.typing import NDArray
 from decomplex_bt.envs.geometry import Floats
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT, Prior
-from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Spots
+from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Point, Spots
 from decomplex_bt.envs.stream import Source, Stream
 from decomplex_bt.errors import InputError
 
 TRIES = 12
 """Places tried before a thing is laid anywhere else, and spots before people stand in each other's way."""
-Point = tuple[float, float]
 NOWHERE: Point = (nan, nan)
 POWER, APERTURE, TEMPERATURE = (STATE_PAIRS.index(pair) for pair in ("power", "aperture", "temperature"))
 
@@ -49,13 +48,12 @@ class Draw:
         self.prior = prior
         self.spots = spots
         self.geometry = prior.geometry
-        rows = len(self.geometry.names)
         self.start = Start(
-            place=np.full(rows, ABSENT),
-            position=np.full((rows, 2), np.nan),
-            states=np.full((rows, len(STATE_PAIRS)), -1, dtype=np.int8),
-            broken=np.zeros(rows, dtype=bool),
-            home=np.zeros(rows, dtype=bool),
+            place=prior.nowhere.copy(),
+            position=prior.no_position.copy(),
+            states=prior.no_states.copy(),
+            broken=prior.none_broken.copy(),
+            home=np.zeros(len(self.geometry.names), dtype=bool),
         )
         self._discs: dict[int, dict[int, Disc]] = {}
         self._people: dict[int, Disc] = {}
@@ -66,7 +64,7 @@ class Draw:
         prior, start = self.prior, self.start
         start.broken = rng.array(len(prior.broken)) < prior.broken
         is_positive = rng.array(*prior.chance.shape) < prior.chance
-        start.states = np.where(prior.has_state, is_positive, -1).astype(np.int8)
+        start.states = np.where(prior.has_state, is_positive.view(np.int8), prior.no_states)
         start.states[start.broken & (start.states[:, POWER] >= 0), POWER] = 0
         self._things(rng)
         self._everybody(rng)
@@ -141,11 +139,11 @@ class Draw:
         spots = self.spots.standing(room, self._taken_in(room))
         company = self._company_in(room)
         for _ in range(TRIES if len(spots) else 0):
-            x, y = spots[int(rng.random() * len(spots))].tolist()
-            if not company or self.spots.leaves_way(room, [*company, (x, y)]):
-                return x, y
+            spot = spots[int(rng.random() * len(spots))]
+            if not company or self.spots.leaves_way(room, [*company, spot]):
+                return spot
         # in large company few spots are left: look at them all
-        good = [(x, y) for x, y in spots.tolist() if self.spots.leaves_way(room, [*company, (x, y)])]
+        good = [spot for spot in spots if self.spots.leaves_way(room, [*company, spot])]
         return good[int(rng.random() * len(good))] if good else None
 
     def _company_in(self, room: int) -> list[Point]:
@@ -157,11 +155,12 @@ class Draw:
         return [*self._standing(), *self._lying_at(self.prior.floors[room])]
 
     def _things(self, rng: Stream) -> None:
-        prior, discs, start, draw_lying = self.prior, self._discs, self.start, self.spots.draw_lying
+        prior, discs, start, random = self.prior, self._discs, self.start, rng.random
+        listed, draw_lying = self.spots.listed, self.spots.draw_lying
         rows, last = prior.place_list, len(prior.place_list) - 1
         draws = rng.array(len(prior.place_sums)).tolist()
         places: list[int] = []
-        at: list[Point] = []
+        at: list[float] = []
         for thing, sums, draw in zip(self.geometry.thing_rows, prior.place_sums, draws, strict=True):
             place = rows[bisect_right(sums, draw, 0, last)]
             spot = NOWHERE
@@ -169,7 +168,11 @@ class Draw:
             tries = 0
             while place != ABSENT:
                 there = discs.get(place)
-                found = draw_lying(place, radius, there.values() if there else (), rng)
+                found: Point | None
+                if not there and (spots := listed[place, radius]):
+                    found = spots[int(random() * len(spots))]
+                else:
+                    found = draw_lying(place, radius, there.values() if there else (), rng)
                 if found is None and tries == TRIES:
                     place, found = self._anywhere(thing, rng)
                     there = discs.get(place)
@@ -182,10 +185,9 @@ class Draw:
                 tries += 1
                 place = rows[_pick_index(sums, rng)]
             places.append(place)
-            at.append(spot)
-        if places:
-            things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
-            start.place[things], start.position[things] = places, at
+            at += spot
+        things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
+        start.place[things], start.position[things] = places, np.array(at).reshape(-1, 2)
 
     def _anywhere(self, thing: int, rng: Source) -> tuple[int, tuple[float, float]]:
         """Some place with a free spot: where the places of a thing are all full, it lies elsewhere."""
@@ -205,11 +207,11 @@ class Draw:
 
     def _settle(self) -> None:
         """What has stood long enough in a closed fridge is cold, in a closed oven that is on hot."""
-        states, place = self.start.states, self.start.place
-        kinds = self.prior.kinds
-        warm = self.prior.warm_things[place[self.prior.warm_things] != ABSENT]
-        for row in warm[states[place[warm], APERTURE] == 0].tolist():
-            at = int(place[row])
+        states, places, kinds = self.start.states, self.start.place.tolist(), self.prior.kinds
+        for row in self.prior.warm_things:
+            at = places[row]
+            if at not in self.prior.tempering or states[at, APERTURE] != 0:
+                continue
             tags = kinds[row].tags
             if any(tag in tags for tag in kinds[at].cools):
                 states[row, TEMPERATURE] = 0
@@ -250,8 +252,7 @@ def _pick_index(sums: Sequence[float], rng: Source) -> int:
     return bisect_right(sums, rng.random(), 0, len(sums) - 1)
 
 
-def _pick(spots: Floats, rng: Source, who: str, room: str) -> Point:
+def _pick(spots: Sequence[Point], rng: Source, who: str, room: str) -> Point:
     if not len(spots):
         raise InputError(f"{who} finds no free spot to stand in {room}; make the room larger or emptier")
-    x, y = spots[int(rng.random() * len(spots))].tolist()
-    return x, y
+    return spots[int(rng.random() * len(spots))]

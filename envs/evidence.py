@@ -28,6 +28,13 @@ class Record:
         self.led: dict[str, tuple[int, str | None]] = {}
         self.visited: dict[str, int] = {}
 
+    def copy(self) -> Record:
+        other = object.__new__(Record)
+        other.step = self.step
+        other.seen, other.carried, other.inspected = self.seen.copy(), self.carried.copy(), self.inspected.copy()
+        other.told, other.led, other.visited = self.told.copy(), self.led.copy(), self.visited.copy()
+        return other
+
     def begin(self, event: Event | None) -> None:
         """Begins a control step, with what was done in it."""
         self.step += 1

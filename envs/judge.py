@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from decomplex_bt.envs.balance import Test
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.bindings import Bindings
     from decomplex_bt.envs.monitor import Monitor
+    from decomplex_bt.envs.recall import Recall
     from decomplex_bt.envs.sensing import Sensor
     from decomplex_bt.envs.verdict import Verdict
     from decomplex_bt.envs.world import Event, World
@@ -42,17 +44,22 @@ class Judge:
 
     def begin(self, world: World, sensor: Sensor) -> Verdict:
         """Takes in the start of an episode, the first look included."""
-        from decomplex_bt.envs.monitor import Monitor
         from decomplex_bt.envs.world_truth import WorldTruth
 
         self._reported = None
-        self._monitor = Monitor(self.grounded, self.domain, WorldTruth(world, sensor))
-        return self._monitor.start()
+        self._monitor = monitor = self._recall.begin(WorldTruth(world, sensor))
+        return monitor.verdict
 
     def update(self, event: Event | None) -> Verdict:
         """Takes in one control step; call it after the look that belongs to it."""
         assert self._monitor is not None
         return self._monitor.update(event)
+
+    @cached_property
+    def _recall(self) -> Recall:
+        from decomplex_bt.envs.recall import Recall
+
+        return Recall(self.grounded, self.domain)
 
     @property
     def mentioned(self) -> tuple[str, ...]:

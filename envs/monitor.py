@@ -81,6 +81,18 @@ class Monitor:
         self._holds = self._goals_that_hold()
         self.verdict = self._judge()
 
+    def again(self, truth: Truth) -> Monitor:
+        """The judge of another episode, in which all that was asked of the truth so far has the same answers."""
+        other = object.__new__(Monitor)
+        other.__dict__.update(self.__dict__)
+        other.truth, other.record = truth, self.record.copy()
+        other.readings = tuple(
+            reading if reading.moment is None else replace(reading, moment=reading.moment.of(truth))
+            for reading in self.readings
+        )
+        other._view = truth.view(self._watch)
+        return other
+
     def start(self) -> Verdict:
         """Takes in the first look, before anything was done."""
         return self.update(None)

@@ -22,8 +22,9 @@ class Prior:
     `chance`: `(rows, pairs)`, of a state pair's positive value, NaN where an entity has no such pair. `broken`:
     `(rows,)`. `holds`: `(places,)`, whether things lie on or in it. `home`, `rooms`: of people, `(people,)` and
     `(people, rooms)`, `homes` and `room_sums` (cumulated) the same as lists; `robot_rooms`: `(rooms,)`. `warm_things`:
-    rows of what may be hot or cold. `place_list`: where a thing may lie, `place_sums`: of each thing the cumulated
-    probabilities of these. `floors`: the floor's row of each room.
+    rows of what may be hot or cold, `tempering`: of the places that make something so. `place_list`: where a thing may
+    lie, `place_sums`: of each thing the cumulated probabilities of these. `floors`: the floor's row of each room.
+    `nowhere`, `no_position`, `no_states`, `none_broken`: a start in which nothing is drawn yet, to be copied.
     """
 
     def __init__(self, geometry: Geometry) -> None:
@@ -46,7 +47,11 @@ class Prior:
         self.robot_room_sums: list[float] = np.cumsum(self.robot_rooms).tolist()
         self.floors: list[int] = geometry.floor_row.tolist()
         rows = np.array(geometry.thing_rows)
-        self.warm_things = rows[self.has_state[rows, STATE_PAIRS.index("temperature")]]
+        self.warm_things: list[int] = rows[self.has_state[rows, STATE_PAIRS.index("temperature")]].tolist()
+        self.tempering = frozenset(row for row in range(geometry.place_count) if kinds[row].cools or kinds[row].heats)
+        count = len(geometry.names)
+        self.nowhere, self.no_position = np.full(count, ABSENT), np.full((count, 2), np.nan)
+        self.no_states, self.none_broken = np.full((count, len(STATE_PAIRS)), -1, dtype=np.int8), np.zeros(count, bool)
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
         self.place_list = [*range(geometry.place_count), ABSENT]
         self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from decomplex_bt.envs.clearing import Bools, Clearing, Disc, Point, are_apart
 from decomplex_bt.envs.geometry import WALL_RADIUS, Floats, Geometry, Rect
 from decomplex_bt.envs.stream import Source
 from decomplex_bt.envs.ways import Ways
@@ -25,20 +27,27 @@ TRIES = 12  # spots tried at random before all are looked at
 STANDING_STRIDE = 5  # of the spots on a floor, one in so many is looked at as one where a person can stand
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
-Disc = tuple[float, float, float]
-"""x, y, radius."""
+MOST_COMPANIES = 1024
+"""People standing together for whom it is remembered what they leave free."""
+Company = tuple[int, tuple[Point, ...]]
+"""The room that people are in, and where they stand in it."""
 
 
 class Spots:
-    """The spots of one house; read only, shared by all its episodes."""
+    """The spots of one house; read only, shared by all its episodes.
+
+    `listed`: of a place and a radius the spots of `lying` where nothing else lies there.
+    """
 
     def __init__(self, geometry: Geometry) -> None:
         self.geometry = geometry
         self._floors = frozenset(int(row) for row in geometry.floor_row)
         self._of_place: dict[int, Floats] = {}
-        self._person_spots: dict[int, Floats] = {}
+        self._standing: dict[int, Clearing] = {}
+        self._leaves_way: dict[Company, bool] = {}
+        self._gets_to: dict[Company, Bools] = {}
         self._lying: dict[tuple[int, float], Floats] = {}
-        self._listed: dict[tuple[int, float], list[tuple[float, float]]] = {}
+        self.listed = _Listed(self)
 
     def lying(self, place: int, radius: float, taken: Iterable[Disc] = ()) -> Floats:
         """`(n, 2)` spots at which a thing of this radius can lie on or in a place, none on another; may be empty."""
@@ -55,9 +64,7 @@ class Spots:
 
     def draw_lying(self, place: int, radius: float, taken: Collection[Disc], rng: Source) -> tuple[float, float] | None:
         """One of the spots of `lying`, each as likely; None where there is none. Tries some before it looks at all."""
-        spots = self._listed.get((place, radius))
-        if spots is None:
-            self._listed[place, radius] = spots = [(x, y) for x, y in self.lying(place, radius).tolist()]
+        spots = self.listed[place, radius]
         count = len(spots)
         for _ in range(TRIES if count else 0):
             spot = x, y = spots[int(rng.random() * count)]
@@ -73,28 +80,37 @@ class Spots:
     def is_floor(self, place: int) -> bool:
         return place in self._floors
 
-    def standing(self, room: int, taken: Iterable[Disc] = ()) -> Floats:
-        """`(n, 2)` spots where a person can stand in a room so that the robot still gets everywhere in it."""
-        if room not in self._person_spots:
+    def standing(self, room: int, taken: Iterable[Disc] = ()) -> Sequence[Point]:
+        """Spots at which a person can stand in a room so that the robot still gets everywhere in it."""
+        if room not in self._standing:
             floor = int(self.geometry.floor_row[room])
             points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + FLOOR_GAP]
             ways = self._ways[room]
             free = [ways.are_free(((x, y),)) for x, y in points[::STANDING_STRIDE].tolist()]
-            self._person_spots[room] = spots = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
+            spots = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
             for x, y in spots.tolist():
                 ways.keep(x, y)
-        return _apart(self._person_spots[room], PERSON_RADIUS + 2 * PASSAGE, self._near(room, taken))
+            self._standing[room] = Clearing(spots, PERSON_RADIUS + 2 * PASSAGE)
+        return self._standing[room].free(self._near(room, taken))
 
-    def leaves_way(self, room: int, people: Iterable[tuple[float, float]]) -> bool:
+    def leaves_way(self, room: int, people: Iterable[Point]) -> bool:
         """Whether the robot still gets everywhere in a room with all these people standing in it."""
-        return self._ways[room].are_free(people)
+        company = room, tuple(people)
+        leaves_way = self._leaves_way.get(company)
+        if leaves_way is None:
+            leaves_way = self._ways[room].are_free(company[1])
+            _keep(self._leaves_way, company, leaves_way)
+        return leaves_way
 
-    def robot(self, room: int, taken: Iterable[Disc] = (), people: Iterable[tuple[float, float]] = ()) -> Floats:
-        """`(n, 2)` spots where the robot can stand in a room and get everywhere in it, past the people there."""
-        points, cells = self._robot_spots[room]
-        is_free = self._ways[room].reached(people)[cells]
-        discs = self._near(room, taken)
-        return points[is_free & _are_apart(points, PASSAGE, discs)] if discs else points[is_free]
+    def robot(self, room: int, taken: Iterable[Disc] = (), people: Iterable[Point] = ()) -> Sequence[Point]:
+        """Spots at which the robot can stand in a room and get everywhere in it, past the people there."""
+        clearing, cells = self._robot_spots[room]
+        company = room, tuple(people)
+        gets_to = self._gets_to.get(company)
+        if gets_to is None:
+            gets_to = self._ways[room].reached(company[1])[cells]
+            _keep(self._gets_to, company, gets_to)
+        return clearing.free(self._near(room, taken), among=gets_to)
 
     def is_free(self, x: float, y: float, radius: float, taken: Iterable[Disc]) -> bool:
         """Whether a thing can be put down here on the floor: off furniture, walls and everything taken."""
@@ -170,12 +186,12 @@ class Spots:
         return off
 
     @cached_property
-    def _robot_spots(self) -> tuple[tuple[Floats, NDArray[np.int64]], ...]:
+    def _robot_spots(self) -> tuple[tuple[Clearing, NDArray[np.int64]], ...]:
         """Per room, where the robot can stand in it, and the cells of its ways that these spots are in."""
         spots = []
         for room, floor in enumerate(self.geometry.floor_row):
             points = self._candidates(int(floor))[self._floor_clearance[room] >= PASSAGE]
-            spots.append((points, self._ways[room].cells_of(points)))
+            spots.append((Clearing(points, PASSAGE), self._ways[room].cells_of(points)))
         return tuple(spots)
 
     @cached_property
@@ -198,6 +214,18 @@ class Spots:
         return Ways(cells, passable, marks, PERSON_RADIUS + PASSAGE)
 
 
+class _Listed(dict[tuple[int, float], list[Point]]):
+    """Lists of spots by place and radius, each made when it is first asked for."""
+
+    def __init__(self, spots: Spots) -> None:
+        super().__init__()
+        self._spots = spots
+
+    def __missing__(self, key: tuple[int, float]) -> list[Point]:
+        self[key] = spots = [(x, y) for x, y in self._spots.lying(*key).tolist()]
+        return spots
+
+
 def _grid(rect: Rect, pitch: float) -> Floats:
     """`(n, 2)` points at the middles of a grid's cells, of at most this pitch, row by row."""
     x0, y0, x1, y1 = rect
@@ -210,14 +238,7 @@ def _grid(rect: Rect, pitch: float) -> Floats:
 def _apart(points: Floats, radius: float, taken: Iterable[Disc]) -> Floats:
     """The points at which a disc touches none of those taken."""
     others: Sequence[Disc] = tuple(taken)
-    return points[_are_apart(points, radius, others)] if others and len(points) else points
-
-
-def _are_apart(points: Floats, radius: float, taken: Sequence[Disc]) -> NDArray[np.bool_]:
-    x, y, other = np.array(taken).T[:, :, None]
-    across, along, gap = x - points[:, 0], y - points[:, 1], other + radius
-    is_apart: NDArray[np.bool_] = (across * across + along * along >= gap * gap).all(axis=0)
-    return is_apart
+    return points[are_apart(points, radius, others)] if others and len(points) else points
 
 
 def _distances(points: Floats, rect: Rect) -> Floats:
@@ -229,3 +250,9 @@ def _distances(points: Floats, rect: Rect) -> Floats:
 def _rect(geometry: Geometry, place: str) -> Rect:
     x0, y0, x1, y1 = geometry.footprints[geometry.row[place]].tolist()
     return x0, y0, x1, y1
+
+
+def _keep(memory: dict[Company, Any], company: Company, answer: Any) -> None:
+    if len(memory) >= MOST_COMPANIES:
+        memory.clear()
+    memory[company] = answer

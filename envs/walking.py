@@ -159,8 +159,8 @@ def _destination(world: World, person: int, goal: int) -> Point | None:
     company = [
         _point(world, row) for row in np.flatnonzero(world.home).tolist() if row != person and world.room[row] == room
     ]
-    gaps = np.hypot(spots[:, 0] - centre[0], spots[:, 1] - centre[1])
-    nearest = [(float(x), float(y)) for x, y in spots[gaps.argsort(kind="stable")[:MAX_SPOTS]].tolist()]
+    gaps = np.hypot(*(np.array(spots) - centre).T)
+    nearest = [spots[index] for index in gaps.argsort(kind="stable")[:MAX_SPOTS].tolist()]
     ends = (spot for spot in nearest if not company or world.spots.leaves_way(room, [*company, spot]))
     return next(ends, nearest[0])
 

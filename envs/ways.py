@@ -8,7 +8,6 @@ nothing spreads from the end of one row to the beginning of the next.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +31,6 @@ class Ways:
         self._passable = self._bits(passable)
         self._marks = [self._bits(mark) for mark in marks]
         self._shadows: dict[Point, int] = {}
-        self._past_one: dict[Point, int] = {}
 
     def are_free(self, people: Iterable[Point]) -> bool:
         """Whether the free cells that hang together with the first doorway touch every doorway and every place."""
@@ -50,24 +48,10 @@ class Ways:
         return steps[:, 1] * columns + steps[:, 0]
 
     def reached(self, people: Iterable[Point]) -> Bools:
-        """Which cells hang together with the first doorway, past the people; answers that come again are kept."""
-        standing = tuple(people)
-        if not standing:
-            return self._reached_alone
-        if len(standing) > 1 or standing[0] not in self._shadows:
-            return self._cells_in(self._flooded(standing))
-        if standing[0] not in self._past_one:
-            self._past_one[standing[0]] = self._flooded(standing)
-        return self._cells_in(self._past_one[standing[0]])
-
-    @cached_property
-    def _reached_alone(self) -> Bools:
-        return self._cells_in(self._flooded(()))
-
-    def _flooded(self, people: Iterable[Point]) -> int:
+        """Which cells hang together with the first doorway, past the people."""
         reached = self._spread(people, ())
         assert reached is not None
-        return reached
+        return self._cells_in(reached)
 
     def _cells_in(self, reached: int) -> Bools:
         rows, columns = self._shape

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from enum import IntFlag
 from functools import cached_property
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
@@ -20,30 +19,20 @@ from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE, Start
 from decomplex_bt.envs.config import WorldConfig
-from decomplex_bt.envs.geometry import LEAF_RADIUS, Floats, Geometry
+from decomplex_bt.envs.geometry import Floats, Geometry
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.motor import make_motor
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
-from decomplex_bt.envs.stage import Stage, clear
+from decomplex_bt.envs.stage import Collision, Stage, clear, put, shaped
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
 
 GRAVITY = 9.81  # [m/s²] presses things on the floor
 FLOOR_FRICTION = 0.4  # [-] of things on the floor
-CONTACT_FRICTION = 0.2  # [-] between bodies
-ROBOT_MASS = 15.0  # [kg]
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
-
-
-class Collision(IntFlag):
-    """Categories of what moves; everything collides with everything, and walls and furniture are in all categories."""
-
-    ROBOT = 1
-    THING = 2
-    PERSON = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,10 +187,8 @@ class World:
 
     def is_leaf_clear(self, door: str) -> bool:
         """Whether nobody and nothing stands where the door's leaf closes."""
-        ax, ay, bx, by = self.geometry.leaves[door]
-        leaf = pymunk.Segment(self._ground, (ax, ay), (bx, by), LEAF_RADIUS)
         everything = pymunk.ShapeFilter.ALL_CATEGORIES()
-        hits = self.space.shape_query(leaf)
+        hits = self.space.shape_query(self._stage.leaves[door])
         return not any(hit.shape is not None and hit.shape.filter.categories != everything for hit in hits)
 
     def start_walking(self, person: int) -> pymunk.Body:
@@ -209,7 +196,7 @@ class World:
         self.space.remove(self._people.pop(person))
         body = pymunk.Body(70.0, float("inf"))
         body.position = self.position[person].tolist()
-        self._add_body(person, body, _shaped(pymunk.Circle(body, PERSON_RADIUS), Collision.PERSON))
+        self._add_body(person, body, shaped(pymunk.Circle(body, PERSON_RADIUS), Collision.PERSON))
         return body
 
     def stop_walking(self, person: int) -> None:
@@ -239,10 +226,8 @@ class World:
         self.space.sleep_time_threshold = 0.4
         self.space.idle_speed_threshold = 0.02
         self.space.collision_slop = 0.002  # [m]; the default suits pixels
-        # The space's own static body could not be taken out of it again.
-        self._ground = pymunk.Body(body_type=pymunk.Body.STATIC)
-        self.space.add(self._ground)
         stage.set_up(self.space)
+        self._stage, self._ground = stage, stage.ground
         self._bodies: dict[int, tuple[pymunk.Body, tuple[pymunk.Shape | pymunk.Constraint, ...]]] = {}
         self._people: dict[int, pymunk.Shape] = {}
         self._leaf_shapes: dict[str, pymunk.Shape] = {}
@@ -263,10 +248,10 @@ class World:
 
     def _add_robot(self) -> None:
         row = self.geometry.robot_row
-        body = pymunk.Body(ROBOT_MASS, pymunk.moment_for_circle(ROBOT_MASS, 0, ROBOT_RADIUS))
+        body, shape = self._stage.robot()
         body.position = self.position[row].tolist()
         body.angle = float(self.heading[row])
-        self._add_body(row, body, _shaped(pymunk.Circle(body, ROBOT_RADIUS), Collision.ROBOT))
+        self._add_body(row, body, shape)
         self._robot = body
         self._motor = make_motor(self.space, body)
         self.robot = (float(body.position.x), float(body.position.y))
@@ -281,11 +266,12 @@ class World:
         for joint, force in ((slide, 1.0), (spin, kind.radius * 2 / 3)):
             joint.max_bias = 0
             joint.max_force = FLOOR_FRICTION * kind.mass * GRAVITY * force
-        self._add_body(thing, body, _shaped(pymunk.Circle(body, kind.radius), Collision.THING), slide, spin)
+        self._add_body(thing, body, shaped(pymunk.Circle(body, kind.radius), Collision.THING), slide, spin)
 
-    def _add_body(self, row: int, body: pymunk.Body, *parts: pymunk.Shape | pymunk.Constraint) -> None:
-        self._bodies[row] = (body, parts)
-        self.space.add(body, *parts)
+    def _add_body(self, row: int, body: pymunk.Body, shape: pymunk.Shape, *joints: pymunk.Constraint) -> None:
+        self._bodies[row] = (body, (shape, *joints))
+        self.space.add(body, *joints)
+        put(self.space, shape)
         self._note_loose()
         if row != self.geometry.robot_row:
             self._awake.add(row)
@@ -306,18 +292,15 @@ class World:
         self.arrangement += 1
 
     def _stand(self, person: int) -> None:
-        shape = pymunk.Circle(self._ground, PERSON_RADIUS, self.position[person].tolist())
-        self._people[person] = _shaped(shape, Collision.PERSON)
-        self.space.add(shape)
+        self._people[person] = shape = self._stage.person(person, self.position[person].tolist())
+        put(self.space, shape)
 
     def _swing(self, door: str) -> None:
         """Brings the leaf of a door in line with its state."""
         is_closed = self.states[self.geometry.row[door], APERTURE] == 0
         if is_closed and door not in self._leaf_shapes:
-            ax, ay, bx, by = self.geometry.leaves[door]
-            shape = pymunk.Segment(self._ground, (ax, ay), (bx, by), LEAF_RADIUS)
-            self._leaf_shapes[door] = shape
-            self.space.add(shape)
+            self._leaf_shapes[door] = shape = self._stage.leaves[door]
+            put(self.space, shape)
         elif not is_closed and door in self._leaf_shapes:
             self.space.remove(self._leaf_shapes.pop(door))
         self.closed_leaves = tuple(self._leaf_shapes)
@@ -418,14 +401,5 @@ class World:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])
 
 
-_FILTERS = {category: pymunk.ShapeFilter(categories=int(category)) for category in Collision}
-
-
 def _say(member: Interaction | Result) -> str:
     return member.name.lower().replace("_", " ")
-
-
-def _shaped(shape: pymunk.Shape, category: Collision) -> pymunk.Shape:
-    shape.friction = CONTACT_FRICTION
-    shape.filter = _FILTERS[category]
-    return shape

@@ -96,7 +96,7 @@ def test_no_balance_is_the_prior():
 def test_the_robot_stands_where_it_can_get_everywhere_from():
     corner = (3.74, 5.67)
     tom_in_the_way = [(3.3, 5.966)]
-    free, shut_in = SETTING.spots.robot(0), SETTING.spots.robot(0, people=tom_in_the_way)
+    free, shut_in = (np.array(SETTING.spots.robot(0, people=people)) for people in ((), tom_in_the_way))
     assert np.hypot(*(free - corner).T).min() < 0.1
     assert np.hypot(*(shut_in - corner).T).min() > 0.4
 

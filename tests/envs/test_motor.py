@@ -58,6 +58,24 @@ def test_a_stage_set_up_by_pymunk_s_own_calls_is_the_same(monkeypatch):
     assert len(public.world.space.shapes) == len(direct.world.space.shapes)
 
 
+def test_a_robot_that_begins_again_moves_as_one_made_anew(monkeypatch):
+    again = HouseholdEnv(TELL)
+    traces = [drive(again, seed) for seed in (4, 5, 4)]
+    assert traces[0] == traces[2]
+    monkeypatch.setattr(stage_module, "_begin_body", None)
+    anew = HouseholdEnv(TELL)
+    assert [drive(anew, seed) for seed in (4, 5, 4)] == traces
+
+
+def test_what_a_stage_holds_does_not_grow():
+    env = HouseholdEnv(TELL)
+    counts = []
+    for seed in range(12):
+        env.reset(seed=seed)
+        counts.append(len(env.world._ground.shapes))
+    assert len(set(counts)) == 1
+
+
 @pytest.mark.parametrize("seed", [None, 3, 5, 8])
 def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
     domain = DOMAIN if seed is None else with_house(DOMAIN, generate_house(DOMAIN, 9, seed))
