@@ -93,6 +93,16 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 GOVERNING = frozenset(("if", "only_if", "unless", "whether", "when", "depending"))
 PRO_FORMS = frozenset(("so", "else", "fail"))
+SIGNALS = (
+    "if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "then", "after_that", "before",
+    "before_that", "after", "until", "first", "last", "either", "also", "while", "but", "or", "and", "not",
+    "instead", "depending", "whether", "even_if",
+)  # fmt: skip
+"""The cues that are features one by one."""
+STRONG = frozenset(
+    ("if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "before", "after", "until", "whether")
+)
+"""Those that alone say that one task hangs on another, or in which order they come."""
 
 ASKING_LEMMAS = frozenset(
     "check see find look verify ask tell know wonder determine confirm ensure discover inspect test out learn let figure notice make establish sure certain doubt report say examine".split()
@@ -244,3 +254,8 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
     }
 )  # fmt: skip
 """States to an opposite, for mentions such as "if it is on … if it is off"; open vocabulary, not only the domain's."""
+
+
+def last_of(names: Sequence[str], wanted: frozenset[str]) -> str:
+    """The last of `names` that is wanted, or "none"."""
+    return next((name for name in reversed(names) if name in wanted), "none")
