@@ -100,7 +100,8 @@ def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, set
     rows = _rows(draw, test.entities, settled, test.pair, lambda row: bool(draw.prior.has_state[row, column]))
     if not rows:
         return
-    chance = float(draw.prior.chance[rows, column].mean())
+    chances = draw.prior.chance[rows, column]
+    chance = float(chances[0] if len(rows) == 1 else chances.mean())
     holds = _holds(chance if is_positive else 1 - chance, balance, rng)
     draw.start.states[rows, column] = int(holds == is_positive)
     if column == POWER:

@@ -14,6 +14,7 @@ from decomplex_bt.envs.geometry import Floats
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, Disc, Point, Spots
+from decomplex_bt.envs.spots import TRIES as SPOT_TRIES
 from decomplex_bt.envs.stream import Source, Stream
 from decomplex_bt.errors import InputError
 
@@ -115,10 +116,10 @@ class Draw:
         Where the room is too crowded for that they stand in another. Raises `InputError` where there is no spot at all.
         """
         start = self.start
-        start.home[person] = False
-        start.position[person] = np.nan
-        self._people.pop(person, None)
-        self._rooms.pop(person, None)
+        if person in self._people:
+            start.home[person] = False
+            start.position[person] = np.nan
+            del self._people[person], self._rooms[person]
         if room is None:
             return
         at = self._spot_in_company(room, rng)
@@ -168,11 +169,16 @@ class Draw:
             tries = 0
             while place != ABSENT:
                 there = discs.get(place)
-                found: Point | None
-                if not there and (spots := listed[place, radius]):
-                    found = spots[int(random() * len(spots))]
-                else:
-                    found = draw_lying(place, radius, there.values() if there else (), rng)
+                lying = there.values() if there else ()
+                found: Point | None = None
+                spots = listed[place, radius]
+                if spots:  # the first try, of which `draw_lying` makes the others: most often there are none
+                    x, y = found = spots[int(random() * len(spots))]
+                    for ox, oy, other in lying:
+                        across, along, gap = x - ox, y - oy, radius + other
+                        if across * across + along * along < gap * gap:
+                            found = draw_lying(place, radius, lying, rng, tries=SPOT_TRIES - 1)
+                            break
                 if found is None and tries == TRIES:
                     place, found = self._anywhere(thing, rng)
                     there = discs.get(place)

@@ -167,7 +167,9 @@ class Episode:
         """What the robot sees of this moment, as `HouseholdEnv` describes it; fresh arrays."""
         world = self.world
         x, y = world.robot
-        speed, turn_rate = _clip(world.speed, MAX_SPEED), _clip(world.turn_rate, MAX_TURN_RATE)
+        speed, turn_rate = world.speed, world.turn_rate
+        if not (-MAX_SPEED <= speed <= MAX_SPEED and -MAX_TURN_RATE <= turn_rate <= MAX_TURN_RATE):
+            speed, turn_rate = _clip(speed, MAX_SPEED), _clip(turn_rate, MAX_TURN_RATE)
         numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), dtype=np.float32)
         if world.version != self._held_version:
             self._held_version = world.version
@@ -197,7 +199,8 @@ class Episode:
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
         info["shortest_length"] = self._shortest_length
-        info["events"] = [str(event) for event in (self._move, world.event) if event is not None]
+        has_event = world.event is not None or self._move is not None
+        info["events"] = [str(event) for event in (self._move, world.event) if event is not None] if has_event else []
         info["moved_by_others"] = 0 if self._meddler is None else self._meddler.moves
         info["result"] = RESULT_NAMES[self._result]
         return info
@@ -211,4 +214,4 @@ class Episode:
 
 
 def _clip(value: float, most: float) -> float:
-    return value if -most <= value <= most else most if value > 0 else -most
+    return min(max(value, -most), most)

@@ -352,9 +352,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return Home(**self._site)
 
     def _choose_house(self, options: Mapping[str, Any] | None) -> None:
-        from decomplex_bt.envs.options import read_request
+        request = self._request
+        if options:
+            from decomplex_bt.envs.options import read_request
 
-        request = read_request((options or {}).get("instruction"), (options or {}).get("gold")) or self._request
+            request = read_request(options.get("instruction"), options.get("gold")) or request
         before = self.domain
         try:
             self._home.choose(options, request, self.np_random)

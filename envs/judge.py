@@ -41,6 +41,7 @@ class Judge:
         self._monitor: Monitor | None = None
         self._reported: Verdict | None = None
         self._report: dict[str, Any] = {}
+        self._branches: list[dict[str, Any]] = []
 
     def begin(self, world: World, sensor: Sensor) -> Verdict:
         """Takes in the start of an episode, the first look included."""
@@ -96,6 +97,7 @@ class Judge:
         verdict = self._monitor.verdict
         if verdict is not self._reported:
             self._reported = verdict
+            self._branches = [branch.to_json() for branch in verdict.branches]
             self._report = {
                 **constant,
                 "judged_by": self.judged_by,
@@ -105,8 +107,8 @@ class Judge:
                 "unsettled": verdict.unsettled or 0,  # one type for each key, or a vector cannot hold them
             }
         report = self._report.copy()
-        report["branches"] = [branch.to_json() for branch in verdict.branches]
-        report["violations"] = [violation.reason for violation in verdict.violations]
+        report["branches"] = [branch.copy() for branch in self._branches]
+        report["violations"] = [violation.reason for violation in verdict.violations] if verdict.violations else []
         return report
 
     def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:

@@ -35,7 +35,8 @@ Rows = NDArray[np.int64]
 class RoomSamples(NamedTuple):
     """The points of the fixed places of one room. `features` `(6, n)`; segment `i` is the place `rows[i]`, its points
     begin at `starts[i]`. `holding`: the segments of what can be looked over. `floor`: the points of the floor. `doors`:
-    of each segment that is a door it and its row, and the room that it leads to."""
+    of each segment that is a door it and its row, and the room that it leads to. `size`, `width`: how many points and
+    segments."""
 
     features: Floats
     rows: Rows
@@ -43,12 +44,15 @@ class RoomSamples(NamedTuple):
     holding: Rows
     floor: slice
     doors: tuple[tuple[int, int, int], ...]
+    size: int
+    width: int
 
 
 class Samples:
     """What sensing needs of a house, made once.
 
     `limit`: from how far what lies at each place can be seen, the last one for what lies at none; `is_floor` likewise.
+    `place_at`: of each row the place, that last one for rows that are none.
     `floor_starts`: where each floor begins among all points of floors. `numbers`: as many as there may be points.
     """
 
@@ -58,6 +62,7 @@ class Samples:
         self.limit = np.array([*(inside_reach if kind.inside else reach for kind in kinds), reach])
         is_floor = np.isin(np.arange(geometry.place_count), geometry.floor_row)
         self.is_floor = np.append(is_floor, False)
+        self.place_at = np.minimum(np.arange(len(geometry.names)), geometry.place_count)
         sides = {geometry.row[leaf]: geometry.house.doorways[leaf].rooms for leaf in geometry.leaves}
         leads = {row: [geometry.room_index[room] for room in rooms] for row, rooms in sides.items()}
         of_room: list[list[tuple[int, list[tuple[float, float]]]]] = [[] for _ in geometry.rooms]
@@ -101,6 +106,8 @@ class Samples:
             doors=tuple(
                 (segment, row, sum(leads[row]) - room) for segment, (row, _) in enumerate(segments) if row in leads
             ),
+            size=sum(counts),
+            width=len(rows),
         )
 
 
@@ -115,13 +122,15 @@ class Scene:
     in line last.
     """
 
-    def __init__(self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[tuple[Rows, Floats]]) -> None:
+    def __init__(
+        self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[tuple[Rows, Floats]], *, moved_at: int = -1
+    ) -> None:
         self.rooms = rooms
-        self.moved_at = -1
+        self.moved_at = moved_at
         fixed = [samples.rooms[room] for room in rooms]
         counts = [len(moving) for moving, _ in movable]
-        size = sum(room.features.shape[1] for room in fixed) + sum(counts)
-        width = sum(len(room.rows) for room in fixed) + sum(counts)
+        mobile = sum(counts)
+        size, width = sum([room.size for room in fixed]) + mobile, sum([room.width for room in fixed]) + mobile
         features = self.features = np.empty((6, size))
         rows, starts = self.rows, self.starts = np.empty(width, np.int64), np.empty(width, np.int64)
         self.spans: dict[int, slice] = {}
@@ -133,7 +142,7 @@ class Scene:
             zip(rooms, fixed, movable, counts, strict=True)
         ):
             first, begin, floor = count, segments, of_room.floor
-            count, segments = count + of_room.features.shape[1], segments + len(of_room.rows)
+            count, segments = count + of_room.size, segments + of_room.width
             features[:, first:count] = of_room.features
             rows[begin:segments] = of_room.rows
             np.add(of_room.starts, first, out=starts[begin:segments])
@@ -157,8 +166,8 @@ class Scene:
         if not self.movable.size:
             return
         at = position[self.movable]
-        self.features[PLACE_X : PLACE_Y + 1, self.where] = at.T
-        self.features[SQUARE, self.where] = -(at * at).sum(axis=1)
+        x, y = self.features[PLACE_X : PLACE_Y + 1, self.where] = at.T
+        self.features[SQUARE, self.where] = -(x * x + y * y)
 
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
@@ -176,10 +185,8 @@ class Scene:
                 ux, uy = -ux, -uy
             bounds += (0.0, -uy, ux, 0.0, 0.0, uy * x - ux * y)
         for _, (right, left) in beyond:
-            ux, uy = right.real, right.imag
-            bounds += (0.0, -uy, ux, 0.0, 0.0, uy * x - ux * y)
-            ux, uy = left.real, left.imag
-            bounds += (0.0, uy, -ux, 0.0, 0.0, ux * y - uy * x)
+            rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
+            bounds += (0.0, -ry, rx, 0.0, 0.0, ry * x - rx * y, 0.0, ly, -lx, 0.0, 0.0, lx * y - ly * x)
         is_within = np.dot(np.array(bounds).reshape(-1, 6), self.features) >= SLACK
         in_view = is_within[0]
         if half_angle < np.pi / 2:
@@ -212,18 +219,18 @@ def samples_of(geometry: Geometry, reach: float, inside_reach: float) -> Samples
     return Samples(geometry, reach, inside_reach)
 
 
-def movable_features(limit: Floats) -> Floats:
-    """`(6, n)`, of what moves and can be seen from so far; where it is, `Scene.move` fills in."""
-    features = np.zeros((6, len(limit)))
-    features[LIMIT], features[FULL_LIMIT], features[ONE] = limit**2, NEVER, 1.0
+def movable_features(limit: Floats, points: Floats) -> Floats:
+    """`(6, n)`, of what moves, can be seen from so far and is at these `(n, 2)` points now."""
+    features = _features(points)
+    features[LIMIT], features[FULL_LIMIT] = limit**2, NEVER
     return features
 
 
 def _features(points: Floats) -> Floats:
     """`(6, n)`, of `(n, 2)` points."""
     features = np.zeros((6, len(points)))
-    features[SQUARE] = -(points * points).sum(axis=1)
-    features[PLACE_X : PLACE_Y + 1] = points.T
+    x, y = features[PLACE_X : PLACE_Y + 1] = points.T
+    features[SQUARE] = -(x * x + y * y)
     features[ONE] = 1.0
     return features
 

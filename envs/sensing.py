@@ -87,8 +87,7 @@ class Sensor:
         shut = self._shut
         np.logical_and(world.prior.has_door, world.states[: self._places, APERTURE] == 0, out=shut[:-1])
         self._is_open = ~shut[:-1]
-        place = world.place[self._movable]
-        at = np.where((place >= 0) & (place < self._places), place, self._places)
+        at = samples.place_at[world.place[self._movable]]
         limit = self._limit = samples.limit[at]
         limit[shut[at] | ~world.is_somewhere[self._movable]] = -1
         is_on_floor = samples.is_floor[at]
@@ -103,13 +102,15 @@ class Sensor:
         rooms = world.room[rows]
         order = rooms.argsort(kind="stable")
         self._by_room = rows[order]
-        self._features = movable_features(self._limit[self._by_room - self._places])
+        position = world.position
+        self._features = movable_features(self._limit[self._by_room - self._places], position[self._by_room])
+        self._features_at = world.stirs
         self._room_ends = [0, *np.bincount(rooms, minlength=len(world.geometry.rooms)).cumsum().tolist()]
         self._scenes.clear()
         # What lies on a floor may be reported where it was seen last, everything else only where it is.
-        self._truth[self._elsewhere, X : Y + 1] = world.position[self._elsewhere]
+        self._truth[self._elsewhere, X : Y + 1] = position[self._elsewhere]
         self._truth[user:-1, HEADING] = world.heading[user:-1]
-        self._known[user, X : Y + 1] = world.position[user]
+        self._known[user, X : Y + 1] = position[user]
 
     # -- what is in view ----------------------------------------------------------------------------------------------
 
@@ -147,7 +148,7 @@ class Sensor:
             ends = self._room_ends
             spans = [slice(ends[room], ends[room + 1]) for room in rooms]
             movable = [(self._by_room[span], self._features[:, span]) for span in spans]
-            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable)
+            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, moved_at=self._features_at)
         if scene.moved_at != self._stirs:
             scene.moved_at = self._stirs
             scene.move(self.world.position)
@@ -169,8 +170,10 @@ class Sensor:
             truth = self._truth[self._movable, X : Y + 1]
             np.copyto(truth, world.position[self._movable], where=in_view[:, None], casting="same_kind")
         if on_floors.size:
-            is_recent = self._seen_when[on_floors] >= world.seconds - self.config.memory
-            in_view[on_floors] |= self.inspected[self._floors_at] & is_recent
+            is_inspected = self.inspected[self._floors_at]
+            if True in is_inspected.tolist():
+                is_recent = self._seen_when[on_floors] >= world.seconds - self.config.memory
+                in_view[on_floors] |= is_inspected & is_recent
 
     # -- the table ----------------------------------------------------------------------------------------------------
 

@@ -62,11 +62,13 @@ class Spots:
             self._lying[key] = points[fits]
         return _apart(self._lying[key], radius, taken)
 
-    def draw_lying(self, place: int, radius: float, taken: Collection[Disc], rng: Source) -> tuple[float, float] | None:
+    def draw_lying(
+        self, place: int, radius: float, taken: Collection[Disc], rng: Source, *, tries: int = TRIES
+    ) -> Point | None:
         """One of the spots of `lying`, each as likely; None where there is none. Tries some before it looks at all."""
         spots = self.listed[place, radius]
         count = len(spots)
-        for _ in range(TRIES if count else 0):
+        for _ in range(tries if count else 0):
             spot = x, y = spots[int(rng.random() * count)]
             for ox, oy, other in taken:
                 across, along, gap = x - ox, y - oy, radius + other

@@ -1,7 +1,9 @@
 """The stage: the bodies that a house has in every episode, made once and moved from each space to the next.
 
 An episode has a fresh `pymunk.Space`, for one that has been used goes its own way; walls and furniture, most of all
-there is in it, need not be made anew for that, nor the leaves of doors, people who stand, and the robot. pymunk checks
+there is in it, need not be made anew for that, nor the leaves of doors, people who stand, what lies on the floor, and
+the robot: what moves is begun again as Chipmunk begins it, for to move it back would leave it the push that its last
+contact gave it. pymunk checks
 and notes down each shape that it adds or removes, which takes five times as long as the Chipmunk function that it calls
 then; here that function is called for all of them in a row. Where a version of pymunk does not have it in the same
 place, pymunk's own calls are made, with the same result.
@@ -18,15 +20,24 @@ from decomplex_bt.envs.geometry import LEAF_RADIUS, WALL_RADIUS, Geometry
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS
 
 try:
+    from pymunk._chipmunk_cffi import ffi as _ffi
     from pymunk._chipmunk_cffi import lib as _chipmunk
 
     _add_shape: Any = _chipmunk.cpSpaceAddShape
     _remove_shape: Any = _chipmunk.cpSpaceRemoveShape
-    _begin_body: Any = _chipmunk.cpBodyInit
-    _name_body: Any = _chipmunk.cpBodySetUserData
+    _begin: tuple[Any, ...] = (
+        _chipmunk.cpBodyInit,
+        _chipmunk.cpBodySetUserData,
+        _chipmunk.cpPivotJointInit,
+        _chipmunk.cpGearJointInit,
+        _chipmunk.cpConstraintSetUserData,
+    )
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
-    _add_shape = _remove_shape = _begin_body = _name_body = None
+    _add_shape = _remove_shape = None
+    _begin = ()
 
+GRAVITY = 9.81  # [m/s²] presses things on the floor
+FLOOR_FRICTION = 0.4  # [-] of things on the floor
 CONTACT_FRICTION = 0.2  # [-] between bodies
 ROBOT_MASS = 15.0  # [kg]
 
@@ -64,7 +75,8 @@ class Stage:
         self._people = {
             row: shaped(pymunk.Circle(ground, PERSON_RADIUS), Collision.PERSON) for row in geometry.people_rows
         }
-        self._robot = _make_robot()
+        self._robot = _Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
+        self._things: dict[int, _Mover] = {}
 
     def set_up(self, space: pymunk.Space) -> None:
         """Moves walls and furniture into a space; the one they were in is emptied."""
@@ -86,16 +98,66 @@ class Stage:
         shape.unsafe_set_offset(position)
         return shape
 
-    def robot(self) -> tuple[pymunk.Body, pymunk.Shape]:
-        """The robot's body as if it had never moved, and its shape, in no space yet."""
-        body, _ = self._robot
-        if _begin_body is None or not hasattr(body, "_data_handle"):
-            self._robot = _make_robot()
-        else:
-            # What moves a body back would leave the push that its last contact gave it.
-            _begin_body(body._body, body.mass, body.moment)
-            _name_body(body._body, body._data_handle)
+    def robot(self) -> _Mover:
+        """The robot as if it had never moved, in no space yet."""
+        if not self._robot.begin(self.ground):
+            self._robot = _Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
         return self._robot
+
+    def thing(self, row: int, mass: float, radius: float) -> _Mover:
+        """A thing that slides on the floor, as if it had never moved, in no space yet."""
+        mover = self._things.get(row)
+        if mover is None or not mover.begin(self.ground):
+            mover = self._things[row] = _Mover(mass, radius, Collision.THING)
+            mover.rub(self.ground)
+        return mover
+
+
+class _Mover:
+    """A round body that moves, with its shape and, where it rubs against the floor, its joints to the ground."""
+
+    def __init__(self, mass: float, radius: float, category: Collision) -> None:
+        self._mass, self._radius, self._moment = mass, radius, pymunk.moment_for_circle(mass, 0, radius)
+        self.body = pymunk.Body(mass, self._moment)
+        self.shape: pymunk.Shape = shaped(pymunk.Circle(self.body, radius), category)
+        self.joints: tuple[pymunk.Constraint, ...] = ()
+        self._handles: tuple[Any, ...] = ()
+
+    def rub(self, ground: pymunk.Body) -> None:
+        """Lets it slide with friction: by joints to the ground that give way."""
+        slide, spin = (
+            pymunk.PivotJoint(ground, self.body, (0, 0), (0, 0)),
+            pymunk.GearJoint(ground, self.body, 0.0, 1.0),
+        )
+        self.joints = slide, spin
+        if _can_begin(self.body, *self.joints):
+            names = "cpPivotJoint *", "cpGearJoint *"
+            self._handles = tuple(
+                _ffi.cast(name, joint._constraint) for name, joint in zip(names, self.joints, strict=True)
+            )
+        self._give_way()
+
+    def begin(self, ground: pymunk.Body) -> bool:
+        """Makes it as it was when it was new; False where this version of pymunk does not allow it."""
+        body: Any = self.body
+        if not _can_begin(body, *self.joints):
+            return False
+        begin_body, name_body, begin_slide, begin_spin, name_joint = _begin
+        begin_body(body._body, self._mass, self._moment)
+        name_body(body._body, body._data_handle)
+        if self.joints:
+            slide, spin = self._handles
+            begin_slide(slide, ground._body, body._body, (0, 0), (0, 0))
+            begin_spin(spin, ground._body, body._body, 0.0, 1.0)
+            for joint in self.joints:
+                name_joint(joint._constraint, joint._data_handle)
+            self._give_way()
+        return True
+
+    def _give_way(self) -> None:
+        for joint, force in zip(self.joints, (1.0, self._radius * 2 / 3), strict=True):
+            joint.max_bias = 0
+            joint.max_force = FLOOR_FRICTION * self._mass * GRAVITY * force
 
 
 def put(space: pymunk.Space, shape: pymunk.Shape) -> None:
@@ -136,6 +198,7 @@ def _is_known(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> bool:
     return isinstance(getattr(space, "_shapes", None), dict) and all(hasattr(shape, "_shape") for shape in shapes[:1])
 
 
-def _make_robot() -> tuple[pymunk.Body, pymunk.Shape]:
-    body = pymunk.Body(ROBOT_MASS, pymunk.moment_for_circle(ROBOT_MASS, 0, ROBOT_RADIUS))
-    return body, shaped(pymunk.Circle(body, ROBOT_RADIUS), Collision.ROBOT)
+def _can_begin(body: pymunk.Body, *joints: pymunk.Constraint) -> bool:
+    """Whether this is a pymunk in which what moves can be begun again."""
+    parts = (body, *joints)
+    return bool(_begin) and hasattr(body, "_body") and all(hasattr(part, "_data_handle") for part in parts)

@@ -29,8 +29,6 @@ from decomplex_bt.envs.stage import Collision, Stage, clear, put, shaped
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
 
-GRAVITY = 9.81  # [m/s²] presses things on the floor
-FLOOR_FRICTION = 0.4  # [-] of things on the floor
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
 
@@ -68,6 +66,8 @@ class World:
     gets its own.
     """
 
+    _is_dismantled = False
+
     def __init__(
         self,
         geometry: Geometry,
@@ -93,7 +93,7 @@ class World:
         self.broken: NDArray[np.bool_] = start.broken.copy()
         self.home: NDArray[np.bool_] = start.home.copy()
         self.exempt = tuple(start.exempt)
-        self.room = np.full(len(geometry.names), -1)
+        self.room = prior.nowhere.copy()
         self.is_somewhere = self.home | (self.place != ABSENT)
         """`(rows,)`: of things and people, whether they are in the house."""
         self.robot_room = 0
@@ -105,7 +105,7 @@ class World:
         self.arrangement = self.stirs = 0
         self.event: Event | None = None
         self.walks: dict[int, Walk] = {}
-        self._floors = frozenset(int(row) for row in geometry.floor_row)
+        self._floors = frozenset(prior.floors)
         self._build(stage or Stage(geometry))
         self._locate_all()
 
@@ -213,8 +213,11 @@ class World:
         """
         clear(self.space)
         self._bodies.clear()
+        self._is_dismantled = True
 
     def __del__(self) -> None:
+        if self._is_dismantled:
+            return
         with suppress(Exception):  # half made, or the interpreter is shutting down: pymunk looks what is still there
             self.space.remove(*self.space.constraints, *self.space.shapes, *self.space.bodies)
 
@@ -248,25 +251,21 @@ class World:
 
     def _add_robot(self) -> None:
         row = self.geometry.robot_row
-        body, shape = self._stage.robot()
+        robot = self._stage.robot()
+        body = robot.body
         body.position = self.position[row].tolist()
         body.angle = float(self.heading[row])
-        self._add_body(row, body, shape)
+        self._add_body(row, body, robot.shape)
         self._robot = body
         self._motor = make_motor(self.space, body)
         self.robot = (float(body.position.x), float(body.position.y))
 
     def _add_thing(self, thing: int) -> None:
-        """Puts a thing on the floor as a body that slides with friction: a joint to the ground that gives way."""
+        """Puts a thing on the floor."""
         kind = self.prior.kinds[thing]
-        body = pymunk.Body(kind.mass, pymunk.moment_for_circle(kind.mass, 0, kind.radius))
-        body.position = self.position[thing].tolist()
-        ground = self._ground
-        slide, spin = pymunk.PivotJoint(ground, body, (0, 0), (0, 0)), pymunk.GearJoint(ground, body, 0.0, 1.0)
-        for joint, force in ((slide, 1.0), (spin, kind.radius * 2 / 3)):
-            joint.max_bias = 0
-            joint.max_force = FLOOR_FRICTION * kind.mass * GRAVITY * force
-        self._add_body(thing, body, shaped(pymunk.Circle(body, kind.radius), Collision.THING), slide, spin)
+        mover = self._stage.thing(thing, kind.mass, kind.radius)
+        mover.body.position = self.position[thing].tolist()
+        self._add_body(thing, mover.body, mover.shape, *mover.joints)
 
     def _add_body(self, row: int, body: pymunk.Body, shape: pymunk.Shape, *joints: pymunk.Constraint) -> None:
         self._bodies[row] = (body, (shape, *joints))
@@ -392,10 +391,12 @@ class World:
         geometry = self.geometry
         self.room[:] = geometry.room_of_place[self.place]
         self.room[: geometry.place_count] = geometry.place_room
-        for person in np.flatnonzero(self.home).tolist():
-            self.room[person] = geometry.room_at(*self.position[person].tolist())
+        people = np.flatnonzero(self.home)
+        for person, (x, y) in zip(people.tolist(), self._position[people].tolist(), strict=True):
+            self.room[person] = geometry.room_at(x, y)
         self.robot_room = self.room[-1] = geometry.room_at(*self.robot)
-        self.locate()
+        if self._carried.size:
+            self.locate()
 
     def _carried_rows(self) -> NDArray[np.int64]:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])

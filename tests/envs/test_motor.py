@@ -58,11 +58,11 @@ def test_a_stage_set_up_by_pymunk_s_own_calls_is_the_same(monkeypatch):
     assert len(public.world.space.shapes) == len(direct.world.space.shapes)
 
 
-def test_a_robot_that_begins_again_moves_as_one_made_anew(monkeypatch):
+def test_what_begins_again_moves_as_what_is_made_anew(monkeypatch):
     again = HouseholdEnv(TELL)
     traces = [drive(again, seed) for seed in (4, 5, 4)]
     assert traces[0] == traces[2]
-    monkeypatch.setattr(stage_module, "_begin_body", None)
+    monkeypatch.setattr(stage_module, "_begin", ())
     anew = HouseholdEnv(TELL)
     assert [drive(anew, seed) for seed in (4, 5, 4)] == traces
 
