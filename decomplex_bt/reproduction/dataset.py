@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from statistics import fmean, stdev
 from typing import Any
@@ -92,24 +93,29 @@ class Split:
 
 
 class KnownDocuments(Parser):
-    """A parser that only remembers: for texts that were parsed before, without the language model.
-
-    Raises `KeyError` for any other text.
-    """
+    """A parser that remembers: texts that were parsed before cost nothing, and the language model is loaded only for
+    others (the copies with fillers, which are drawn for each training anew)."""
 
     def __init__(self, documents: dict[str, Document], model_name: str) -> None:
         self._documents = documents
         self._model_name = model_name
+
+    @cached_property
+    def _parser(self) -> Parser:
+        return Parser()
 
     @property
     def model_name(self) -> str:
         return self._model_name
 
     def parse(self, text: str) -> Document:
-        return self._documents[text]
+        return next(self.parse_batch([text]))
 
     def parse_batch(self, texts: Any, *, batch_size: int = 128) -> Iterator[Document]:
-        return (self._documents[text] for text in texts)
+        asked = list(texts)
+        unknown = list(dict.fromkeys(text for text in asked if text not in self._documents))
+        parsed = dict(zip(unknown, self._parser.parse_batch(unknown), strict=True)) if unknown else {}
+        return (self._documents.get(text) or parsed[text] for text in asked)
 
 
 def read_samples(corpus: Path, domain: Domain, huric: Path | None) -> tuple[tuple[Example, ...], str]:
