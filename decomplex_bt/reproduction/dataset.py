@@ -115,7 +115,7 @@ class KnownDocuments(Parser):
         asked = list(texts)
         unknown = list(dict.fromkeys(text for text in asked if text not in self._documents))
         parsed = dict(zip(unknown, self._parser.parse_batch(unknown), strict=True)) if unknown else {}
-        return (self._documents.get(text) or parsed[text] for text in asked)
+        return (self._documents[text] if text in self._documents else parsed[text] for text in asked)
 
 
 def read_samples(corpus: Path, domain: Domain, huric: Path | None) -> tuple[tuple[Example, ...], str]:
