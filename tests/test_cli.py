@@ -154,6 +154,13 @@ BAD = {
     "no such corpus": ["corpus", "check", "/nowhere/at/all"],
     "unknown domain": ["parse", "-", "--domain", "spaceship"],
     "no argument": ["run"],
+    "slips above one": ["evaluate", "x.yaml", "--slips", "3"],
+    "slips no number": ["evaluate", "x.yaml", "--slips", "nan"],
+    "misses above one": ["evaluate", "x.yaml", "--misses", "2"],
+    "meddling below zero": ["evaluate", "x.yaml", "--meddling", "-1"],
+    "no jobs": ["evaluate", "x.yaml", "--jobs", "0"],
+    "no jobs to reproduce": ["reproduce", "--jobs", "0"],
+    "jobs below -1": ["reproduce", "--jobs", "-2"],
 }
 
 
@@ -165,6 +172,17 @@ def test_bad_input_is_one_line_and_status_2(arguments: list[str], capsys: pytest
     assert err.startswith("decomplex-bt: ")
     assert err.count("\n") == 1
     assert "internal error" not in err
+
+
+@pytest.mark.parametrize("option", [("--slips", "3"), ("--misses", "2"), ("--meddling", "-1"), ("--jobs", "0")])
+def test_number_out_of_range_is_refused_before_the_corpus_is_read(
+    option: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["evaluate", "/nowhere/at/all", *option]) == 2
+    error = capsys.readouterr().err
+    assert option[0] in error
+    assert option[1] in error
+    assert "/nowhere" not in error
 
 
 def test_unknown_thing_names_the_nearest_known(capsys: pytest.CaptureFixture[str]) -> None:

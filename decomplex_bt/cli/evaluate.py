@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, SeedOption, chosen, domain_of
+from decomplex_bt.cli.options import (
+    DomainOption,
+    Format,
+    FormatOption,
+    JobsOption,
+    JsonOption,
+    SeedOption,
+    chosen,
+    domain_of,
+    number_up_to,
+)
 from decomplex_bt.cli.output import print_json, remark, use_utf8
 from decomplex_bt.errors import InputError
 
@@ -28,7 +38,7 @@ def evaluate(
     corpus: Annotated[Path, typer.Argument(metavar="CORPUS", help="A corpus file, or a folder of them.")],
     episodes: Annotated[int, typer.Option("--episodes", "-n", help="Worlds for each instruction.")] = 20,
     seed: SeedOption = 0,
-    jobs: Annotated[int, typer.Option("--jobs", "-j", help="Processes; -1: one a core.")] = 1,
+    jobs: JobsOption = 1,
     agent: Annotated[
         list[str], typer.Option(help="tree, oracle (knows the world), random or idle; several in the same worlds.")
     ] = ["tree"],  # noqa: B006 - typer reads the default, and nobody changes it
@@ -36,9 +46,15 @@ def evaluate(
     limit: Annotated[int | None, typer.Option(min=1, help="Only the first so many instructions.")] = None,
     grounded: Annotated[bool, typer.Option("--grounded", help="Leave out what asks for what the house lacks.")] = False,
     noise: Annotated[bool, typer.Option("--noise/--no-noise", help="Slips and misses, as the house has them.")] = True,
-    slips: Annotated[float | None, typer.Option(help="How likely a grasp slips, in [0, 1].")] = None,
-    misses: Annotated[float | None, typer.Option(help="How likely a look misses a thing, in [0, 1].")] = None,
-    meddling: Annotated[float, typer.Option(help="Things somebody else moves in a minute, on average.")] = 0.0,
+    slips: Annotated[
+        float | None, typer.Option(callback=number_up_to(1.0), help="How likely a grasp slips, in [0, 1].")
+    ] = None,
+    misses: Annotated[
+        float | None, typer.Option(callback=number_up_to(1.0), help="How likely a look misses a thing, in [0, 1].")
+    ] = None,
+    meddling: Annotated[
+        float, typer.Option(callback=number_up_to(60.0), help="Things somebody else moves in a minute, on average.")
+    ] = 0.0,
     output: Annotated[Path | None, typer.Option(help="A folder for rows.jsonl and summary.json.")] = None,
     format: FormatOption = Format.text,
     json: JsonOption = False,
@@ -56,6 +72,9 @@ def evaluate(
 
     if reading not in READINGS:
         raise InputError(f"--reading {reading}: expected one of {', '.join(READINGS)}")
+    setup = monte_carlo.Setup(
+        domain=domain_of(domain), noise=noise, grasp_slip=slips, missed_detection=misses, meddling=meddling
+    )
     if output is not None:
         report.prepare_output(output)
     examples = read_corpus(corpus, load_domain(domain_of(domain)).ontology)
@@ -63,9 +82,6 @@ def evaluate(
         read, examples = len(examples), monte_carlo.those_that_ground(examples, load_domain(domain_of(domain)))
         remark(f"{len(examples)} of {read} instructions ground in the house; the others are left out")
     examples = examples[:limit]
-    setup = monte_carlo.Setup(
-        domain=domain_of(domain), noise=noise, grasp_slip=slips, missed_detection=misses, meddling=meddling
-    )
     with _progress() as progress:
         rows = monte_carlo.evaluate_agents(
             examples,

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
+
+from decomplex_bt.errors import InputError
 
 
 class Format(StrEnum):
@@ -18,6 +21,26 @@ class Format(StrEnum):
 
 FormatOption = Annotated[Format, typer.Option("--format", "-f", help="How the result is printed.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="The same as --format json.")]
+
+
+def _check_jobs(jobs: int) -> int:
+    if jobs != -1 and jobs < 1:
+        raise InputError(f"--jobs {jobs}: expected at least one process, or -1 for one a core")
+    return jobs
+
+
+def number_up_to(highest: float) -> Callable[[typer.CallbackParam, float | None], float | None]:
+    """The callback of an option that takes a number from 0 to this one; its error names option and number."""
+
+    def check(option: typer.CallbackParam, value: float | None) -> float | None:
+        if value is not None and not 0.0 <= value <= highest:
+            raise InputError(f"--{option.name} {value:g}: expected a number from 0 to {highest:g}")
+        return value
+
+    return check
+
+
+JobsOption = Annotated[int, typer.Option("--jobs", "-j", callback=_check_jobs, help="Processes; -1: one a core.")]
 SeedOption = Annotated[int, typer.Option("--seed", "-s", min=0, help="Seed of all chance.")]
 DomainOption = Annotated[
     str, typer.Option("--domain", "-d", help="A domain by name, or the folder of one (a path with a slash in it).")

@@ -7,7 +7,16 @@ from typing import Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, SeedOption, chosen, domain_of
+from decomplex_bt.cli.options import (
+    DomainOption,
+    Format,
+    FormatOption,
+    JobsOption,
+    JsonOption,
+    SeedOption,
+    chosen,
+    domain_of,
+)
 from decomplex_bt.cli.output import print_json, remark, use_utf8
 from decomplex_bt.errors import InputError
 
@@ -26,7 +35,7 @@ def reproduce(
         str, typer.Option(help="random (80/20, the paper's), voice (whole voices out) or both.")
     ] = BOTH,
     seed: SeedOption = 0,
-    jobs: Annotated[int, typer.Option("--jobs", "-j", help="Processes; -1: one a core.")] = -1,
+    jobs: JobsOption = -1,
     plots: Annotated[Path | None, typer.Option(help="A folder for pictures; needs the extra `plots`.")] = None,
     corpus: Annotated[Path | None, typer.Option(help="A corpus folder. Default: the domain's own.")] = None,
     format: FormatOption = Format.text,
@@ -44,8 +53,6 @@ def reproduce(
 
     if protocol not in (*PROTOCOLS, BOTH):
         raise InputError(f"--protocol {protocol}: expected one of {', '.join((*PROTOCOLS, BOTH))}")
-    if jobs == 0:
-        raise InputError("--jobs 0: expected a number of processes, or -1 for one a core")
     if plots is not None:
         pictures.check_plots(plots)
     settings = experiment.Settings(

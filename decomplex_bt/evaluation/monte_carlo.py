@@ -35,6 +35,8 @@ CHUNK = 5
 Progress = Callable[[int, int], None]
 """Told after each episode how many of how many are done."""
 ReadingSource = Literal["own", "gold"]
+_HIGHEST = {"balance": 0.5, "max_seconds": float("inf"), "grasp_slip": 1.0, "missed_detection": 1.0, "meddling": 60.0}
+"""The highest value of each number of a `Setup`, as the reset options have it; the lowest is 0."""
 
 logger = logging.getLogger(__name__)
 
@@ -45,7 +47,8 @@ class Setup:
 
     `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
     `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
-    `meddling`: things that somebody else moves in a minute of simulated time, on average.
+    `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
+    Raises `InputError` for a number out of its range.
     """
 
     env_id: str = "decomplex_bt/Household-v0"
@@ -56,6 +59,12 @@ class Setup:
     grasp_slip: float | None = None
     missed_detection: float | None = None
     meddling: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, highest in _HIGHEST.items():
+            value = getattr(self, name)
+            if value is not None and not 0.0 <= value <= highest:
+                raise InputError(f"{name} is {value!r}; expected a number from 0 to {highest:g}")
 
     def options(self) -> dict[str, Any]:
         """The reset options that they come to."""
@@ -99,6 +108,7 @@ def evaluate(
     `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
     one a core; joblib's `parallel_config` chooses another backend. Raises `InputError` for options that make no sense.
     """
+    _check_jobs(jobs)
     setup = setup or Setup()
     planned = plan_episodes(
         examples, episodes=episodes, seed=seed, agent=agent, reading=reading, domain=load_domain(setup.domain)
@@ -118,6 +128,7 @@ def evaluate_agents(
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
     """As `evaluate` for several agents in the same worlds; `summary.tabulate` shows them beside each other."""
+    _check_jobs(jobs)
     setup = setup or Setup()
     domain = load_domain(setup.domain)
     planned = [
@@ -243,6 +254,11 @@ def _misreading(episode: Episode, setup: Setup) -> Blame | None:
 @lru_cache(maxsize=64)
 def _compared(reading: Instruction, gold: Instruction, setup: Setup) -> Blame | None:
     return blame_reading(reading, gold, load_domain(setup.domain))
+
+
+def _check_jobs(jobs: int) -> None:
+    if jobs != -1 and jobs < 1:
+        raise InputError(f"jobs is {jobs}; expected at least one process, or -1 for one a core")
 
 
 def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:

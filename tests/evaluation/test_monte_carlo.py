@@ -136,3 +136,14 @@ def test_environments_are_reached_through_gymnasium_alone():
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
             names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             assert not any(name.startswith("decomplex_bt.envs") for name in names), path.name
+
+
+@pytest.mark.parametrize(("option", "value"), [("grasp_slip", 3.0), ("missed_detection", float("nan")), ("meddling", -1)])
+def test_a_setup_refuses_what_no_reset_would_take(option: str, value: float):
+    with pytest.raises(InputError, match=f"{option} is {value}; expected a number from 0 to"):
+        Setup(**{option: value})
+
+
+def test_no_processes_are_refused_at_once():
+    with pytest.raises(InputError, match="jobs is 0; expected at least one"):
+        evaluate((), jobs=0)
