@@ -138,7 +138,10 @@ def test_environments_are_reached_through_gymnasium_alone():
             assert not any(name.startswith("decomplex_bt.envs") for name in names), path.name
 
 
-@pytest.mark.parametrize(("option", "value"), [("grasp_slip", 3.0), ("missed_detection", float("nan")), ("meddling", -1)])
+OUT_OF_RANGE = [("grasp_slip", 3.0), ("missed_detection", float("nan")), ("meddling", -1)]
+
+
+@pytest.mark.parametrize(("option", "value"), OUT_OF_RANGE)
 def test_a_setup_refuses_what_no_reset_would_take(option: str, value: float):
     with pytest.raises(InputError, match=f"{option} is {value}; expected a number from 0 to"):
         Setup(**{option: value})
