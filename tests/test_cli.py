@@ -265,3 +265,24 @@ def test_reader_that_stops_is_no_error() -> None:
     process.stdout.close()
     assert process.stderr.read() == b""
     assert process.wait(timeout=60) == 0
+
+
+def test_reader_of_a_parsed_file_that_stops_is_no_error(tmp_path: Path) -> None:
+    source = tmp_path / "lines.txt"
+    source.write_text("Turn on the tv.\n" * 400, encoding="utf-8")
+    command = [sys.executable, "-m", "decomplex_bt.cli", "parse", "--json", str(source)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert json.loads(process.stdout.readline())["text"] == "Turn on the tv."
+    process.stdout.close()
+    assert process.stderr.read() == b""
+    assert process.wait(timeout=60) == 0
+
+
+def test_standard_input_that_cannot_be_read_is_named(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "decomplex_bt.cli", "parse", "--json"]
+    with (tmp_path / "lines.txt").open("w") as written_only:
+        done = subprocess.run(command, stdin=written_only, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "<stdin>: cannot be read" in done.stderr

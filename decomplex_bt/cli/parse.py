@@ -79,12 +79,19 @@ class _Lines:
 
 
 def _raw_lines(stream: BinaryIO) -> Iterator[bytes]:
-    """Lines without their ends, each cut off where it is too long to be an instruction."""
-    while raw := stream.readline(LONGEST_LINE):
+    """Lines without their ends, each cut off where it is too long to be an instruction. Raises `InputError`."""
+    while raw := _read(stream, LONGEST_LINE):
         rest = raw
-        while not rest.endswith(b"\n") and (rest := stream.readline(1 << 16)):
+        while not rest.endswith(b"\n") and (rest := _read(stream, 1 << 16)):
             pass  # the rest of an endless line is read past, not kept
         yield raw.removesuffix(b"\n").removesuffix(b"\r")
+
+
+def _read(stream: BinaryIO, size: int) -> bytes:
+    try:
+        return stream.readline(size)
+    except OSError as error:
+        raise _unreadable(stream.name, error) from None
 
 
 def _decode(raw: bytes, *, is_first: bool) -> str:
@@ -106,10 +113,15 @@ def _open(source: str) -> Iterator[BinaryIO]:
         yield sys.stdin.buffer
         return
     try:
-        with Path(source).open("rb") as stream:
-            yield stream
+        stream = Path(source).open("rb")  # noqa: SIM115 - an error of whoever uses it is none of opening it
     except OSError as error:
-        raise InputError(f"{source}: cannot be read: {error.strerror}; give a file, or - for standard input") from None
+        raise _unreadable(source, error) from None
+    with stream:
+        yield stream
+
+
+def _unreadable(source: str, error: OSError) -> InputError:
+    return InputError(f"{source}: cannot be read: {error.strerror}; give a file, or - for standard input")
 
 
 def _print(instruction: Instruction, format: Format, alternatives: int | None, *, is_first: bool) -> None:
