@@ -192,3 +192,5 @@ def _task_lines(plan: TaskPlan, pad: str, word: str) -> Iterator[str]:
     note = f"   ; {plan.reason}" if plan.reason else ""
     yield f"{pad}{word}[{plan.task}] {plan.phrase} ({plan.type}){note}"
     yield from (f"{pad}  {step}" for step in plan.steps)
+    if not plan.steps and not plan.reason:
+        yield f"{pad}  ; already so, nothing to do"

@@ -52,3 +52,11 @@ def test_it_says_itself_as_text_and_json() -> None:
     value = made.to_json()
     assert value["plan"][0]["then"][0]["steps"][-1] == "(give coffee user)"
     assert list(value["plan"][0]) == ["if", "then", "if_not", "else"]
+
+
+def test_a_task_that_takes_no_step_says_why():
+    text = "[Go](1:motion) [to the kitchen](1:goal) and [go](2:motion) [to the kitchen](2:goal)."
+    assert str(plan(text, [1, 2])).splitlines()[-2:] == [
+        "[2] go to the kitchen (motion)",
+        "  ; already so, nothing to do",
+    ]
