@@ -48,9 +48,10 @@ class Home:
         A house is drawn until the request, where there is one, can be asked for in it. Raises `InputError`.
         """
         path, seed = read_house(options)
-        self.seed = self.seed if seed is None else seed
-        if path is not None or self.seed is not None or not self._residence.is_generated:
-            self.move((path, self.seed if path is None else None))
+        seed = self.seed if seed is None else seed
+        if path is not None or seed is not None or not self._residence.is_generated:
+            self.move((path, seed if path is None else None))
+            self.seed = seed
             return
         for _ in range(HOUSE_TRIES):
             self.move((None, int(rng.integers(2**31))))
@@ -61,11 +62,20 @@ class Home:
 
     def move(self, house: tuple[str | None, int | None]) -> None:
         """Moves into the house of a path or a seed. Raises `InputError` where it does not fit into `rows`, `bounds`."""
-        self.house = house
         domain = self._residence.domain(house[1], path=house[0])
         if domain is not self.domain:
             self._residence.check(setting_of(domain).geometry, self.rows, self.bounds)
             self._settle(domain)
+        self.house = house
+
+    @property
+    def address(self) -> tuple[Any, ...]:
+        """Which house it is now and which are to come; given back, all is as it was when it was read."""
+        return self.seed, self.house, self.domain, self.setting, self.stage
+
+    @address.setter
+    def address(self, address: tuple[Any, ...]) -> None:
+        self.seed, self.house, self.domain, self.setting, self.stage = address
 
     def _settle(self, domain: Domain) -> None:
         self.domain, self.setting = domain, setting_of(domain)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -89,6 +90,19 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
     `finish`. `truncated`: the time limit, 600 s of simulated time by default.
 
+    ## Arguments
+    Of `HouseholdEnv` and, after the id, of `gym.make`. They hold for all episodes; what is of one episode alone
+    (placement, noise, meddling, ...) is a reset option.
+
+    | argument | meaning |
+    |---|---|
+    | `instruction` | a text, an annotated `Instruction` or a corpus `Example`; without it each reset draws one |
+    | `gold` | the reading the judge goes by, for a text: an `Instruction` or `Example` |
+    | `domain` | a shipped domain's name, the path of a domain's folder, or a `Domain`; "household" |
+    | `house`, `size`, `house_seed` | which house, or which houses: see below |
+    | `config` | `HouseholdConfig`: `max_seconds`, `balance`, `reward`, what the robot can do, how it sees |
+    | `render_mode` | "rgb_array", "human", "ansi"; None: no pictures |
+
     ## Houses
     The default is the domain's house. `house=` (the path of a house file) makes an environment for another one;
     `size="small"`, `"medium"` or `"large"` one for generated houses of 2 to 4, 6 to 10 or 20 to 40 rooms (the ids
@@ -104,8 +118,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
     the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `grasp_slip`,
     `missed_detection`, `meddling`, `chance`, `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused.
-    Without an instruction each reset draws one from the corpus. A text without a gold reading is understood by the
-    interpreter, which is loaded then.
+    A reset that is refused leaves instruction, house and episode as they were. Without an instruction each reset draws
+    one from the corpus; in the world drawn for it, it may be infeasible (`info["feasible"]`). A text without a gold
+    reading is understood by the interpreter, which is loaded then.
 
     ## Info keys
     | key | meaning |
@@ -144,7 +159,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         house_seed: int | None = None,
         config: HouseholdConfig | None = None,
         render_mode: str | None = None,
+        **others: Any,
     ) -> None:
+        if others:
+            _refuse(others)
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             modes = ", ".join(self.metadata["render_modes"])
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
@@ -171,7 +189,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """Begins an episode; `instruction` is the option of that name.
 
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
-        are broken.
+        are broken; the instruction, the house and the episode are then those from before.
         """
         from decomplex_bt.envs.options import check_keys, read_options
 
@@ -179,8 +197,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             options = {**(options or {}), "instruction": instruction}
         check_keys(options)
         super().reset(seed=seed)
-        self._choose_house(options)
-        return self._begin(read_options(options, self.setting.geometry))
+        with self._unchanged_if_refused() as before:
+            self._choose_house(options)
+            return self._begin(read_options(options, self.setting.geometry), before)
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
@@ -300,6 +319,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         self._request, self._judge = read_request(value), None
 
+    @property
+    def request(self) -> Request | None:
+        """`instruction` with its gold reading, where it has one."""
+        return self._request
+
     # -- recording and replay -----------------------------------------------------------------------------------------
 
     def state_dict(self) -> dict[str, Any]:
@@ -312,10 +336,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         Raises `InputError` naming the step at which the replay departs from the recording.
         """
-        self._move_into(state["house"])
-        self.np_random.bit_generator.state = state["generator"]
-        self._judge = None
-        self._begin(state["options"], replayed=state["request"])
+        with self._unchanged_if_refused() as before:
+            self._home.move(state["house"])
+            self.np_random.bit_generator.state = state["generator"]
+            self._judge = None
+            self._begin(state["options"], before, replayed=state["request"])
         for forward, turn, interaction, target in state["actions"]:
             HouseholdEnv.step(self, {"drive": (forward, turn), "interact": interaction, "target": target})
         self._running.recording.check(state["checksums"])
@@ -358,21 +383,14 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
             request = read_request(options.get("instruction"), options.get("gold")) or request
         before = self.domain
-        try:
-            self._home.choose(options, request, self.np_random)
-        finally:
-            self._settle_in(before)
-
-    def _move_into(self, house: tuple[str | None, int | None]) -> None:
-        before = self.domain
-        self._home.move(house)
-        self._settle_in(before)
+        self._home.choose(options, request, self.np_random)
+        if self.domain is not before:
+            self._judge = None
 
     def _settle_in(self, before: Domain) -> None:
         """Where the house is another one than before: whoever has the map of the old one gets the new one."""
         if self.domain is before:
             return
-        self._judge = None
         if self._camera is not None:
             self._camera.close()
             self._camera = None
@@ -380,9 +398,22 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             if body is not None:
                 body.move_to(self.domain)
 
+    @contextmanager
+    def _unchanged_if_refused(self) -> Iterator[Domain]:
+        """Brings house and instruction back where an episode could not begin; the domain from before is its value."""
+        address, request, judge = self._home.address, self._request, self._judge
+        try:
+            yield self.domain
+        except Exception:
+            self._home.address, self._request, self._judge = address, request, judge
+            raise
+
     # -- an episode ---------------------------------------------------------------------------------------------------
 
-    def _begin(self, options: Options, replayed: Request | None = None) -> tuple[Observation, dict[str, Any]]:
+    def _begin(
+        self, options: Options, before: Domain, replayed: Request | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode in the house of now. Nothing of the last one is touched until all is known to be usable."""
         from decomplex_bt.envs.episode import Episode
         from decomplex_bt.envs.opening import draw_start
         from decomplex_bt.envs.recording import Recording
@@ -394,6 +425,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._request, self._judge = options.request, None
         request, judge = self._ask(replayed or self._request, asking)
         start = draw_start(self.setting, options, judge.tests, self.config.balance, base(), mixing())
+        self._settle_in(before)
         if self._episode is not None:
             self._episode.world.dismantle()
         recording = Recording(generator, request, options)
@@ -410,6 +442,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         if request is None:
             return draw_asked(self._home.base, self.domain, rng())
+        if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
+            return request, judge_for(request, self.domain)
         if self._judge is None:
             self._judge = judge_for(request, self.domain)
         return request, self._judge
@@ -448,3 +482,17 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.spaces import observation_space
 
         return observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
+
+
+def _refuse(arguments: Mapping[str, Any]) -> None:
+    """Raises `InputError` for arguments that are reset options, `TypeError` for any other."""
+    from decomplex_bt.envs.options import KEYS
+
+    unknown = [name for name in arguments if name not in KEYS]
+    if unknown:
+        raise TypeError(f"HouseholdEnv takes no argument {unknown[0]!r}; its docstring has those it takes")
+    given = ", ".join(f"{name!r}: {value!r}" for name, value in arguments.items())
+    raise InputError(
+        f"{', '.join(arguments)}: no argument of the environment but an option of each reset; "
+        f"call env.reset(options={{{given}}})"
+    )

@@ -36,6 +36,8 @@ class Residence:
 
         Raises `InputError` for a seed where houses are not generated.
         """
+        if seed is not None and self._size is None:
+            raise InputError("house_seed is given, and this environment generates no houses; make it with a size")
         path = path or self._path
         if path is not None:
             from decomplex_bt.envs.houses import domain_with_file
@@ -45,8 +47,6 @@ class Residence:
             from decomplex_bt.envs.houses import generated_domain
 
             return generated_domain(self._base, self._size, seed or 0)
-        if seed is not None:
-            raise InputError("house_seed is given, and this environment generates no houses; make it with a size")
         return self._base
 
     def extent(self, geometry: Geometry) -> tuple[int, Rect]:

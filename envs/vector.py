@@ -12,7 +12,10 @@ from decomplex_bt.errors import InputError
 
 
 class HouseholdVectorEnv(SyncVectorEnv):
-    """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was)."""
+    """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was).
+
+    Where it is refused, each keeps the instruction that it had.
+    """
 
     def reset(
         self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
@@ -20,13 +23,19 @@ class HouseholdVectorEnv(SyncVectorEnv):
         """As `SyncVectorEnv.reset`. Raises `InputError` where there are not as many instructions as environments."""
         options = dict(options or {})
         instructions = options.pop("instructions", None)
-        if instructions is not None:
-            if isinstance(instructions, str) or len(instructions) != self.num_envs:
-                raise InputError(f"instructions is {instructions!r}; expected a list of {self.num_envs}, one for each")
-            for env, instruction in zip(self.envs, instructions, strict=True):
+        if instructions is not None and (isinstance(instructions, str) or len(instructions) != self.num_envs):
+            raise InputError(f"instructions is {instructions!r}; expected a list of {self.num_envs}, one for each")
+        houses: list[Any] = [env.unwrapped for env in self.envs]
+        former = [house.request for house in houses]
+        try:
+            for house, instruction in zip(houses, instructions or [None] * self.num_envs, strict=True):
                 if instruction is not None:
-                    env.unwrapped.instruction = instruction  # type: ignore[attr-defined]
-        return super().reset(seed=seed, options=options)
+                    house.instruction = instruction
+            return super().reset(seed=seed, options=options)
+        except Exception:
+            for house, request in zip(houses, former, strict=True):
+                house.instruction = request
+            raise
 
 
 def make_household_vector(num_envs: int = 1, **arguments: Any) -> HouseholdVectorEnv:

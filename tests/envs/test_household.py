@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import pickle
+import re
 import subprocess
 import sys
 import warnings
@@ -176,6 +177,46 @@ def test_options_that_cannot_be_used_are_refused(options, says):
         HouseholdEnv(GO).reset(seed=0, options=options)
 
 
+@pytest.mark.parametrize(
+    "options",
+    [{"house_seed": 1}, {"instruction": "Sing."}, {"instruction": TV, "placement": {"pan": "tv"}}],
+    ids=str,
+)
+def test_a_refused_reset_changes_nothing(options):
+    env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
+    for each in (env, undisturbed):
+        each.reset(seed=0)
+    with pytest.raises(InputError):
+        env.reset(options=options)
+    assert env.instruction == GO.text
+    for mine, yours in zip(rollout(env, 20), rollout(undisturbed, 20), strict=True):
+        assert data_equivalence(mine, yours, exact=True)
+    assert data_equivalence(env.reset(seed=1), undisturbed.reset(seed=1), exact=True)
+    fresh = HouseholdEnv()
+    with pytest.raises(InputError):
+        fresh.reset(options=options)
+    assert fresh.instruction is None
+    fresh.reset(seed=1)
+
+
+def test_after_a_replay_the_judge_is_of_the_instruction_that_is_asked():
+    env, other = HouseholdEnv(GO), HouseholdEnv(TV)
+    other.reset(seed=0)
+    env.load_state_dict(other.state_dict())
+    assert data_equivalence(env.reset(seed=1)[1], HouseholdEnv(GO).reset(seed=1)[1], exact=True)
+
+
+@pytest.mark.parametrize("identity", [HOUSEHOLD, HOUSEHOLD_FLAT])
+@pytest.mark.parametrize(
+    "arguments", [{"noise": False}, {"placement": {"pan": None}}, {"meddling": 2, "balance": 0.1}], ids=str
+)
+def test_reset_options_are_no_arguments(identity, arguments):
+    with pytest.raises(InputError, match=re.escape(f"env.reset(options={arguments!r})")):
+        gym.make(identity, **arguments)
+    with pytest.raises(TypeError, match="'nonsense'"):
+        gym.make(identity, nonsense=1, **arguments)
+
+
 def test_options_set_what_they_name():
     env = HouseholdEnv(GO)
     placement = {"pan": "stove", "apple": None}
@@ -275,6 +316,10 @@ def test_vector_environments_take_an_instruction_each():
     envs.step(envs.action_space.sample())
     with pytest.raises(InputError, match="list of 2"):
         envs.reset(options={"instructions": [GO]})
+    for refused in ([TV, "Sing."], [TV, " "]):
+        with pytest.raises(InputError):
+            envs.reset(options={"instructions": refused})
+        assert list(envs.reset(seed=2)[1]["instruction"]) == [GO.text, TV.text]
     envs.close()
 
 

@@ -202,6 +202,27 @@ def test_houses_that_cannot_be_had_are_refused(options, says):
         HouseholdEnv(size="small").reset(seed=0, options=options)
 
 
+@pytest.mark.parametrize("options", [{"house_seed": 6, "balance": 7}, {"house": "nowhere.yaml"}], ids=str)
+def test_a_refused_reset_moves_nobody(options):
+    env = HouseholdEnv(go("kitchen"), size="small", house_seed=5)
+    body = env.embodiment()
+    observation, _ = env.reset(seed=0)
+    house = env.domain.house
+    with pytest.raises(InputError):
+        env.reset(options=options)
+    assert env.domain.house is house
+    assert body.house is house
+    assert np.array_equal(env.reset(seed=0)[0]["entities"], observation["entities"])
+    assert env.domain.house is house
+
+
+def test_a_house_from_a_file_has_no_seed():
+    env = HouseholdEnv(go("kitchen"), house=DOMAIN.folder / "house.yaml")
+    with pytest.raises(InputError, match="generates no houses"):
+        env.reset(seed=0, options={"house_seed": 1})
+    env.reset(seed=0)
+
+
 def test_the_default_house_has_no_seed():
     with pytest.raises(InputError, match="generates no houses"):
         HouseholdEnv().reset(seed=0, options={"house_seed": 1})
