@@ -6,6 +6,7 @@ import io
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -93,6 +94,25 @@ def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None
     assert "(switch-off tv)" in capsys.readouterr().out
     assert main(["plan", text, "--json"]) == 0
     assert "(switch-off tv)" in json.dumps(json.loads(capsys.readouterr().out))
+
+
+@pytest.mark.parametrize("command", ["plan", "tree", "run"])
+@pytest.mark.parametrize("options", [[], ["--json"]], ids=["text", "json"])
+def test_what_the_reading_warns_of_reaches_the_user(
+    command: str, options: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+    interpret = Interpreter.interpret
+    monkeypatch.setattr(
+        Interpreter, "interpret", lambda self, text: replace(interpret(self, text), warnings=("not so sure",))
+    )
+    main([command, "Go to the kitchen.", *options])
+    out, err = capsys.readouterr()
+    assert err == "warning: not so sure\n"
+    assert "warning: " not in out
+    if options and command != "run":
+        assert json.loads(out)["warnings"] == ["not so sure"]
 
 
 def test_run_prints_one_object(capsys: pytest.CaptureFixture[str]) -> None:

@@ -68,8 +68,6 @@ class PlainLines:
         print(_indented(str(instruction).splitlines()))
         print("\nbehaviour tree:")
         print(_indented(to_text(episode.agent.tree.root).splitlines()))
-        for warning in instruction.warnings:
-            print(f"\nwarning: {warning}")
         print(f"\nworld {episode.seed}:", flush=True)
 
     def show(self, episode: Episode, moment: Moment) -> None:
@@ -103,8 +101,6 @@ class LiveDisplay:
         instruction = episode.reading.instruction
         self._console.print(Panel(Text(instruction.text, style="bold"), title="instruction", title_align="left"))
         self._console.print(Panel(Text(str(instruction)), title="control flow", title_align="left"))
-        for warning in instruction.warnings:
-            self._console.print(Text(f"warning: {warning}", style="yellow"))
         self._live.start()
         self._started = time.monotonic()
 

@@ -33,7 +33,7 @@ def plan(
     reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)
     conditional = plan_conditionally(reading.grounded, PyperplanPlanner(), world=AssumedWorld.likely(reading.domain))
     if is_json:
-        print_json(conditional.to_json())
+        print_json({**conditional.to_json(), "warnings": list(reading.instruction.warnings)})
     else:
         print(conditional)
     return 0

@@ -28,7 +28,8 @@ class Reading:
 
 def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | None = None) -> Reading:
     """Understands and grounds a text. `may_ask`: what is missing is asked for on the terminal, and what was meant where
-    the control flow is less certain than `threshold` (0 to 1; None: `doubt.THRESHOLD`).
+    the control flow is less certain than `threshold` (0 to 1; None: `doubt.THRESHOLD`). What the reading warns of goes
+    to standard error.
 
     Raises `InputError` for text without a known task, unknown words, impossible goals and unanswered questions.
     """
@@ -54,6 +55,8 @@ def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | Non
         return answer
 
     grounded = ground(instruction, loaded, ask=ask if may_ask else None)
+    for warning in instruction.warnings:
+        remark(f"warning: {warning}")
     return Reading(loaded, _completed(instruction, answers), grounded)
 
 

@@ -40,7 +40,7 @@ def tree(
     reading = read(text, domain_of(domain), may_ask=wanted is not TreeFormat.json, threshold=threshold)
     root = compile_instruction(reading.instruction, reading.grounded, reading.domain).root
     if wanted is TreeFormat.json:
-        print_json(export.to_json(root))
+        print_json({**export.to_json(root), "warnings": list(reading.instruction.warnings)})
     elif wanted is TreeFormat.dot:
         print(export.to_dot(root), end="")
     elif wanted is TreeFormat.xml:
