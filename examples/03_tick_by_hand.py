@@ -5,13 +5,13 @@ Output:
     → If the tv is on, turn it off. Then tell me.
       ? if the tv is on
         · if: check that the tv is on
-        · then: make the tv off
+        · then: turn the tv off
       · tell me
     check that the tv is on: (move hallway_floor living_room_doorway hallway) (1 of 4): checking the tv
     check that the tv is on: (pass living_room_doorway hallway living_room) (2 of 4): checking the tv
     check that the tv is on: (move living_room_doorway tv living_room) (3 of 4): checking the tv
-    make the tv off: (move living_room_floor tv living_room) (1 of 2): turn the tv off
-    make the tv off: (switch-off tv) (2 of 2): turn the tv off
+    turn the tv off: (move living_room_floor tv living_room) (1 of 2): turn the tv off
+    turn the tv off: (switch-off tv) (2 of 2): turn the tv off
     tell me: (say user) (1 of 1): tell me
     tv: off
     the remote is believed at: couch

@@ -12,6 +12,8 @@ _LEADS = {"goal": "to", "source": "from", "location": "in", "recipient": "to"}
 """What is put before an argument that has no preposition of its own (referents have none)."""
 _CONDITIONS = (("check that ", "if "), ("look for ", "if I can find "))
 """How a task's sentence starts, and how it starts as a condition; any other: "if I can ..."."""
+_SWITCHED = {"on", "off"}
+"""States that a thing is turned to, not made ("turn the tv off")."""
 
 
 def say_task(
@@ -33,9 +35,14 @@ def say_task(
         found = values.pop(match[1], [])
         if not found and words[-1:] == ["for"]:
             words.pop()  # "look [for {object}] in the drawer"
-        words += [_lead(match[1], value, words, prepositions) for value in found]
+        if match[1] == "recipient" and len(words) == 1:
+            words += [_bare(value) for value in found]  # right behind the verb: "tell me", "tell Anna"
+            continue
+        if match[1] == "state" and words[0] == "make" and set(found) & _SWITCHED:
+            words[0] = "turn"
+        words += [_lead(match[1], value, prepositions) for value in found]
     for kind, rest in values.items():
-        words += [_lead(kind, value, words, prepositions) for value in rest]
+        words += [_lead(kind, value, prepositions) for value in rest]
     if words[-1] == "is":
         words.append("there")
     return " ".join(words)
@@ -49,12 +56,14 @@ def say_condition(sentence: str) -> str:
     return f"if I can {sentence}"
 
 
-def _lead(kind: str, value: str, before: Sequence[str], prepositions: Sequence[str]) -> str:
+def _bare(recipient: str) -> str:
+    first, _, rest = recipient.partition(" ")
+    return rest if first.lower() == "to" and rest else recipient
+
+
+def _lead(kind: str, value: str, prepositions: Sequence[str]) -> str:
     """The value with a preposition where it needs one here."""
-    first, _, rest = value.partition(" ")
-    if kind == "recipient" and len(before) == 1:
-        # right behind the verb: "tell me", "tell Anna"
-        return rest if first.lower() == "to" and rest else value
+    first = value.partition(" ")[0]
     known = {*prepositions, *_LEADS.values(), "on", "at", "into", "onto", "with", "next", "under", "behind", "inside"}
     if kind not in _LEADS or first.lower() in known:
         return value

@@ -78,10 +78,13 @@ def task(kind, **arguments):
         (task("searching", location="the desk"), None, "look in the desk"),
         (task("bringing", object="it", recipient="me"), None, "bring it to me"),
         (task("informing", recipient="to Anna", message="that I am late"), None, "tell Anna that I am late"),
-        (task("change_state", object="the tv"), "off", "make the tv off"),
+        (task("change_state", object="the tv"), "off", "turn the tv off"),
+        (task("change_state", object="the soup"), "hot", "make the soup hot"),
         (task("check_state", object="the coffee", state="hot"), None, "check that the coffee is hot"),
         (task("check_state", object="milk", location="in the fridge"), None, "check that milk is in the fridge"),
         (task("check_state", object="Anna"), None, "check that Anna is there"),
+        (task("motion", recipient="me"), None, "go to me"),
+        (task("motion", recipient="to me"), None, "go to me"),
         (task("motion", goal="the kitchen", manner="slowly"), None, "go to the kitchen slowly"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",
@@ -93,4 +96,4 @@ def test_names_are_sentences(task, state, sentence):
 def test_conditions_are_sentences():
     assert say_condition("check that the coffee is hot") == "if the coffee is hot"
     assert say_condition("look for a pen in the drawer") == "if I can find a pen in the drawer"
-    assert say_condition("make the tv on") == "if I can make the tv on"
+    assert say_condition("turn the tv on") == "if I can turn the tv on"
