@@ -59,5 +59,5 @@ class MissingArgumentError(InputError):
         self.missing = missing
         super().__init__(
             f"task {missing.task} lacks its {missing.argument}: {missing.question} "
-            "Say it in the instruction, or give an `ask` function that answers."
+            "Say it in the instruction, or answer on a terminal (in Python: through `ask`)."
         )

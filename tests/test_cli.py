@@ -215,6 +215,21 @@ def test_unanswered_question_is_named(capsys: pytest.CaptureFixture[str]) -> Non
     assert "?" in capsys.readouterr().err
 
 
+WORDED = {
+    "question": (["plan", "Place the cup."], "or answer on a terminal"),
+    "domain": (["plan", "Go to the kitchen.", "--domain", "ship"], "a folder, written with a slash as in ./ship"),
+    "format": (["tree", "Go to the kitchen.", "--format", "svg"], "'--format' / '-f': 'svg' is not one of 'text'"),
+}
+
+
+@pytest.mark.parametrize(("arguments", "words"), WORDED.values(), ids=WORDED.keys())
+def test_errors_speak_of_the_command_line(arguments: list[str], words: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(arguments) == 2
+    error = capsys.readouterr().err
+    assert words in error
+    assert "Value error" not in error
+
+
 def test_corpus_check_names_file_line_and_example(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     good = '- {id: one, text: "[Go](1:motion) [home](1:goal).", flow: [1]}\n'
     broken = '- {id: two, text: "[Go](2:motion).", flow: [1]}\n'

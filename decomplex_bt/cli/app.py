@@ -68,7 +68,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         if type(error).__name__ == _NoArguments:
             print(error.format_message(), file=sys.stderr)
         else:
-            _complain(f"{error.format_message()} (see decomplex-bt --help)")
+            # "Value error, " is how the checks that typer leaves to pydantic begin; it tells the user nothing
+            _complain(f"{error.format_message().replace(': Value error, ', ': ', 1)} (see decomplex-bt --help)")
         return BAD_INPUT
     except DecomplexError as error:
         _complain(str(error))

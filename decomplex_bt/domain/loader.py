@@ -85,7 +85,10 @@ def load_domain(domain: str | Path = "household") -> Domain:
     folder = shipped / domain
     if not (folder / "ontology.yaml").is_file():
         known = sorted(path.parent.name for path in shipped.glob("*/ontology.yaml"))
-        raise InputError(f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder as a Path")
+        raise InputError(
+            f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder, written with a slash "
+            f"as in ./{Path(domain).name} (in Python: a Path)"
+        )
     return _load(folder.resolve())
 
 
