@@ -275,6 +275,20 @@ def test_evaluate_writes_rows_and_summary(tmp_path: Path, capsys: pytest.Capture
     assert "oracle" in capsys.readouterr().err
 
 
+def test_evaluate_tells_the_way_from_a_text_to_a_corpus(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text, parsed, made = (tmp_path / f"x.{suffix}" for suffix in ("txt", "jsonl", "yaml"))
+    convert = f"decomplex-bt corpus convert --from jsonl --to yaml {parsed} {made}"
+    text.write_text("Turn on the tv.\nGo to the kitchen.\n", encoding="utf-8")
+    assert main(["evaluate", str(text)]) == 2
+    assert capsys.readouterr().err.endswith(f": decomplex-bt parse --json {text} > {parsed}; {convert}\n")
+    assert main(["parse", "--json", str(text)]) == 0
+    parsed.write_text(capsys.readouterr().out, encoding="utf-8")
+    assert main(["evaluate", str(parsed)]) == 2
+    assert capsys.readouterr().err.endswith(f": {convert}\n")
+    assert main(convert.split()[1:]) == 0
+    assert main(["evaluate", str(made), "--episodes", "1", "--agent", "idle"]) == 0
+
+
 def test_help_loads_nothing_heavy() -> None:
     code = (
         "import sys; from decomplex_bt.cli import main; main(['--help']); "

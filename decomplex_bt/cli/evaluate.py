@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -22,7 +23,7 @@ from decomplex_bt.cli.options import (
     number_up_to,
 )
 from decomplex_bt.cli.output import print_json, remark, use_utf8
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import DataFileError, InputError
 
 if TYPE_CHECKING:
     from decomplex_bt.evaluation.monte_carlo import Progress
@@ -77,7 +78,10 @@ def evaluate(
     )
     if output is not None:
         report.prepare_output(output)
-    examples = read_corpus(corpus, load_domain(domain_of(domain)).ontology)
+    try:
+        examples = read_corpus(corpus, load_domain(domain_of(domain)).ontology)
+    except DataFileError as error:
+        raise InputError(f"{error}{_way_to_a_corpus(corpus)}") from None
     if grounded:
         read, examples = len(examples), monte_carlo.those_that_ground(examples, load_domain(domain_of(domain)))
         remark(f"{len(examples)} of {read} instructions ground in the house; the others are left out")
@@ -110,6 +114,19 @@ def evaluate(
         _print(summarise(rows))
         _print_failures(rows)
     return 0
+
+
+def _way_to_a_corpus(path: Path) -> str:
+    """The commands that make a corpus of a file that is none: of instructions, one a line, or of what `parse` prints of
+    them; "" where there is no such file, or where it is meant to be a corpus."""
+    if path.suffix in (".yaml", ".yml") or not path.is_file():
+        return ""
+    with path.open("rb") as stream:
+        is_parsed = stream.read(1) == b"{"
+    parsed, made = (path if is_parsed else path.with_suffix(".jsonl")), path.with_suffix(".yaml")
+    commands = [] if is_parsed else [f"decomplex-bt parse --json {quote(str(path))} > {quote(str(parsed))}"]
+    commands.append(f"decomplex-bt corpus convert --from jsonl --to yaml {quote(str(parsed))} {quote(str(made))}")
+    return f"; a corpus is annotated; to make one of this, by our own reading: {'; '.join(commands)}"
 
 
 def _print(summaries: Sequence[Summary]) -> None:
