@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.instruction import Missing, Task
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.prohibitions import forbidden
 
 NO_TASK = "no task that this robot knows was found in the text"
 
@@ -20,7 +21,7 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], domain: Domain)
     """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults)."""
     for task in tasks:
         task_type = domain.ontology.task_types[task.type]
-        given = {argument.type for argument in task.arguments}
+        given = {argument.type for argument in task.arguments if not argument.is_open}
         if task.type == "bringing":
             given.add("recipient")
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
@@ -35,36 +36,22 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     document = observed.document
     if not tasks:
         yield NO_TASK
-        return
+    for verb in forbidden(observed):
+        marks = (i for i in range(verb + 1, len(document)) if document.tokens[i].text in _END)
+        end = min(next(marks, len(document)), verb + 5)
+        yield f"{document.span(verb, end - 1).of(document.text)!r} is forbidden: a prohibition is not watched"
     starts = {task.span.start for task in tasks}
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)
         if word == "every time" and not (i + 1 < len(document) and document.tokens[i + 1].lower == "time"):
             word = None
-        if word is not None and word not in said and token.start not in starts:
+        if tasks and word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
-        if _forbids(observed, i) and not any(
-            document.tokens[j].start in starts for j in range(i + 1, min(i + 5, len(document)))
-        ):
-            yield f"{document.span(i, min(i + 3, len(document) - 1)).of(document.text)!r}: a prohibition is not watched"
 
 
-def _forbids(observed: Observed, i: int) -> bool:
-    """Whether a prohibition ("don't", "do not", "never" with a bare verb) starts at token `i`, at the start of a
-    clause."""
-    tokens = observed.document.tokens
-    at_start = (
-        i == 0
-        or tokens[i - 1].text in (",", ".", ";", "!", "?", "-", "—")
-        or tokens[i - 1].lower in ("and", "but", "please", "just", "so")
-    )
-    if not at_start:
-        return False
-    if tokens[i].lower == "never":
-        return True
-    return tokens[i].lower == "do" and i + 1 < len(tokens) and tokens[i + 1].lower in ("n't", "not", "nt", "n’t")
+_END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—"))
 
 
 def _says_state(observed: Observed, task: Task) -> bool:

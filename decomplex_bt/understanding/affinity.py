@@ -148,6 +148,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     document = context.observed.document
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in context.pool:
+        if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
+            continue
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
@@ -178,6 +180,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     return options
 
 
+_ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
+"""Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _TOGETHER = frozenset("both them they those these either".split())
 
 

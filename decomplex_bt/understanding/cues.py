@@ -22,7 +22,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "unless": ("unless", "except if", "except when", "if not already", "but not if", "not if", "but not when", "save if", "save where", "save when", "except where", "except in case", "other than if"),
         "whether": ("whether", "whether or not"),
         "depending": ("depending on", "depending", "depends on"),
-        "when": ("when", "whenever", "the moment", "the minute", "every time", "the second", "the instant", "where", "wherever"),
+        "when": ("when", "whenever", "the moment", "the minute", "every time", "the instant"),
         # stands for a whole condition, without a verb that is a task
         "so": (
             "if so", "if yes", "if yeah", "if that is the case", "in that case", "in which case", "if true", "if possible", "if you can",

@@ -23,6 +23,7 @@ from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, F
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
+from decomplex_bt.understanding.prohibitions import forbidden
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
@@ -110,9 +111,20 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
     """All readings of a document, that of the likeliest tasks first, of each set of tasks the likeliest flow first."""
     return tuple(
         reading
-        for found in stages.tasks.alternatives(observed)
+        for found in _without(forbidden(observed), stages.tasks.alternatives(observed))
         for reading in _read(observed, found, stages, ontology)
     )
+
+
+def _without(tokens: Sequence[int], alternatives: Sequence[FoundTasks]) -> Iterator[FoundTasks]:
+    """The task sets without these tokens; each set once, the likelier one."""
+    seen: set[tuple[tuple[int, str], ...]] = set()
+    for found in alternatives:
+        tasks = tuple(task for task in found.tasks if task.token not in tokens)
+        key = tuple((task.token, task.type) for task in tasks)
+        if key not in seen:
+            seen.add(key)
+            yield FoundTasks(tasks, found.probability)
 
 
 def train_readings(path: Path, choices: Sequence[tuple[Sequence[Reading], int]]) -> None:

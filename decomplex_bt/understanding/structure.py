@@ -129,7 +129,7 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
             item[f"others.{label}.ahead"] = any(label in clauses[j].wording.orders for j in ahead)
             item[f"others.{label}.behind"] = any(label in clauses[j].wording.orders for j in behind)
         for name in ("near", "far", "behind"):
-            for cue in _ORDER_CUES.intersection(getattr(clause, name)):
+            for cue in sorted(_ORDER_CUES.intersection(getattr(clause, name))):
                 item[f"{name}.{cue}"] = 1.0
                 item[f"{name}.{cue}.first"] = str(k == 0)
                 item[f"{name}.{cue}.tag"] = document.tokens[clause.task.token].tag
@@ -137,7 +137,7 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
             if 0 <= k + offset < len(clauses):
                 other = clauses[k + offset]
                 for name in ("near", "far", "behind"):
-                    for cue in _ORDER_CUES.intersection(getattr(other, name)):
+                    for cue in sorted(_ORDER_CUES.intersection(getattr(other, name))):
                         item[f"{offset:+d}.{name}.{cue}"] = 1.0
                 item[f"{offset:+d}.same_sentence"] = str(other.sentence == clause.sentence)
                 item[f"{offset:+d}.same_parent"] = str(attachments[k + offset] == attachments[k])
@@ -225,7 +225,7 @@ def _neighbour_features(observed: Observed, clauses: Sequence[Clause], k: int, o
         f"{mark}.question": observed.question[other.task.token],
     }
     for name in ("near", "far", "behind"):
-        for cue in STRONG.intersection(getattr(other, name)):
+        for cue in sorted(STRONG.intersection(getattr(other, name))):
             item[f"{mark}.{name}.{cue}"] = 1.0
     if offset == 1:
         item["+1.far.first"] = next(

@@ -1,5 +1,9 @@
 """Training is reproducible, leaves the test voices alone and writes all or nothing."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
@@ -48,3 +52,35 @@ def test_the_shipped_models_are_small_and_know_what_they_were_made_from():
     assert sum(file.stat().st_size for file in (folder / "models").iterdir()) < 5_000_000
     assert manifest.domain == "household"
     assert set(manifest.libraries) >= {"spacy", "python-crfsuite"}
+
+
+def test_the_flow_models_do_not_depend_on_the_hash_seed():
+    program = """
+import hashlib, sys, tempfile
+from pathlib import Path
+from decomplex_bt.corpus import read_corpus
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.understanding.dependencies import train_flow
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.training import observe
+
+domain = load_domain("household")
+examples = read_corpus(domain.folder / "corpus" / "walt.yaml", domain.ontology)[:40]
+data = observe([e.instruction for e in examples], Parser(), Gazetteer.of(domain.lexicon, domain.kinds))
+with tempfile.TemporaryDirectory() as folder:
+    train_flow(Path(folder), data)
+    for file in sorted(Path(folder).iterdir()):
+        print(file.name, hashlib.sha256(file.read_bytes()).hexdigest())
+"""
+    printed = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "1")
+    }
+    assert len(printed) == 1
