@@ -211,7 +211,7 @@ def test_unknown_thing_names_the_nearest_known(capsys: pytest.CaptureFixture[str
 
 
 def test_unanswered_question_is_named(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", "Put down."]) == 2
+    assert main(["run", "Bring me."]) == 2
     assert "?" in capsys.readouterr().err
 
 
