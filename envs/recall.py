@@ -67,6 +67,7 @@ class Recall:
             known.question = question
             known = known.following.setdefault(answer, _Known())
         known.monitor = monitor
+        inquiry.answers.clear()  # they are in the tree now
         return known
 
 

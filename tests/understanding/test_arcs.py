@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from decomplex_bt.corpus import read_corpus
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, arcs_of, flow_of
+from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, arcs_of, branch_orders, flow_of
 
 PLAIN = Wording()
 NEGATED = Wording(is_negated=True)
@@ -89,3 +89,13 @@ _ARCS = st.lists(
 def test_any_arcs_give_a_valid_flow_with_every_task_once(labelled):
     flow = flow_of([arc for arc, _ in labelled], [wording for _, wording in labelled])
     assert Flow.from_json(flow.to_json(), task_count=len(labelled)) == flow
+
+
+def test_who_says_first_in_a_branch_moves_its_condition() -> None:
+    """Fetch the cup; if it is dirty, wash it first."""
+    wordings = [PLAIN, PLAIN, Wording(orders=("first", "before"))]
+    assert branch_orders(["task", "condition", "task"], ["top", "top", "<1+"], wordings, 1) == ("first", "before")
+    assert branch_orders(["task", "condition", "task"], ["top", "top", "top"], wordings, 1) == ()
+    arcs = arcs_of(Flow.from_json([{"if": 2, "then": [3]}, 1]), wordings)
+    assert arcs is not None
+    assert [arc.order for arc in arcs] == ["keep", "before", "keep"]

@@ -87,5 +87,5 @@ def train_share(
         chances = [log_softmax(plain + share * added)[right] for plain, added, right in tables]
         return -sum(float(np.logaddexp.reduce(fitting)) for fitting in chances)
 
-    share = float(minimize_scalar(loss, bounds=(0, LARGEST_SHARE), method="bounded").x)
+    share = float(minimize_scalar(loss, bounds=(0, LARGEST_SHARE), method="bounded").x) if tables else 0.0
     (folder / SHARE_FILE).write_text(json.dumps({"references": round(share, 4)}) + "\n", encoding="utf-8")
