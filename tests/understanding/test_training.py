@@ -49,7 +49,7 @@ def test_nothing_is_written_where_the_corpus_is_broken(small_corpus, tmp_path):
 def test_the_shipped_models_are_small_and_know_what_they_were_made_from():
     folder = load_domain("household").folder
     manifest = read_manifest(folder / "models")
-    assert sum(file.stat().st_size for file in (folder / "models").iterdir()) < 5_000_000
+    assert sum(file.stat().st_size for file in (folder / "models").iterdir()) < 10_000_000
     assert manifest.domain == "household"
     assert set(manifest.libraries) >= {"spacy", "python-crfsuite"}
 
