@@ -93,7 +93,7 @@ class Split:
 
 
 class KnownDocuments(Parser):
-    """A parser that remembers: texts that were parsed before cost nothing, and the language model is loaded only for
+    """A parser that remembers: the texts handed in cost nothing, and the language model is loaded only for
     others (the copies with fillers, which are drawn for each training anew)."""
 
     def __init__(self, documents: dict[str, Document], model_name: str) -> None:
