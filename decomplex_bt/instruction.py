@@ -32,14 +32,6 @@ class Argument:
     span: Span | None = None
     confidence: float = 1.0
 
-    @property
-    def is_open(self) -> bool:
-        """Whether its words mean something else, and nothing in the instruction says what: "put it on the table"."""
-        return self.value.lower() in _OPEN
-
-
-_OPEN = frozenset("it them they 'em em this that these those".split())
-
 
 @dataclass(frozen=True, slots=True)
 class Task:

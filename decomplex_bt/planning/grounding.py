@@ -184,8 +184,8 @@ class _Grounder:
     def _complete(self, task: Task, has_state: bool) -> Task:
         """The task with its missing arguments asked for. Raises `MissingArgumentError` where there is no answer."""
         task_type = self.domain.ontology.task_types[task.type]
-        required = {name for group in task_type.required for name in group}
-        task = replace(task, arguments=tuple(a for a in task.arguments if not (a.is_open and a.type in required)))
+        missing = {m.argument for m in self.instruction.missing if m.task == task.id}
+        task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in missing))
         given = {argument.type for argument in task.arguments}
         if task.type in ("bringing", "informing"):
             given.add("recipient")

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.instruction import Missing, Task
+from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gaps import gap_of
 from decomplex_bt.understanding.prohibitions import forbidden
 
 NO_TASK = "no task that this robot knows was found in the text"
@@ -21,7 +22,7 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], domain: Domain)
     """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults)."""
     for task in tasks:
         task_type = domain.ontology.task_types[task.type]
-        given = {argument.type for argument in task.arguments if not argument.is_open}
+        given = {argument.type for argument in task.arguments if not _is_open(observed, task, argument)}
         if task.type == "bringing":
             given.add("recipient")
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
@@ -31,22 +32,30 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], domain: Domain)
                 yield Missing(task.id, group[0], task_type.questions[group[0]])
 
 
+def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
+    """Whether its words mean something else, and nothing in the instruction says what: "put it on the table"."""
+    if argument.span is None or argument.value != argument.span.of(observed.document.text):
+        return False
+    return gap_of(observed.document, task, argument) is not None
+
+
 def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     """One line each: no task found, a prohibition that is not watched, repetition that is read as once."""
     document = observed.document
-    if not tasks:
-        yield NO_TASK
     for verb in forbidden(observed):
         marks = (i for i in range(verb + 1, len(document)) if document.tokens[i].text in _END)
         end = min(next(marks, len(document)), verb + 5)
         yield f"{document.span(verb, end - 1).of(document.text)!r} is forbidden: a prohibition is not watched"
+    if not tasks:
+        yield NO_TASK
+        return
     starts = {task.span.start for task in tasks}
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)
         if word == "every time" and not (i + 1 < len(document) and document.tokens[i + 1].lower == "time"):
             word = None
-        if tasks and word is not None and word not in said and token.start not in starts:
+        if word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
 

@@ -201,8 +201,7 @@ def _features(
     word = gap.word or f"unsaid.{gap.type}.{gap.task.type}"
     group = _GROUPS.get(gap.word, word)
     place = f"{side}{min(rank, 4)}"
-    anchor = candidate.tokens.start if candidate.mention else candidate.head
-    sentences = max(-1, min(3, document.sentences[gap.position] - document.sentences[anchor]))
+    sentences = max(-1, min(3, document.sentences[gap.position] - document.sentences[candidate.anchor]))
     number = "plural" if head.tag in ("NNS", "NNPS") else "list" if candidate.shape in ("list", "pair") else "one"
     if number == "one" and any(document.tokens[i].lower == "and" for i in candidate.tokens):
         number = "list"
@@ -210,7 +209,7 @@ def _features(
     relation = context.relation(candidate.owner, gap.task.id)
     delta = str(max(-2, min(3, gap.task.id - candidate.owner))) if candidate.owner else "none"
     mention = _GROUPS.get(candidate.mention, candidate.mention)
-    role = document.tokens[anchor].dep
+    role = document.tokens[candidate.anchor].dep
     gap_role = document.tokens[gap.tokens.stop - 1].dep if gap.tokens else "unsaid"
     verb = context.lemmas[gap.task.id]
     text = candidate.text.lower()

@@ -13,9 +13,11 @@ from pathlib import Path
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc, arcs_of, flow_of
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc
 from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of
+from decomplex_bt.understanding.construction import flow_of
 from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
+from decomplex_bt.understanding.derivation import arcs_of
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import (
     Chain,

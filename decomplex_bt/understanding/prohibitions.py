@@ -23,12 +23,15 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     """
     document = observed.document
     tokens = document.tokens
+    negations = [i for i, token in enumerate(tokens) if token.lower in _NEGATIONS]
+    if not negations:
+        return ()
     conditional = {document.sentences[cue.first] for cue in observed.cues if cue.name in _CONDITIONAL}
     found = []
-    for i, token in enumerate(tokens):
-        if token.lower not in _NEGATIONS or document.sentences[i] in conditional or observed.question[i]:
+    for i in negations:
+        if document.sentences[i] in conditional or observed.question[i]:
             continue
-        if token.lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
+        if tokens[i].lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
             continue
         verb = i + 1
         while verb < len(tokens) and (tokens[verb].tag == "RB" or tokens[verb].lower in _BETWEEN):

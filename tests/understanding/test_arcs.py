@@ -6,7 +6,9 @@ from hypothesis import strategies as st
 
 from decomplex_bt.corpus import read_corpus
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, arcs_of, branch_orders, flow_of
+from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, branch_orders
+from decomplex_bt.understanding.construction import flow_of
+from decomplex_bt.understanding.derivation import arcs_of
 
 PLAIN = Wording()
 NEGATED = Wording(is_negated=True)

@@ -46,7 +46,7 @@ class EncoderReferences:
         types = [self._types.index(tasks.get(i, "O")) for i in range(len(observed.document))]
         heads = self._model.heads
         typed = heads.typed(self._model.vectors(observed.document), types)
-        found = log_softmax(heads.references(typed, gap.position, anchors, sorted(tasks)))
+        found = heads.references(typed, gap.position, anchors, sorted(tasks))
         of_anchor = dict(zip(anchors, (self._share * (found - found.max())).tolist(), strict=True))
         return [of_anchor[o.candidate.anchor] if o.candidate is not None else 0.0 for o in options]
 

@@ -1,0 +1,197 @@
+"""The derivation of arcs from an annotated control flow: what training learns from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+from decomplex_bt.flow import Do, Flow, If, Node
+from decomplex_bt.understanding.arcs import (
+    CONDITION_ROLES,
+    ORDERS,
+    TOP,
+    Arc,
+    Wording,
+    branch_orders,
+    flip_of,
+    is_flipped,
+    other_side,
+    side_of,
+)
+from decomplex_bt.understanding.construction import Builder, flow_of
+
+
+def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
+    """The arcs that say this flow, or None where no arcs can (the inverse of `flow_of`)."""
+    plain = _arcs_in_text_order(flow, wordings)
+    if plain is None:
+        return None
+    for start in (*_with_joins(plain, wordings), plain):
+        for arcs in _with_orders(_counting_joints_once(start), wordings):
+            if flow_of(arcs, wordings) == flow:
+                return arcs
+    return None
+
+
+def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
+    count = len(wordings)
+    arcs = [Arc() for _ in range(count)]
+    group_of: dict[int, int] = {}
+    again: list[tuple[int, int]] = []
+    for node, _ in flow.walk():
+        if isinstance(node, If):
+            for number in node.tasks:
+                group_of[number - 1] = node.task - 1
+        elif not node.is_repeat:
+            again += [(number - 1, node.task - 1) for number in node.tasks[1:]]
+    joins = dict(_joins(flow, wordings))
+    # "if A or B, X": in the tree X is a child of A, in the text it follows B
+    alternatives = {
+        (parent[0], other_side(parent[1])): node.task - 1
+        for node, parent in _with_parents(flow.nodes, None)
+        if parent is not None and joins.get(node.task - 1) == "or"
+    }
+    for i, first in group_of.items():
+        if i != first:
+            arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
+    targets: dict[int, tuple[str, int, str]] = {}  # pointer, token pointed at, side
+    for node, parent in _with_parents(flow.nodes, None):
+        if isinstance(node, Do) and node.is_repeat:
+            continue
+        i = node.task - 1
+        role = joins.get(i, "condition") if isinstance(node, If) else "task"
+        arcs[i] = Arc(role)
+        if parent is None:
+            continue
+        group, side = parent
+        if role == "or":
+            side = other_side(side)
+        elif parent in alternatives:
+            group = alternatives[parent]
+            side = side_of(is_flipped(group, group, wordings))
+        pointer = _pointer(i, group, group_of)
+        if pointer is None:
+            return None
+        targets[i] = (pointer, _pointed_at(i, group, pointer, group_of, count), side)
+    for i, first in again:
+        rank = sum(arcs[j].role == "task" and j not in dict(again) for j in range(first, i))
+        arcs[i] = Arc("again", f"<{min(9, rank)}")
+    flips = _flips_of(targets, group_of, wordings)
+    for i, (pointer, token, side) in targets.items():
+        arcs[i] = replace(arcs[i], attachment=pointer + ("-" if side_of(flips[token]) != side else "+"))
+    return tuple(arcs)
+
+
+def _with_parents(
+    nodes: Sequence[Node], parent: tuple[int, str] | None
+) -> Iterator[tuple[Node, tuple[int, str] | None]]:
+    for node in nodes:
+        yield node, parent
+        if isinstance(node, If):
+            yield from _with_parents(node.then, (node.task - 1, "then"))
+            yield from _with_parents(node.orelse, (node.task - 1, "else"))
+
+
+def _joins(flow: Flow, wordings: Sequence[Wording]) -> Iterator[tuple[int, str]]:
+    """The conditions (from 0) joined to the one they lie in, told by the tasks that stand in both."""
+    for node, _ in flow.walk():
+        if not isinstance(node, If):
+            continue
+        for branch, other in ((node.then, node.orelse), (node.orelse, node.then)):
+            inner = branch[0] if len(branch) == 1 else None
+            if not isinstance(inner, If):
+                continue
+            inner_repeats = [n for n in (*inner.then, *inner.orelse) if isinstance(n, Do) and n.is_repeat]
+            other_repeats = [n for n in other if isinstance(n, Do) and n.is_repeat]
+            if other_repeats:
+                yield inner.task - 1, "and"
+            elif inner_repeats:
+                yield inner.task - 1, "or"
+
+
+def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:
+    """Direction and rank of the nearest token of `group` as seen from task `i`, left before right."""
+    own = group_of.get(i) if group_of.get(i) == i else None
+    for direction in "<>":
+        tokens = range(i - 1, -1, -1) if direction == "<" else range(i + 1, max(group_of, default=-1) + 1)
+        seen: list[int] = []
+        for j in tokens:
+            other = group_of.get(j)
+            if other is None or other == own or other in seen:
+                continue
+            seen.append(other)
+            if other == group:
+                return f"{direction}{len(seen)}"
+    return None
+
+
+def _pointed_at(i: int, group: int, pointer: str, group_of: dict[int, int], count: int) -> int:
+    """The token of `group` that a pointer of task `i` means: the nearest in its direction."""
+    tokens = range(i - 1, -1, -1) if pointer[0] == "<" else range(i + 1, count)
+    return next(j for j in tokens if group_of.get(j) == group)
+
+
+def _flips_of(
+    targets: Mapping[int, tuple[str, int, str]], group_of: dict[int, int], wordings: Sequence[Wording]
+) -> dict[int, bool]:
+    flips: dict[int, bool] = {}
+    for token in sorted(group_of):
+        group = group_of[token]
+        used = {
+            side for i, (_, j, side) in targets.items() if i < token and j < token and group_of[j] == group
+        }
+        flips[token] = flip_of(token, group, wordings, used)
+    return flips
+
+
+def _counting_joints_once(arcs: tuple[Arc, ...]) -> tuple[Arc, ...]:
+    """The same arcs where pointers to the right, which so far count every condition, count joined ones as one."""
+    builder = Builder(arcs, [Wording()] * len(arcs))
+    builder.collect_groups()
+    changed = list(arcs)
+    for i, arc in enumerate(arcs):
+        j = builder.find(i, arc.attachment, joints_once=False) if arc.attachment.startswith(">") else None
+        if j is None:
+            continue
+        while builder.is_joined_by_next(j):
+            j += 1
+        own = builder.group_of.get(i)
+        tokens = [m for m in range(i + 1, j + 1) if m in builder.group_of and not builder.is_joined_by_next(m)]
+        groups = dict.fromkeys(builder.group_of[m] for m in tokens if builder.group_of[m] != own)
+        rank = list(groups).index(builder.group_of[j]) + 1
+        changed[i] = replace(arc, attachment=f">{min(9, rank)}{arc.attachment[-1]}")
+    return tuple(changed)
+
+
+def _with_joins(plain: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:
+    """The arcs with every condition that the words join to the one before it said to be joined, if there is one.
+
+    Without an else the tree cannot tell a joint condition from a nested one; the words can.
+    """
+    joined = list(plain)
+    for i in range(1, len(plain)):
+        before, own = plain[i - 1], plain[i]
+        is_nested = own.role == "condition" and before.role in CONDITION_ROLES and own.attachment[:2] == "<1"
+        if wordings[i].joins and is_nested:
+            place = "<1+" if wordings[i].joins == "or" else own.attachment
+            joined[i] = Arc(wordings[i].joins, place, own.order)
+    if tuple(joined) != plain:
+        yield tuple(joined)
+
+
+def _with_orders(arcs: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator[tuple[Arc, ...]]:
+    """The arcs with every small set of order labels: few labels first, and those that the words speak for."""
+    yield arcs
+    movable = [i for i, arc in enumerate(arcs) if arc.role not in ("mention", "again")]
+    changes = [(i, order) for i in movable for order in ORDERS[1:]]
+    roles, places = [arc.role for arc in arcs], [arc.attachment for arc in arcs]
+    said = [{*wordings[i].orders, *branch_orders(roles, places, wordings, i)} for i in range(len(arcs))]
+    cost = {(i, order): 2 if order in said[i] else 5 for i, order in changes}
+    sets = [(change,) for change in changes]
+    sets += [pair for pair in combinations(changes, 2) if pair[0][0] != pair[1][0]]  # type: ignore[misc]
+    for chosen in sorted(sets, key=lambda labels: sum(cost[label] for label in labels)):
+        changed = list(arcs)
+        for i, order in chosen:
+            changed[i] = replace(changed[i], order=order)
+        yield tuple(changed)
