@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -21,6 +25,25 @@ def household_folder() -> Path:
 @pytest.fixture(scope="session")
 def ontology() -> Ontology:
     return read_record(HOUSEHOLD / "ontology.yaml", Ontology)
+
+
+@pytest.fixture(scope="session")
+def printed_under_hash_seeds() -> Callable[[str], set[str]]:
+    """What a program prints in processes with different hash seeds; one output if none of it depends on them."""
+
+    def run(program: str) -> set[str]:
+        return {
+            subprocess.run(
+                [sys.executable, "-c", program],
+                env={**os.environ, "PYTHONHASHSEED": seed},
+                capture_output=True,
+                text=True,
+                check=True,
+            ).stdout
+            for seed in ("0", "1")
+        }
+
+    return run
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, hypot, pi, radians, sin
 
 import numpy as np
+import pymunk
 import pytest
 
 from decomplex_bt.corpus import read_markup
@@ -65,6 +66,28 @@ def test_what_begins_again_moves_as_what_is_made_anew(monkeypatch):
     monkeypatch.setattr(stage_module, "_begin", ())
     anew = HouseholdEnv(TELL)
     assert [drive(anew, seed) for seed in (4, 5, 4)] == traces
+
+
+def test_what_was_pushed_about_is_begun_as_if_it_had_never_moved():
+    geometry = setting_of(DOMAIN).geometry
+    stage, row = stage_module.Stage(geometry), geometry.thing_rows[0]
+
+    def moved(mover):
+        space = pymunk.Space()
+        space.add(mover.body, mover.shape, *mover.joints)
+        trace = []
+        for pushed in (False, True):
+            if pushed:
+                mover.body.velocity, mover.body.angular_velocity = (0.7, 0.1), 2.0
+            for _ in range(20):
+                space.step(0.01)
+                trace.append((*mover.body.position, mover.body.angle, *mover.body.velocity))
+        space.remove(mover.body, mover.shape, *mover.joints)
+        return trace
+
+    first, again = (moved(stage.thing(row, 0.2, 0.05)) for _ in range(2))
+    assert first[-1] != first[0]
+    assert again == first
 
 
 def test_what_a_stage_holds_does_not_grow():
