@@ -91,4 +91,5 @@ def encode(text: str) -> NDArray[np.uint8]:
     """The observed text's code points, `(2000,)`, 0 after its end; not to be changed, for it is kept."""
     codes = np.zeros(MAX_CHARACTERS, dtype=np.uint8)
     codes[: len(text)] = [ord(character) for character in shown(text)]
+    codes.flags.writeable = False
     return codes
