@@ -37,7 +37,7 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house. `noise` is the world's generator for slips and misses, `whims` makes
+    `house` is the path or the seed of its house. `noise` makes the world's generator for slips and misses, `whims`
     the one for where people go.
     """
 
@@ -49,7 +49,7 @@ class Episode:
         config: HouseholdConfig,
         recording: Recording,
         *,
-        noise: Generator,
+        noise: Callable[[], Generator],
         whims: Callable[[], Generator],
     ) -> None:
         self.domain, self.setting, self.house, self._rows = home.domain, home.setting, home.house, home.rows
@@ -69,16 +69,16 @@ class Episode:
             setting.spots,
             start,
             config=config.world,
-            rng=noise,
+            noise=noise,
             whims=whims,
             stage=home.stage,
         )
-        self.sensor = Sensor(self.world, config.sensing, noise)
+        self.sensor = Sensor(self.world, config.sensing)
         self._add_noise(options)
         self.sensor.look()
         self._judged_arrangement = self.world.arrangement
         self.verdict: Verdict = judge.begin(self.world, self.sensor)
-        self._meddler = self._make_meddler(options.meddling, noise)
+        self._meddler = self._make_meddler(options.meddling)
         self._move: Move | None = None
         self._held_version = -1
         self._is_table_full = len(self.sensor.table) == self._rows
@@ -93,10 +93,10 @@ class Episode:
         if options.missed_detection is not None:
             self.sensor.missed_detection = options.missed_detection
 
-    def _make_meddler(self, rate: float, noise: Generator) -> Meddler | None:
+    def _make_meddler(self, rate: float) -> Meddler | None:
         if rate == 0.0:
             return None
-        rng = noise.spawn(1)[0]  # spawning leaves the noise as it is
+        rng = self.world.noise.spawn(1)[0]  # spawning leaves the noise as it is
         return Meddler(self.world, rng, rate=rate, mentioned=self.judge.mentioned, allows=self.judge.allows)
 
     # -- a step -------------------------------------------------------------------------------------------------------

@@ -103,7 +103,7 @@ def _pick(world: World, thing: int) -> Result:
     can_reach = is_near_person(world, holder) if is_person(world, holder) else reaches_thing(world, thing)
     if not can_reach:
         return Result.OUT_OF_REACH
-    if world.grasp_slip > 0 and world.rng.random() < world.grasp_slip:
+    if world.grasp_slip > 0 and world.noise.random() < world.grasp_slip:
         return Result.SLIPPED
     world.held = thing
     world.lift(thing, world.geometry.robot_row)

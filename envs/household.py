@@ -429,7 +429,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self._episode is not None:
             self._episode.world.dismantle()
         recording = Recording(generator, request, options)
-        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise(), whims=whims)
+        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise, whims=whims)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:

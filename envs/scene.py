@@ -1,8 +1,8 @@
 """The scene: points that stand for what is in the rooms in sight, and which of them can be seen from where.
 
 Everything is asked of all points at once, as the signs of one product of matrices: being within a distance, in the
-field of view, or in the wedge that a doorway leaves, is linear in the features of a point (its coordinates, its squared
-distance from the origin, and the squared distances from which it can be seen and looked over).
+field of view, or in the wedge that a doorway leaves, is linear in the features of a point (its coordinates, the squared
+distances from which it can be seen and looked over less its own from the origin, and which room it is not in).
 """
 
 from __future__ import annotations
@@ -22,10 +22,19 @@ INSET = 0.04  # [m] the sample points of furniture lie so far within its footpri
 FLOOR_INSET = 0.1  # [m] the sample points of a floor lie so far within its room
 FLOOR_SAMPLES = 1.2  # [m] at most between the sample points of a floor
 NEVER = -1e6  # [m²] in place of a squared distance: not even from right there
+ANYWAY = 1e6  # what lies elsewhere is in a wedge by, or nearly by, twice the area of a triangle in the house [m²]
 SLACK = -1e-9
 """What counts as not negative: what the robot carries lies at its very eye, on the border of everything."""
-SQUARE, PLACE_X, PLACE_Y, LIMIT, FULL_LIMIT, ONE = range(6)
-"""The features of a point: minus its squared distance from the origin, x, y, and what else there is to a bound."""
+PLACE_X, PLACE_Y, ONE, NEAR, FAR, ELSEWHERE = range(6)
+"""The features of a point: x, y, one; from how far it can be looked over and seen, both squared and less its squared
+distance from the origin; and from `ELSEWHERE` on, one for each room but the first of a scene, whether it lies in
+another."""
+NEARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
+"""What is asked of each point: near enough to be looked over, not left or right of the field of view, within range;
+then, for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
+MOST_LAYOUTS = 256
+"""Layouts kept at once, for each house."""
+VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 
 Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -33,7 +42,7 @@ Rows = NDArray[np.int64]
 
 
 class RoomSamples(NamedTuple):
-    """The points of the fixed places of one room. `features` `(6, n)`; segment `i` is the place `rows[i]`, its points
+    """The points of the fixed places of one room. `features` `(5, n)`; segment `i` is the place `rows[i]`, its points
     begin at `starts[i]`. `holding`: the segments of what can be looked over. `floor`: the points of the floor. `doors`:
     of each segment that is a door it and its row, and the room that it leads to. `size`, `width`: how many points and
     segments."""
@@ -75,6 +84,7 @@ class Samples:
         self.rooms = tuple(
             self._lay_out(room, segments, np.array(full), leads) for room, segments in enumerate(of_room)
         )
+        self._layouts: dict[tuple[int, ...], Layout] = {}
         sizes = [room.floor.stop - room.floor.start for room in self.rooms]
         self.floor_starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
         self.floor_count = sum(sizes)
@@ -82,6 +92,40 @@ class Samples:
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
         ]
+
+    def layout(self, rooms: tuple[int, ...]) -> Layout:
+        """The fixed places of these rooms."""
+        layout = self._layouts.get(rooms)
+        if layout is None:
+            if len(self._layouts) >= MOST_LAYOUTS:
+                self._layouts.clear()
+            self._layouts[rooms] = layout = self._together(rooms)
+        return layout
+
+    def _together(self, rooms: tuple[int, ...]) -> Layout:
+        of_rooms = [self.rooms[room] for room in rooms]
+        points = np.cumsum([0, *(room.size for room in of_rooms)]).tolist()
+        segments = np.cumsum([0, *(room.width for room in of_rooms)]).tolist()
+        elsewhere = np.full((len(rooms) - 1, points[-1]), ANYWAY)
+        twins, floors = [], []
+        for index, (room, of_room) in enumerate(zip(rooms, of_rooms, strict=True)):
+            if index:
+                elsewhere[index - 1, points[index] : points[index + 1]] = 0.0
+            later = rooms[index + 1 :]
+            twins += [(segments[index] + segment, row) for segment, row, to in of_room.doors if to in later]
+            floor = slice(of_room.floor.start + points[index], of_room.floor.stop + points[index])
+            floors.append((floor, self.floors[room]))
+        rows = np.concatenate([room.rows for room in of_rooms])
+        holding = np.concatenate([room.holding + first for room, first in zip(of_rooms, segments, strict=False)])
+        return Layout(
+            features=np.vstack((np.hstack([room.features for room in of_rooms]), elsewhere)),
+            rows=rows,
+            starts=np.concatenate([room.starts + first for room, first in zip(of_rooms, points, strict=False)]),
+            twins=twins,
+            holding=holding,
+            holding_rows=rows[holding],
+            floors=floors,
+        )
 
     def _lay_out(
         self,
@@ -94,8 +138,8 @@ class Samples:
         counts = [len(points) for _, points in segments]
         starts = np.concatenate(([0], np.cumsum(counts)[:-1])).astype(np.int64)
         features = _features(np.array([point for _, points in segments for point in points]))
-        features[LIMIT] = self.reach**2
-        features[FULL_LIMIT] = np.repeat(full[rows], counts)
+        features[FAR] += self.reach**2
+        features[NEAR] += np.repeat(full[rows], counts)
         floor = int(np.flatnonzero(self.is_floor[rows])[0])
         return RoomSamples(
             features=features,
@@ -111,63 +155,57 @@ class Samples:
         )
 
 
-class Scene:
-    """What is in some rooms, the first of which is the robot's: fixed places, and the things and people there now.
+class Layout(NamedTuple):
+    """The fixed places of some rooms, the robot's own first. `features` `(5 + rooms - 1, n)`. Segment `i` is the entity
+    `rows[i]`, its points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides
+    its last one, with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`:
+    which points are a floor's, and which of all floors' points they are."""
 
-    Each room's points lie together (`spans`), those of its places first. Segment `i` is the entity `rows[i]`, its
-    points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides its last one,
-    with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`: which points
-    are a floor's, and which of all floors' points they are. `movable`: rows of the things and people, at the points
-    `where` (handed over for each room, with their features); `moved_at` is the caller's note of when they were brought
-    in line last.
+    features: Floats
+    rows: Rows
+    starts: Rows
+    twins: list[tuple[int, int]]
+    holding: Rows
+    holding_rows: Rows
+    floors: list[tuple[slice, slice]]
+
+
+class Scene:
+    """What is in some rooms, the first of which is the robot's: fixed places, then the things and people there now.
+
+    `layout` has the fixed ones; `rows`, `starts` and `features` go on with the things and people, a point each. They
+    are handed over for each room (`movable`, their rows), with the squares of the distances from which each can be
+    seen. `moved_at` is the caller's note of when they were brought in line last.
     """
 
     def __init__(
-        self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[tuple[Rows, Floats]], *, moved_at: int = -1
+        self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[Rows], limits: Floats, position: Floats
     ) -> None:
         self.rooms = rooms
-        self.moved_at = moved_at
-        fixed = [samples.rooms[room] for room in rooms]
-        counts = [len(moving) for moving, _ in movable]
-        mobile = sum(counts)
-        size, width = sum([room.size for room in fixed]) + mobile, sum([room.width for room in fixed]) + mobile
-        features = self.features = np.empty((6, size))
-        rows, starts = self.rows, self.starts = np.empty(width, np.int64), np.empty(width, np.int64)
-        self.spans: dict[int, slice] = {}
-        self.floors: list[tuple[slice, slice]] = []
-        self.twins: list[tuple[int, int]] = []
-        holding, where = [], []
-        count = segments = 0
-        for index, (room, of_room, (moving, points), mobile) in enumerate(
-            zip(rooms, fixed, movable, counts, strict=True)
-        ):
-            first, begin, floor = count, segments, of_room.floor
-            count, segments = count + of_room.size, segments + of_room.width
-            features[:, first:count] = of_room.features
-            rows[begin:segments] = of_room.rows
-            np.add(of_room.starts, first, out=starts[begin:segments])
-            holding.append(of_room.holding + begin)
-            self.twins += [(begin + segment, row) for segment, row, to in of_room.doors if to in rooms[index + 1 :]]
-            self.floors.append((slice(floor.start + first, floor.stop + first), samples.floors[room]))
-            if mobile:
-                features[:, count : count + mobile] = points
-                rows[segments : segments + mobile] = moving
-                starts[segments : segments + mobile] = at = samples.numbers[count : count + mobile]
-                where.append(at)
-                count, segments = count + mobile, segments + mobile
-            self.spans[room] = slice(first, count)
-        self.holding = np.concatenate(holding)
-        self.holding_rows = rows[self.holding]
-        self.where = np.concatenate(where) if where else samples.numbers[:0]
-        self.movable = np.concatenate([moving for moving, _ in movable])
+        self.moved_at = -1
+        self.layout = layout = samples.layout(rooms)
+        self.movable = np.concatenate(movable)
+        self.rows = np.concatenate((layout.rows, self.movable))
+        fixed, moving = layout.features.shape[1], len(self.movable)
+        self.starts = np.concatenate((layout.starts, samples.numbers[fixed : fixed + moving]))
+        self.features = features = np.empty((len(layout.features), fixed + moving))
+        features[:, :fixed] = layout.features
+        self._points = features[:, fixed:]
+        self._points[ONE], self._points[NEAR], self._points[ELSEWHERE:] = 1.0, NEVER, ANYWAY
+        begin = len(movable[0])
+        for index, of_room in enumerate(movable[1:]):
+            self._points[ELSEWHERE + index, begin : begin + len(of_room)] = 0.0
+            begin += len(of_room)
+        self._limits = limits
+        self._questions: dict[tuple[int, ...], Floats] = {}
+        self._by_room = self._ask(rooms[1:])
+        self.move(position)
 
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
-        if not self.movable.size:
-            return
-        at = position[self.movable]
-        x, y = self.features[PLACE_X : PLACE_Y + 1, self.where] = at.T
-        self.features[SQUARE, self.where] = -(x * x + y * y)
+        if self.movable.size:
+            x, y = self._points[PLACE_X : PLACE_Y + 1] = position[self.movable].T
+            np.subtract(self._limits, x * x + y * y, out=self._points[FAR])
 
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
@@ -178,39 +216,43 @@ class Scene:
         """
         x, y = eye.real, eye.imag
         square = -x * x - y * y
-        bounds = [1.0, 2 * x, 2 * y, 1.0, 0.0, square, 1.0, 2 * x, 2 * y, 0.0, 1.0, square]
-        for side in (-half_angle, half_angle):
-            ux, uy = cos(heading + side), sin(heading + side)
-            if side > 0:
-                ux, uy = -ux, -uy
-            bounds += (0.0, -uy, ux, 0.0, 0.0, uy * x - ux * y)
+        begin, end = heading - half_angle, heading + half_angle
+        rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
+        near = (2 * x, 2 * y, square)
+        varying = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
-            bounds += (0.0, -ry, rx, 0.0, 0.0, ry * x - rx * y, 0.0, ly, -lx, 0.0, 0.0, lx * y - ly * x)
-        is_within = np.dot(np.array(bounds).reshape(-1, 6), self.features) >= SLACK
-        in_view = is_within[0]
+            varying += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
+        has_one_way = len(beyond) == len(self.rooms) - 1
+        questions = self._by_room if has_one_way else self._ask(tuple([room for room, _ in beyond]))
+        questions[:, VARYING] = np.array(varying).reshape(-1, 3)
+        is_within = np.dot(questions, self.features) >= SLACK
+        in_view = np.logical_and.reduce(is_within[RANGE:] if has_one_way else self._through(is_within, beyond))
         if half_angle < np.pi / 2:
-            in_view &= is_within[2]
-            in_view &= is_within[3]
+            in_view &= is_within[RIGHTMOST]
+            in_view &= is_within[LEFTMOST]
         elif half_angle < np.pi:
-            in_view &= is_within[2] | is_within[3]
-        self._cut(in_view, is_within, beyond)
-        return in_view, is_within[1] & in_view
+            in_view &= is_within[RIGHTMOST] | is_within[LEFTMOST]
+        return in_view, is_within[NEARNESS] & in_view
 
-    def _cut(self, in_view: Bools, is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> None:
-        """Takes out of view what is in another room and in no wedge that leads there."""
-        if len(beyond) == len(self.rooms) - 1:  # one way into each of them
-            for index, (room, _) in enumerate(beyond):
-                span = self.spans[room]
-                seen = in_view[span]
-                seen &= is_within[2 * index + 4, span]
-                seen &= is_within[2 * index + 5, span]
-            return
-        for room in self.rooms[1:]:
-            span = self.spans[room]
-            ways = [index for index, (other, _) in enumerate(beyond) if other == room]
-            through = [is_within[2 * index + 4, span] & is_within[2 * index + 5, span] for index in ways]
-            in_view[span] &= np.logical_or.reduce(through)
+    def _through(self, is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:
+        """What must hold of a point in view, where more than one way leads into a room: any of its wedges will do."""
+        ways: dict[int, list[Bools]] = {}
+        for wedge, (room, _) in enumerate(beyond):
+            right = RANGE + 1 + 2 * wedge
+            ways.setdefault(room, []).append(is_within[right] & is_within[right + 1])
+        return [is_within[RANGE], *(np.logical_or.reduce(through) for through in ways.values())]
+
+    def _ask(self, ways: tuple[int, ...]) -> Floats:
+        """What is asked of each point with wedges into these rooms: `(4 + 2 * ways, features)`, to be filled in."""
+        questions = self._questions.get(ways)
+        if questions is None:
+            self._questions[ways] = questions = np.zeros((RANGE + 1 + 2 * len(ways), len(self.features)))
+            questions[NEARNESS, NEAR] = questions[RANGE, FAR] = 1.0
+            for wedge, room in enumerate(ways):
+                right = RANGE + 1 + 2 * wedge
+                questions[right : right + 2, ELSEWHERE + self.rooms.index(room) - 1] = 1.0
+        return questions
 
 
 @lru_cache(maxsize=8)
@@ -219,19 +261,12 @@ def samples_of(geometry: Geometry, reach: float, inside_reach: float) -> Samples
     return Samples(geometry, reach, inside_reach)
 
 
-def movable_features(limit: Floats, points: Floats) -> Floats:
-    """`(6, n)`, of what moves, can be seen from so far and is at these `(n, 2)` points now."""
-    features = _features(points)
-    features[LIMIT], features[FULL_LIMIT] = limit**2, NEVER
-    return features
-
-
 def _features(points: Floats) -> Floats:
-    """`(6, n)`, of `(n, 2)` points."""
-    features = np.zeros((6, len(points)))
+    """`(5, n)`, of `(n, 2)` points; the limits are still to be added."""
+    features = np.zeros((ELSEWHERE, len(points)))
     x, y = features[PLACE_X : PLACE_Y + 1] = points.T
-    features[SQUARE] = -(x * x + y * y)
     features[ONE] = 1.0
+    features[NEAR] = features[FAR] = -(x * x + y * y)
     return features
 
 

@@ -6,18 +6,18 @@ what is in a closed container, and into an open one it looks from `inside_range`
 
 from __future__ import annotations
 
+from collections import deque
 from functools import lru_cache
 from math import radians
 
 import numpy as np
-from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.chance import APERTURE
 from decomplex_bt.envs.config import SensingConfig
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS
-from decomplex_bt.envs.scene import Scene, movable_features, samples_of
+from decomplex_bt.envs.scene import Scene, samples_of
 from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.envs.world import World
 
@@ -36,9 +36,9 @@ class Sensor:
     another room.
     """
 
-    def __init__(self, world: World, config: SensingConfig, rng: Generator) -> None:
+    def __init__(self, world: World, config: SensingConfig) -> None:
         geometry = world.geometry
-        self.world, self.config, self.rng = world, config, rng
+        self.world, self.config = world, config
         self.missed_detection = geometry.house.missed_detection
         self._samples = samples = samples_of(geometry, config.range, config.inside_range)
         self._places = geometry.place_count
@@ -49,7 +49,8 @@ class Sensor:
         self._shut = np.zeros(self._places + 1, dtype=np.bool_)  # the last one is for what is at no place
         self._seen_floor = np.full(samples.floor_count, -np.inf)
         self._seen_when = np.full(count, -np.inf)
-        self._full_looks = np.zeros(geometry.place_count, dtype=np.int64)
+        never = np.zeros(geometry.place_count, dtype=np.bool_)
+        self._full_before = deque([never] * (config.looks - 1), maxlen=max(config.looks - 1, 0))
         self._tracked = np.zeros(count, dtype=bool)
         self._known, self._truth = (table.copy() for table in _tables(geometry))
         self._version = self._arrangement = self._stirs = -1
@@ -69,7 +70,7 @@ class Sensor:
         if is_changed:
             self._take_changes()
         if is_changed or world.arrangement != self._arrangement:
-            self._sort_movable()
+            self._note_seeable()
             self._shown = b""
         is_stirred = world.stirs != self._stirs
         self._version, self._arrangement, self._stirs = world.version, world.arrangement, world.stirs
@@ -95,18 +96,13 @@ class Sensor:
         self._floors_at = at[self._on_floors]
         self._elsewhere = (~is_on_floor).nonzero()[0] + self._places
 
-    def _sort_movable(self) -> None:
-        """Sorts the things and people that can be seen at all by the rooms they are in."""
+    def _note_seeable(self) -> None:
+        """Notes which things and people can be seen at all, and the rooms they are in."""
         world, user = self.world, self.world.geometry.user_row
-        rows = (self._limit >= 0).nonzero()[0] + self._places
-        rooms = world.room[rows]
-        order = rooms.argsort(kind="stable")
-        self._by_room = rows[order]
-        position = world.position
-        self._features = movable_features(self._limit[self._by_room - self._places], position[self._by_room])
-        self._features_at = world.stirs
-        self._room_ends = [0, *np.bincount(rooms, minlength=len(world.geometry.rooms)).cumsum().tolist()]
+        self._seeable = (self._limit >= 0).nonzero()[0] + self._places
+        self._rooms = world.room[self._seeable]
         self._scenes.clear()
+        position = world.position
         # What lies on a floor may be reported where it was seen last, everything else only where it is.
         self._truth[self._elsewhere, X : Y + 1] = position[self._elsewhere]
         self._truth[user:-1, HEADING] = world.heading[user:-1]
@@ -120,21 +116,23 @@ class Sensor:
         eye, room = complex(*world.robot), world.robot_room
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
         scene = self._scene_of((room, *dict.fromkeys([other for other, _ in beyond])))
+        layout = scene.layout
         in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
         visible = self.visible = np.zeros(len(self.visible), dtype=bool)
         visible[scene.rows] = seen = np.logical_or.reduceat(in_view, scene.starts)
-        for segment, row in scene.twins:
+        for segment, row in layout.twins:
             if seen[segment]:
                 visible[row] = True
         visible[-1] = True
         is_full = np.zeros(self._places, dtype=bool)
-        is_full[scene.holding_rows] = np.logical_and.reduceat(is_near, scene.starts)[scene.holding]
+        is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, scene.starts)[layout.holding]
         is_full &= self._is_open
-        looks = self._full_looks
-        looks += 1
-        looks *= is_full
-        self.inspected = looks >= self.config.looks
-        for here, there in scene.floors:
+        inspected = is_full
+        for before in self._full_before:
+            inspected = inspected & before
+        self._full_before.append(is_full)
+        self.inspected = inspected
+        for here, there in layout.floors:
             np.putmask(self._seen_floor[there], in_view[here], now)
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
         np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
@@ -145,10 +143,10 @@ class Sensor:
         if scene is None:
             if len(self._scenes) >= MOST_SCENES:
                 self._scenes.clear()
-            ends = self._room_ends
-            spans = [slice(ends[room], ends[room + 1]) for room in rooms]
-            movable = [(self._by_room[span], self._features[:, span]) for span in spans]
-            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, moved_at=self._features_at)
+            movable = [self._seeable[self._rooms == room] for room in rooms]
+            limits = self._limit[np.concatenate(movable) - self._places] ** 2
+            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, limits, self.world.position)
+            scene.moved_at = self._stirs
         if scene.moved_at != self._stirs:
             scene.moved_at = self._stirs
             scene.move(self.world.position)
@@ -163,7 +161,7 @@ class Sensor:
         in_view = self.visible[self._movable]
         (fresh,) = (in_view > self._tracked).nonzero()
         if fresh.size and self.missed_detection > 0:
-            in_view[fresh] = self.rng.random(fresh.size) >= self.missed_detection
+            in_view[fresh] = world.noise.random(fresh.size) >= self.missed_detection
         self._tracked = in_view.copy()
         np.putmask(self._seen_when, in_view, world.seconds)
         if is_stirred or (fresh.size and on_floors.size):

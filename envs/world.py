@@ -61,9 +61,9 @@ class World:
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
     `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
-    that are closed. `rng` is for slips, `whims` (made when it is first asked for) for where people go who may go
-    wherever they like. `stage`: the fixed shapes to use, which leave the world they were in before; None: this world
-    gets its own.
+    that are closed. `noise` is for slips and misses, `whims` for where people go who may go wherever they like; each is
+    made when it is first asked for. `stage`: the fixed shapes to use, which leave the world they were in before; None:
+    this world gets its own.
     """
 
     _is_dismantled = False
@@ -76,12 +76,12 @@ class World:
         start: Start,
         *,
         config: WorldConfig,
-        rng: Generator,
+        noise: Callable[[], Generator],
         whims: Callable[[], Generator],
         stage: Stage | None = None,
     ) -> None:
         self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config
-        self.rng, self._whims = rng, whims
+        self._noise, self._whims = noise, whims
         self.grasp_slip = geometry.house.grasp_slip
         self.place = start.place.copy()
         self._position = start.position.copy()
@@ -129,6 +129,10 @@ class World:
         if self._is_stale:
             self._read_all()
         return self._position
+
+    @cached_property
+    def noise(self) -> Generator:
+        return self._noise()
 
     @cached_property
     def whims(self) -> Generator:

@@ -62,10 +62,16 @@ def trial() -> Callable[..., Trial]:
         draw.start.position[row] = at
         draw.start.heading = 0.0 if facing is None else atan2(facing[1] - at[1], facing[0] - at[0])
         world = World(
-            setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=lambda: rng
+            setting.geometry,
+            setting.prior,
+            setting.spots,
+            draw.start,
+            config=WorldConfig(),
+            noise=lambda: rng,
+            whims=lambda: rng,
         )
         world.grasp_slip = 0.0
-        sensor = Sensor(world, SensingConfig(), rng)
+        sensor = Sensor(world, SensingConfig())
         sensor.missed_detection = 0.0
         sensor.look()
         return Trial(world, sensor)

@@ -43,9 +43,15 @@ def truth_of(domain, seed=0):
     draw.likeliest()
     draw.robot(None)
     world = World(
-        setting.geometry, setting.prior, setting.spots, draw.start, config=WorldConfig(), rng=rng, whims=lambda: rng
+        setting.geometry,
+        setting.prior,
+        setting.spots,
+        draw.start,
+        config=WorldConfig(),
+        noise=lambda: rng,
+        whims=lambda: rng,
     )
-    return WorldTruth(world, Sensor(world, SensingConfig(), rng))
+    return WorldTruth(world, Sensor(world, SensingConfig()))
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -105,7 +105,7 @@ def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
     geometry = setting_of(domain).geometry
     samples = Samples(geometry, 5.0, 2.0)
     rng = np.random.default_rng(0)
-    nobody = [(np.empty(0, dtype=np.int64), np.empty((6, 0)))]
+    nobody = [np.empty(0, dtype=np.int64)]
     jambs = [line[:2] for line in geometry.openings.values()] + [line[2:] for line in geometry.openings.values()]
     shown = two_ways = 0
     for _ in range(80):
@@ -115,7 +115,7 @@ def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
         beyond = wedges(geometry, room, complex(x, y), (), reach=5.0)
         rooms = (room, *dict.fromkeys(other for other, _ in beyond))
         two_ways += len(beyond) >= len(rooms)
-        scene = Scene(samples, rooms, nobody * len(rooms))
+        scene = Scene(samples, rooms, nobody * len(rooms), np.empty(0), np.empty((0, 2)))
         in_view, _ = scene.view(complex(x, y), heading, radians(100), beyond)
         for index, seen in enumerate(in_view):
             px, py = scene.features[[PLACE_X, PLACE_Y], index].tolist()
