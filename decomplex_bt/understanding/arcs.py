@@ -13,7 +13,9 @@ attachment  `top`, or direction, rank and side: `<1+` is the branch of the neare
             their last. "As stated" includes the clause's own negation, so that `+` is the
             plain case after "if it is not there" too; the negation is a matter of grammar and handed in.
 order       `keep` (text order), `before` (ahead of the sibling before it), `first` (ahead of all siblings),
-            `after` (behind the siblings after it in its sentence, at least one), `last` (behind all siblings)
+            `after` (behind the siblings after it in its sentence, at least one), `last` (behind all siblings);
+            `before+` and `first+` take the siblings after it in its sentence along, as far as they have no order of
+            their own ("lock up, but before that feed the cat and close the window")
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from dataclasses import dataclass
 
 CONDITION_ROLES = frozenset(("condition", "mention", "and", "or"))
 JOINTS = frozenset(("and", "or"))
-ORDERS = ("keep", "before", "after", "first", "last")
+ORDERS = ("keep", "before", "after", "first", "last", "before+", "first+")
 TOP = "top"
 
 
@@ -87,14 +89,26 @@ def other_side(side: str) -> str:
     return "else" if side == "then" else "then"
 
 
-def branch_orders(
+def repeated(roles: Sequence[str], attachments: Sequence[str], i: int) -> int | None:
+    """The earlier plain task that task `i`, an `again`, mentions: as many plain tasks back as the attachment's rank
+    says."""
+    earlier = [j for j in range(i - 1, -1, -1) if roles[j] == "task"]
+    rank = int(attachments[i][1]) if attachments[i] != TOP else 1
+    return earlier[min(rank, len(earlier)) - 1] if earlier else None
+
+
+def other_orders(
     roles: Sequence[str], attachments: Sequence[str], wordings: Sequence[Wording], i: int
 ) -> tuple[str, ...]:
-    """The order labels that the consequences of condition `i` speak for in its place: in "fetch the cup; if it is
-    dirty, wash it first" it is the whole condition that comes first."""
-    if roles[i] not in CONDITION_ROLES:
-        return ()
+    """The order labels that other clauses speak for in place of task `i`'s own: further mentions of it ("sweep the
+    hall, and before you sweep it ..."), the consequences of a condition: in "fetch the cup; if it is dirty, wash it
+    first" it is the whole condition that comes first."""
     found: list[str] = []
+    if roles[i] not in CONDITION_ROLES:
+        for m in range(i + 1, len(roles)):
+            if roles[m] == "again" and repeated(roles, attachments, m) == i:
+                found += wordings[m].orders
+        return tuple(dict.fromkeys(found))
     for m in range(i + 1, len(roles)):
         if roles[m] in CONDITION_ROLES or not attachments[m].startswith("<1"):
             break

@@ -112,9 +112,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 
 
-def _wording(
-    observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool
-) -> Wording:
+def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
     far, near, behind = cues
     words = [observed.document.tokens[j].lower for j in range(first, last + 1)]
     nots = [cue for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
@@ -125,8 +123,13 @@ def _wording(
     leading = {*far, *near}
     orders = [
         *(label for name in near for label in _SUBORDINATE.get(name, ())),
-        *(label for name in ("before_that", "first", "last") if name in leading for label in _ADVERBIAL[name]),
-        *(label for name in ("first", "last") if name in behind for label in _ADVERBIAL[name]),
+        *(label for name in _ADVERBIAL if name in leading for label in _ADVERBIAL[name]),
+        *(
+            label
+            for name in ("before_that", "before_all", "first", "last")
+            if name in behind
+            for label in _ADVERBIAL[name]
+        ),
     ]
     lemmas = {observed.document.tokens[j].lemma for j in range(first, last + 1)}
     return Wording(
@@ -159,5 +162,10 @@ _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away else
 
 
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
-_ADVERBIAL = {"before_that": ("before", "first"), "first": ("first", "before"), "last": ("last",)}
+_ADVERBIAL = {
+    "before_that": ("before", "first"),
+    "before_all": ("first", "before"),
+    "first": ("first", "before"),
+    "last": ("last",),
+}
 """The order labels that a cue speaks for: one that makes its clause subordinate, and one that is an adverb in it."""

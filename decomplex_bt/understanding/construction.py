@@ -6,7 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from decomplex_bt.flow import Do, Flow, If, Node
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, JOINTS, TOP, Arc, Wording, flip_of, other_side, side_of
+from decomplex_bt.understanding.arcs import (
+    CONDITION_ROLES,
+    JOINTS,
+    TOP,
+    Arc,
+    Wording,
+    flip_of,
+    other_side,
+    repeated,
+    side_of,
+)
 
 
 @dataclass(slots=True)
@@ -83,21 +93,15 @@ class Builder:
         return side_of(self.flips[token] != self.arcs[i].attachment.endswith("-"))
 
     def _repeat_of(self, i: int) -> int | None:
-        """The earlier plain task that task `i` mentions again: as many plain tasks back as the attachment's rank
-        says."""
-        earlier = [j for j in range(i - 1, -1, -1) if self.arcs[j].role == "task"]
-        attachment = self.arcs[i].attachment
-        rank = int(attachment[1]) if attachment != TOP else 1
-        if not earlier:
+        """The earlier plain task that task `i` mentions again, which is noted."""
+        j = repeated([arc.role for arc in self.arcs], [arc.attachment for arc in self.arcs], i)
+        if j is None:
             return None
-        j = earlier[min(rank, len(earlier)) - 1]
         if i not in self.again.setdefault(j, []):
             self.again[j].append(i)
         return j
 
-    def find(
-        self, i: int, attachment: str, *, before_only: bool = False, joints_once: bool = True
-    ) -> int | None:
+    def find(self, i: int, attachment: str, *, before_only: bool = False, joints_once: bool = True) -> int | None:
         """The condition token that an attachment of task `i` points at, or None."""
         if attachment == TOP:
             return None
@@ -107,9 +111,7 @@ class Builder:
         seen: list[int] = []
         for j in tokens:
             group = self.group_of.get(j)
-            if group is None or group == own or group in seen or (
-                joints_once and j > i and self.is_joined_by_next(j)
-            ):
+            if group is None or group == own or group in seen or (joints_once and j > i and self.is_joined_by_next(j)):
                 continue
             seen.append(group)
             if len(seen) == rank:
@@ -183,9 +185,7 @@ class Builder:
     def _arranged(self, members: list[int]) -> list[int]:
         """Siblings in the order of execution."""
         in_text = sorted(members, key=self._first_token)
-        return _reorder(
-            in_text, [self.arcs[i].order for i in in_text], [self.wordings[i].sentence for i in in_text]
-        )
+        return _reorder(in_text, [self.arcs[i].order for i in in_text], [self.wordings[i].sentence for i in in_text])
 
     def _first_token(self, i: int) -> int:
         if i not in self.groups:
@@ -205,7 +205,22 @@ def _repeats(nodes: Sequence[Node]) -> tuple[Node, ...]:
     return tuple(Do((node.task,), is_repeat=True) for node in nodes if isinstance(node, Do))
 
 
+def _alone(orders: Sequence[str], sentences: Sequence[int]) -> list[str]:
+    """The order of each sibling by itself, where some take those after them along."""
+    alone = list(orders)
+    for i, order in enumerate(orders):
+        if not order.endswith("+"):
+            continue
+        alone[i] = order[:-1]
+        for j in range(i + 1, len(orders)):
+            if orders[j] != "keep" or sentences[j] != sentences[i]:
+                break
+            alone[j] = alone[i]
+    return alone
+
+
 def _reorder(items: list[int], orders: Sequence[str], sentences: Sequence[int]) -> list[int]:
+    orders = _alone(orders, sentences)
     arranged: list[int] = []
     run: list[int] = []  # neighbours that all go before the sibling ahead of them, in text order
     for item, order in zip(items, orders, strict=True):

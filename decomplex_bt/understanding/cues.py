@@ -61,11 +61,16 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "before": ("before", "prior to", "ahead of", "by the time"),
         "before_that": (
-            "before that", "but before that", "before this", "before you do that", "before doing that", "before you do", "before any of that", "before you do any of that", "beforehand",
-            "but first", "prior to that", "but before", "ahead of that", "before doing so", "before you do so", "before all that", "before you do this",
+            "before that", "before this", "before which", "prior to which", "before you do that", "before doing that", "before you do", "beforehand",
+            "but first", "prior to that", "ahead of that", "before doing so", "before you do so", "before you do this",
+        ),
+        "before_all": (
+            "before any of that", "before any of this", "before any of it", "before all that", "before all this", "before all of that", "before all of this", "before you do any of that",
+            "before you do any of this", "before doing any of that", "before doing any of this", "before either of those", "before you do either", "ahead of all that", "ahead of all this",
+            "ahead of both", "before both", "prior to both", "prior to all that", "prior to any of that", "prior to all of which", "before all of which",
         ),
         "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),
-        "until": ("until", "till", "til", "not until", "until after"),
+        "until": ("until", "till", "til", "not until", "until after", "not before", "never before", "no sooner than", "not earlier than"),
         "first": (
             "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
             "before everything else", "at first", "step one", "for starters",
@@ -95,7 +100,7 @@ GOVERNING = frozenset(("if", "only_if", "unless", "whether", "when", "depending"
 PRO_FORMS = frozenset(("so", "else", "fail"))
 SIGNALS = (
     "if", "only_if", "unless", "when", "else", "fail", "so", "either_way", "then", "after_that", "before",
-    "before_that", "after", "until", "first", "last", "either", "also", "while", "but", "or", "and", "not",
+    "before_that", "before_all", "after", "until", "first", "last", "either", "also", "while", "but", "or", "and", "not",
     "instead", "depending", "whether", "even_if",
 )  # fmt: skip
 """The cues that are features one by one."""
@@ -111,7 +116,7 @@ ASKING_LEMMAS = frozenset(
 
 _NORMAL = {
     "n't": "not", "n’t": "not", "nt": "not", "ca": "can", "wo": "will", "'s": "is", "’s": "is", "'re": "are", "’re": "are", "'ll": "will", "’ll": "will",
-    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your",
+    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your", "b4": "before",
 }  # fmt: skip
 
 
@@ -150,9 +155,13 @@ def _inverts(document: Document, i: int) -> bool:
     tokens = document.tokens
     if tokens[i].lower not in _INVERTING or i + 1 >= len(tokens):
         return False
-    opens = i == 0 or tokens[i - 1].text in _MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
+    opens = (
+        i == 0 or tokens[i - 1].text in _MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
+    )
     if tokens[i].lower == "should" and tokens[i + 1].tag in _SUBJECT_TAGS and tokens[i].dep == "aux":
-        subject = next((t for t in tokens if t.head == tokens[i].head and t.dep in ("nsubj", "nsubjpass", "expl")), None)
+        subject = next(
+            (t for t in tokens if t.head == tokens[i].head and t.dep in ("nsubj", "nsubjpass", "expl")), None
+        )
         opens = opens or (subject is not None and subject.i > i)
     if not opens or tokens[i + 1].tag in ("VB", "VBP", "MD") or tokens[i + 1].lower in ("i", "we"):
         return False

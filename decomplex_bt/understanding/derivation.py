@@ -13,9 +13,9 @@ from decomplex_bt.understanding.arcs import (
     TOP,
     Arc,
     Wording,
-    branch_orders,
     flip_of,
     is_flipped,
+    other_orders,
     other_side,
     side_of,
 )
@@ -138,9 +138,7 @@ def _flips_of(
     flips: dict[int, bool] = {}
     for token in sorted(group_of):
         group = group_of[token]
-        used = {
-            side for i, (_, j, side) in targets.items() if i < token and j < token and group_of[j] == group
-        }
+        used = {side for i, (_, j, side) in targets.items() if i < token and j < token and group_of[j] == group}
         flips[token] = flip_of(token, group, wordings, used)
     return flips
 
@@ -186,8 +184,8 @@ def _with_orders(arcs: tuple[Arc, ...], wordings: Sequence[Wording]) -> Iterator
     movable = [i for i, arc in enumerate(arcs) if arc.role not in ("mention", "again")]
     changes = [(i, order) for i in movable for order in ORDERS[1:]]
     roles, places = [arc.role for arc in arcs], [arc.attachment for arc in arcs]
-    said = [{*wordings[i].orders, *branch_orders(roles, places, wordings, i)} for i in range(len(arcs))]
-    cost = {(i, order): 2 if order in said[i] else 5 for i, order in changes}
+    said = [{*wordings[i].orders, *other_orders(roles, places, wordings, i)} for i in range(len(arcs))]
+    cost = {(i, order): 2 if order.removesuffix("+") in said[i] else 5 for i, order in changes}
     sets = [(change,) for change in changes]
     sets += [pair for pair in combinations(changes, 2) if pair[0][0] != pair[1][0]]  # type: ignore[misc]
     for chosen in sorted(sets, key=lambda labels: sum(cost[label] for label in labels)):

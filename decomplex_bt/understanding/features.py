@@ -79,9 +79,7 @@ class Observed:
     @cached_property
     def phrases(self) -> tuple[Features, ...]:
         """For every token the features of the argument model that hold whatever the tasks are."""
-        return tuple(
-            {**word, **noun_features(self, i), **cue_features(self, i)} for i, word in enumerate(self.words)
-        )
+        return tuple({**word, **noun_features(self, i), **cue_features(self, i)} for i, word in enumerate(self.words))
 
     @cached_property
     def marks(self) -> tuple[int, ...]:
@@ -158,6 +156,7 @@ _MARKING = GOVERNING | {
     "then",
     "after_that",
     "before_that",
+    "before_all",
     "either_way",
     "while",
 }
@@ -306,8 +305,7 @@ def task_features(observed: Observed) -> list[Features]:
 def argument_features(observed: Observed, tasks: Mapping[int, str]) -> list[Features]:
     """The features of the argument CRF; `tasks` maps token indices to task types."""
     return [
-        {**phrase, **owner}
-        for phrase, owner in zip(observed.phrases, owner_features(observed, tasks), strict=True)
+        {**phrase, **owner} for phrase, owner in zip(observed.phrases, owner_features(observed, tasks), strict=True)
     ]
 
 

@@ -9,7 +9,10 @@ _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even just".split())
 _CONDITIONAL = frozenset(
-    "if only_if unless when until before before_that after so else fail instead depending even_if either_way".split()
+    (
+        "if only_if unless when until before before_that before_all after so else fail instead depending even_if "
+        "either_way"
+    ).split()
 )
 """With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
 the flow to say."""

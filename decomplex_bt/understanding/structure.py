@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, Wording, branch_orders
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, Wording, other_orders
 from decomplex_bt.understanding.clauses import Clause, wordings_of
 from decomplex_bt.understanding.crf import Features
 from decomplex_bt.understanding.cues import GOVERNING, SIGNALS, STRONG, last_of
@@ -119,12 +119,22 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
         behind = [j for j in alike if j > k]
         place = f"{min(2, len(ahead))}.{min(2, len(behind))}"
         opens = k == 0 or clauses[k - 1].sentence != clause.sentence
+        item["rest"] = rest = _rest(clauses, k, behind)
+        joint = next((word for word in ("and", "or", "but") if word in clause.near), "none")
+        if k and document.tokens[clauses[k - 1].task.token].lemma in ("wait", "stay"):
+            item["waits"] = "+".join(sorted({"until", "after", "when"}.intersection(clause.near)))
+        nearby = sum(clauses[j].sentence == clause.sentence for j in ahead)
         for label in clause.wording.orders:
             item[f"says.{label}"] = 1.0
             item[f"says.{label}.place"] = f"{place}.{roles[k]}"
             item[f"says.{label}.opens"] = f"{opens}.{len(ahead) > 0}"
-        for label in branch_orders(roles, attachments, wordings, k):
+            item[f"says.{label}.rest"] = rest
+            item[f"says.{label}.ahead"] = (
+                f"{min(3, len(ahead))}.{nearby}"
+            )
+        for label in other_orders(roles, attachments, wordings, k):
             item[f"branch.{label}"] = f"{place}.{clause.boundary}"
+            item[f"branch.{label}.role"] = roles[k]
         for label in ("before", "after", "first", "last"):
             item[f"others.{label}.ahead"] = any(label in clauses[j].wording.orders for j in ahead)
             item[f"others.{label}.behind"] = any(label in clauses[j].wording.orders for j in behind)
@@ -133,6 +143,8 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
                 item[f"{name}.{cue}"] = 1.0
                 item[f"{name}.{cue}.first"] = str(k == 0)
                 item[f"{name}.{cue}.tag"] = document.tokens[clause.task.token].tag
+                item[f"{name}.{cue}.rest"] = rest
+                item[f"{name}.{cue}.frame"] = f"{clause.boundary}.{joint}.{rest}"
         for offset in (-1, 1):
             if 0 <= k + offset < len(clauses):
                 other = clauses[k + offset]
@@ -147,10 +159,21 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
     return items
 
 
+def _rest(clauses: Sequence[Clause], k: int, behind: Sequence[int]) -> str:
+    """What a task may take along: how many siblings follow it in its sentence, and how the next one joins it."""
+    same = [j for j in behind if clauses[j].sentence == clauses[k].sentence]
+    if not same:
+        return "0"
+    following = clauses[same[0]]
+    joint = next((word for word in ("and", "or", "but") if word in following.near), "none")
+    return f"{min(2, len(same))}.{joint}.{following.boundary}.{'says' if following.wording.orders else ''}"
+
+
 _ORDER_CUES = frozenset(
     (
         "before",
         "before_that",
+        "before_all",
         "after",
         "until",
         "first",

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from decomplex_bt.corpus import read_corpus
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, branch_orders
+from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, other_orders
 from decomplex_bt.understanding.construction import flow_of
 from decomplex_bt.understanding.derivation import arcs_of
 
@@ -96,8 +96,30 @@ def test_any_arcs_give_a_valid_flow_with_every_task_once(labelled):
 def test_who_says_first_in_a_branch_moves_its_condition() -> None:
     """Fetch the cup; if it is dirty, wash it first."""
     wordings = [PLAIN, PLAIN, Wording(orders=("first", "before"))]
-    assert branch_orders(["task", "condition", "task"], ["top", "top", "<1+"], wordings, 1) == ("first", "before")
-    assert branch_orders(["task", "condition", "task"], ["top", "top", "top"], wordings, 1) == ()
+    assert other_orders(["task", "condition", "task"], ["top", "top", "<1+"], wordings, 1) == ("first", "before")
+    assert other_orders(["task", "condition", "task"], ["top", "top", "top"], wordings, 1) == ()
     arcs = arcs_of(Flow.from_json([{"if": 2, "then": [3]}, 1]), wordings)
     assert arcs is not None
     assert [arc.order for arc in arcs] == ["keep", "before", "keep"]
+
+
+def test_what_comes_first_takes_along_what_is_joined_to_it():
+    """ "Lock the car, but before that unload it and check the boot": the label stands where the words are."""
+    wordings = [PLAIN, Wording(orders=("before", "first")), PLAIN]
+    arcs = arcs_of(Flow.from_json([2, 3, 1]), wordings)
+    assert arcs is not None
+    assert [arc.order for arc in arcs] == ["keep", "before+", "keep"]
+
+
+def test_nothing_of_another_sentence_or_with_an_order_of_its_own_is_taken_along():
+    arcs = [Arc(), Arc(order="first+"), Arc(), Arc(order="last"), Arc()]
+    assert flow_of(arcs, [PLAIN] * 5) == Flow.from_json([2, 3, 1, 5, 4])
+    elsewhere = [PLAIN, PLAIN, Wording(sentence=1), PLAIN, PLAIN]
+    assert flow_of(arcs, elsewhere) == Flow.from_json([2, 1, 3, 5, 4])
+
+
+def test_a_further_mention_speaks_for_the_order_of_what_it_mentions():
+    """ "Iron the shirt, and before you iron it fill the iron with water"."""
+    wordings = [PLAIN, Wording(orders=("after", "last")), PLAIN]
+    assert other_orders(["task", "again", "task"], ["top", "<1", "top"], wordings, 0) == ("after", "last")
+    assert other_orders(["task", "again", "task"], ["top", "<1", "top"], wordings, 2) == ()

@@ -25,6 +25,10 @@ from decomplex_bt.understanding.cues import find_cues
         ("either way close it", ["either_way"]),
         ("before that close it", ["before_that"]),
         ("before the window", ["before"]),
+        ("but before you go", ["but", "before"]),
+        ("b4 that close it", ["before_that"]),
+        ("but before any of that close it", ["but", "before_all"]),
+        ("but not before you go", ["but", "until"]),
     ],
 )
 def test_a_phrase_is_its_class(text, expected):
