@@ -57,8 +57,10 @@ def test_parse_keeps_the_line_as_given_without_its_end(parse_lines) -> None:
     assert parsed[0]["text"] == "  Turn on the tv.\u2028 "
 
 
-def test_parse_of_nothing_prints_nothing(parse_lines) -> None:
-    assert parse_lines(b"") == (0, [], [])
+def test_parse_of_nothing_prints_nothing_and_says_so(parse_lines) -> None:
+    status, parsed, (remark,) = parse_lines(b"")
+    assert (status, parsed) == (0, [])
+    assert "no instruction" in remark
 
 
 def test_text_without_a_task_is_no_error_of_parse(parse_lines) -> None:

@@ -54,6 +54,8 @@ def parse(
         understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)
         for number, instruction in enumerate(track(understood, total=None, label="parsing")):
             _print(instruction, layout, alternatives, is_first=number == 0)
+    if lines.count == 0:
+        remark("no instruction was given; write one a line")
     return 2 if lines.has_errors else 0
 
 
@@ -62,12 +64,14 @@ class _Lines:
 
     def __init__(self, stream: BinaryIO) -> None:
         self._stream = stream
+        self.count = 0
         self.has_errors = False
 
     def __iter__(self) -> Iterator[str]:
         from decomplex_bt.understanding.interpreter import check_text
 
-        for number, raw in enumerate(_raw_lines(self._stream), start=1):
+        for raw in _raw_lines(self._stream):
+            self.count = number = self.count + 1
             try:
                 text = _decode(raw, is_first=number == 1)
                 check_text(text)

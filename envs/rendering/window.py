@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
+
 import pygame
 
 from decomplex_bt.errors import InputError
 
 FRAMES_PER_SECOND = 30
 TITLE = "decomplex-bt"
+UNSEEN = ("offscreen", "dummy")
+"""What SDL falls back to without a word where it finds no screen."""
 
 
 class Window:
@@ -21,9 +25,10 @@ class Window:
             pygame.display.init()
             self._screen: pygame.Surface | None = pygame.display.set_mode(size)
         except pygame.error as error:
-            raise InputError(
-                f"no window can be opened here: {error}; film instead (rgb_array), or set SDL_VIDEODRIVER=dummy"
-            ) from None
+            raise _no_window(str(error)) from None
+        if pygame.display.get_driver() in UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
+            self.close()
+            raise _no_window("there is no display")
         pygame.display.set_caption(TITLE)
         self._clock = pygame.time.Clock()
 
@@ -42,3 +47,7 @@ class Window:
         if self._screen is not None:
             pygame.display.quit()
             self._screen = None
+
+
+def _no_window(why: str) -> InputError:
+    return InputError(f"no window can be opened here: {why}; film instead (rgb_array), or set SDL_VIDEODRIVER=dummy")

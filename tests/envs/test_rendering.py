@@ -153,6 +153,13 @@ def test_window_without_a_driver_is_a_clear_error(geometry: Geometry, monkeypatc
         Window((200, 180))
 
 
+def test_a_window_nobody_can_see_is_a_clear_error(geometry: Geometry, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    monkeypatch.setattr("decomplex_bt.envs.rendering.window.os.environ", {})
+    with pytest.raises(InputError, match="no display"):
+        Window((200, 180))
+
+
 def test_captions_survive_any_text() -> None:
     assert printable("café ☕ “x”\n…") == 'cafe ? "x" ...'
     assert text_size(shorten("x" * 500, 12, 100), 12)[0] <= 100
