@@ -26,6 +26,7 @@ def train(
     Nothing is written unless all models were trained; the same corpus gives the same models.
     """
     use_utf8()
+    from decomplex_bt.evaluation.proportion import Proportion
     from decomplex_bt.understanding import training
 
     report = training.train(
@@ -38,11 +39,17 @@ def train(
                 "examples": report.examples,
                 "flows_left_out": report.flows_left_out,
                 "folder": str(report.folder),
+                "held_out": {voice: Proportion(*counts).to_json() for voice, counts in report.held_out.items()},
             }
         )
         return 0
     print(f"trained on {report.examples} instructions of {', '.join(report.voices)}")
     if report.flows_left_out:
         print(f"{report.flows_left_out} flows that the labels cannot say were left out of the flow model")
+    print("tasks and control flow exactly right, read by models that never saw the voice (the worst first):")
+    for voice, (right, count) in sorted(report.held_out.items(), key=lambda item: item[1][0] / item[1][1]):
+        print(f"  {voice:12} {Proportion(right, count)}")
+    total = [sum(counts) for counts in zip(*report.held_out.values(), strict=True)]
+    print(f"  {'all':12} {Proportion(*total)}")
     print(f"models are in {report.folder}")
     return 0

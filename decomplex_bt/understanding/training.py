@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, compress
 from pathlib import Path
@@ -25,7 +25,14 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import ENCODER_FOLDER
 from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
-from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of, train_readings
+from decomplex_bt.understanding.readings import (
+    Reading,
+    ReadingModel,
+    Stages,
+    load_stages,
+    readings_of,
+    train_readings,
+)
 from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
@@ -42,12 +49,18 @@ FOLDS = 3
 
 @dataclass(frozen=True, slots=True)
 class TrainingReport:
-    """What was trained: the voices and examples used, the flows that no labels can say, where the models are."""
+    """What was trained: the voices and examples used, the flows that no labels can say, where the models are.
+
+    `held_out`: of the voices read by models that never saw them (all of them; with the encoder those of "development"),
+    how many instructions came out with exactly the right tasks and control flow, and of how many. Only the few weights
+    of the choice among readings were fitted on them.
+    """
 
     voices: tuple[str, ...]
     examples: int
     flows_left_out: int
     folder: Path
+    held_out: Mapping[str, tuple[int, int]]
 
 
 def train(
@@ -78,9 +91,9 @@ def train(
         if encoder:
             output = output / ENCODER_FOLDER
             for_choice = {name for name, split in splits.items() if split == "development"}
-            left_out = train_with_encoder(folder, examples, for_choice, loaded, parser, progress=progress)
+            left_out, held_out = train_with_encoder(folder, examples, for_choice, loaded, parser, progress=progress)
         else:
-            left_out = train_models(folder, examples, loaded, parser, progress=progress)
+            left_out, held_out = train_models(folder, examples, loaded, parser, progress=progress)
         write_manifest(
             folder,
             loaded,
@@ -93,7 +106,7 @@ def train(
         output.mkdir(parents=True, exist_ok=True)
         for file in sorted(folder.iterdir()):
             shutil.copyfile(file, output / file.name)
-    return TrainingReport(tuple(splits), len(examples), left_out, output)
+    return TrainingReport(tuple(splits), len(examples), left_out, output, held_out)
 
 
 def train_models(
@@ -103,15 +116,14 @@ def train_models(
     parser: Parser,
     *,
     progress: Progress = lambda stage: None,
-) -> int:
+) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains every model but the encoder on these examples into `folder`; gives the number of flows that no labels can
-    say."""
+    say, and what `TrainingReport` tells of the voices held out."""
     data = _corpus(examples, domain, parser, progress)
     left_out = _train_stages(folder, data, progress)
     progress("references")
     train_references(folder / REFERENCES_FILE, data.plain, domain.ontology)
-    _train_choice(folder, list(_held_out_readings(data, domain, progress)))
-    return left_out
+    return left_out, _train_choice(folder, list(_held_out_readings(data, domain, progress)))
 
 
 def train_with_encoder(
@@ -122,9 +134,9 @@ def train_with_encoder(
     parser: Parser,
     *,
     progress: Progress = lambda stage: None,
-) -> int:
+) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains the encoder into `folder`; the voices in `for_choice` only teach the choice among readings and its
-    confidence. Gives the number of flows that no labels can say."""
+    confidence. Gives what `train_models` does."""
     from decomplex_bt.understanding.encoder.model import EncoderModel
     from decomplex_bt.understanding.encoder.referents import train_share
     from decomplex_bt.understanding.encoder.stages import encoder_stages
@@ -132,7 +144,7 @@ def train_with_encoder(
 
     data = _corpus(examples, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
-    kept = data.only([voice in for_choice for voice in data.voices]).plain
+    kept = data.only([voice in for_choice for voice in data.voices])
     copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *_disturbed(learnt.plain, domain, parser)]
     train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
     model = EncoderModel(folder)
@@ -141,12 +153,12 @@ def train_with_encoder(
         left_out = train_flow(Path(scratch), learnt.for_flow())
         progress("readings")
         stages = encoder_stages(model, FlowModel(Path(scratch)), domain.ontology)
-        _train_choice(folder, [Held(o, i, readings_of(o, stages, domain.ontology)) for o, i in kept])
+        held_out = _train_choice(folder, list(_held(kept, stages, domain)))
         progress("references")
         train_references(Path(scratch) / REFERENCES_FILE, learnt.plain, domain.ontology)
         references = ReferenceModel(Path(scratch) / REFERENCES_FILE, domain.ontology)
-        train_share(folder, model, references, kept, domain.ontology)
-    return left_out
+        train_share(folder, model, references, kept.plain, domain.ontology)
+    return left_out, held_out
 
 
 def _disturbed(
@@ -175,6 +187,7 @@ def _corpus(examples: Sequence[Example], domain: Domain, parser: Parser, progres
 class Held:
     """An annotated instruction with its readings by stages that never saw its voice."""
 
+    voice: str
     observed: Observed
     instruction: Instruction
     readings: tuple[Reading, ...]
@@ -187,17 +200,21 @@ class Held:
         return next(iter([*exact, *right]), None)
 
 
-def _train_choice(folder: Path, held_out: Sequence[Held]) -> None:
-    """The weights of readings and the calibration of confidences."""
+def _train_choice(folder: Path, held_out: Sequence[Held]) -> Mapping[str, tuple[int, int]]:
+    """The weights of readings and the calibration of confidences; gives what was read right of each voice."""
     rights = [(held.readings, held.right()) for held in held_out]
     train_readings(folder / "readings.json", [(readings, right) for readings, right in rights if right is not None])
     model = ReadingModel(folder / "readings.json")
     seen: dict[str, list[tuple[float, bool]]] = {kind: [] for kind in KINDS}
+    by_voice: dict[str, tuple[int, int]] = {}
     for held in held_out:
         ranked = model.ranked(held.readings)
         for kind, chance, is_right in judged(held.observed, held.instruction, ranked[0][0], belief_of(ranked)):
             seen[kind].append((chance, is_right))
+        right, count = by_voice.get(held.voice, (0, 0))
+        by_voice[held.voice] = (right + seen["flow"][-1][1], count + 1)
     train_calibration(folder / "calibration.json", seen)
+    return by_voice
 
 
 def judged(
@@ -258,9 +275,12 @@ def _held_out_readings(data: Corpus, domain: Domain, progress: Progress) -> Iter
         progress(f"readings {fold + 1}/{max(held_out) + 1}")
         with tempfile.TemporaryDirectory() as scratch:
             _train_stages(Path(scratch), data.only([f != fold for f in held_out]), lambda stage: None)
-            stages = load_stages(Path(scratch))
-            for observed, instruction in data.only([f == fold for f in held_out]).plain:
-                yield Held(observed, instruction, readings_of(observed, stages, domain.ontology))
+            yield from _held(data.only([f == fold for f in held_out]), load_stages(Path(scratch)), domain)
+
+
+def _held(data: Corpus, stages: Stages, domain: Domain) -> Iterator[Held]:
+    for voice, (observed, instruction) in zip(data.voices, data.plain, strict=True):
+        yield Held(voice, observed, instruction, readings_of(observed, stages, domain.ontology))
 
 
 def _folds(voices: Sequence[str]) -> list[int]:

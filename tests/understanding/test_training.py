@@ -23,8 +23,11 @@ def small_corpus(tmp_path, household_folder):
 
 
 def test_the_same_corpus_gives_the_same_bytes_and_never_reads_test_voices(small_corpus, tmp_path):
-    for name in ("first", "second"):
-        train(small_corpus, tmp_path / name)
+    reports = [train(small_corpus, tmp_path / name) for name in ("first", "second")]
+    assert reports[0].held_out == reports[1].held_out
+    ((voice, (right, count)),) = reports[0].held_out.items()
+    assert (voice, count) == ("learn", 25)
+    assert 0 < right < count, "25 instructions teach something, and not all"
     files = sorted(file.name for file in (tmp_path / "first").iterdir())
     assert files == sorted(file.name for file in (tmp_path / "second").iterdir())
     for file in files:
