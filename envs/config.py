@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from decomplex_bt.errors import InputError
+
 
 @dataclass(frozen=True, slots=True)
 class WorldConfig:
@@ -44,6 +46,10 @@ class SensingConfig:
     every: int = 4
     memory: float = 15.0
     looks: int = 2
+
+    def __post_init__(self) -> None:
+        if self.looks < 1 or self.every < 1:
+            raise InputError(f"looks is {self.looks}, every is {self.every}; expected whole numbers from 1 on")
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,7 @@ class Sensor:
         self._seen_floor = np.full(samples.floor_count, -np.inf)
         self._seen_when = np.full(count, -np.inf)
         never = np.zeros(geometry.place_count, dtype=np.bool_)
-        self._full_before = deque([never] * (config.looks - 1), maxlen=max(config.looks - 1, 0))
+        self._full_before = deque([never] * (config.looks - 1), maxlen=config.looks - 1)
         self._tracked = np.zeros(count, dtype=bool)
         self._known, self._truth = (table.copy() for table in _tables(geometry))
         self._version = self._arrangement = self._stirs = -1

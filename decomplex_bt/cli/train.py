@@ -46,10 +46,12 @@ def train(
     print(f"trained on {report.examples} instructions of {', '.join(report.voices)}")
     if report.flows_left_out:
         print(f"{report.flows_left_out} flows that the labels cannot say were left out of the flow model")
-    print("tasks and control flow exactly right, read by models that never saw the voice (the worst first):")
+    if report.held_out:
+        print("tasks and control flow exactly right, read by models that never saw the voice (the worst first):")
     for voice, (right, count) in sorted(report.held_out.items(), key=lambda item: item[1][0] / item[1][1]):
         print(f"  {voice:12} {Proportion(right, count)}")
-    total = [sum(counts) for counts in zip(*report.held_out.values(), strict=True)]
-    print(f"  {'all':12} {Proportion(*total)}")
+    if len(report.held_out) > 1:
+        rights, counts = zip(*report.held_out.values(), strict=True)
+        print(f"  {'all':12} {Proportion(sum(rights), sum(counts))}")
     print(f"models are in {report.folder}")
     return 0

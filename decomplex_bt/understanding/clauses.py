@@ -74,6 +74,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
     far = tuple(cue.name for cue in cues if previous < cue.first <= split)
     near = tuple(cue.name for cue in cues if split < cue.first < token)
     behind = tuple(cue.name for cue in cues if token < cue.first < end)
+    # "lock up but before that feed the cat": where no mark stands between, it belongs to what follows
+    is_open = end == following < len(document)
+    own = tuple(name for name in behind if not (is_open and name in ("before_that", "before_all")))
     opening = [cue.last for cue in cues if split < cue.first <= token and cue.name in GOVERNING]
     joining = [cue.last for cue in cues if split < cue.first < token and cue.name in ("and", "or", "but")]
     first = max(opening or joining, default=split) + 1
@@ -89,7 +92,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         behind=behind,
         sentence=document.sentences[token],
         boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
-        wording=_wording(observed, tasks[k], min(first, token), max(last, token), (far, near, behind), is_joined),
+        wording=_wording(observed, tasks[k], min(first, token), max(last, token), (far, near, own), is_joined),
         objects=tuple(
             document.tokens[j].lemma
             for kind, indices in tasks[k].arguments
@@ -123,13 +126,7 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     leading = {*far, *near}
     orders = [
         *(label for name in near for label in _SUBORDINATE.get(name, ())),
-        *(label for name in _ADVERBIAL if name in leading for label in _ADVERBIAL[name]),
-        *(
-            label
-            for name in ("before_that", "before_all", "first", "last")
-            if name in behind
-            for label in _ADVERBIAL[name]
-        ),
+        *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
     ]
     lemmas = {observed.document.tokens[j].lemma for j in range(first, last + 1)}
     return Wording(

@@ -212,6 +212,8 @@ def _alone(orders: Sequence[str], sentences: Sequence[int]) -> list[str]:
         if not order.endswith("+"):
             continue
         alone[i] = order[:-1]
+        if i == 0:  # there is nothing to go ahead of, and what follows must not go ahead of this one
+            continue
         for j in range(i + 1, len(orders)):
             if orders[j] != "keep" or sentences[j] != sentences[i]:
                 break

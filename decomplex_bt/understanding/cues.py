@@ -70,7 +70,9 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "ahead of both", "before both", "prior to both", "prior to all that", "prior to any of that", "prior to all of which", "before all of which",
         ),
         "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),
-        "until": ("until", "till", "til", "not until", "until after", "not before", "never before", "no sooner than", "not earlier than"),
+        "until": ("until", "till", "til", "not until", "until after", "no sooner than", "not earlier than",
+            *(f"{word} before {who}" for word in ("not", "never") for who in ("you", "i", "we", "he", "she", "they")),
+        ),
         "first": (
             "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
             "before everything else", "at first", "step one", "for starters",
@@ -116,7 +118,7 @@ ASKING_LEMMAS = frozenset(
 
 _NORMAL = {
     "n't": "not", "n’t": "not", "nt": "not", "ca": "can", "wo": "will", "'s": "is", "’s": "is", "'re": "are", "’re": "are", "'ll": "will", "’ll": "will",
-    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your", "b4": "before",
+    "'ve": "have", "’ve": "have", "it's": "it is", "are": "is", "was": "is", "were": "is", "u": "you", "isnt": "is not", "cuz": "because", "ur": "your",
 }  # fmt: skip
 
 
@@ -137,10 +139,15 @@ def normal_form(word: str) -> str:
 def find_cues(document: Document) -> tuple[Cue, ...]:
     """All cues of a document from left to right; an "if" or "whether" after a verb of asking is `whether`."""
     words = [normal_form(token.lower) for token in document.tokens]
+    for i in range(len(words) - 1):
+        if words[i] == "b4" and words[i + 1] in _AFTER_BEFORE:  # "b4 u go"; "shelf B4" is none
+            words[i] = "before"
     cues: list[Cue] = []
     position = 0
     while position < len(words):
         length, names = _longest(words, position)
+        if _PRO_BEFORE.intersection(names) and _opens_clause(document, position, position + length - 1):
+            length, names = 1, ("before",)
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
@@ -148,6 +155,22 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
     return tuple(sorted(cues, key=lambda cue: cue.first))
+
+
+_PRO_BEFORE = frozenset(("before_that", "before_all"))
+_AFTER_BEFORE = frozenset("you i he she it we they that this the my your ur his her our their any all doing going".split())
+
+
+def _opens_clause(document: Document, first: int, last: int) -> bool:
+    """Whether a "before that" or "before both" goes on: "before that meeting", "before all that noise starts"."""
+    for token in document.tokens[first + 1 : last + 1]:
+        head = document.tokens[token.head]
+        if last < token.head and (
+            token.dep in ("det", "predet")
+            or (token.dep in ("nsubj", "nsubjpass") and head.tag in ("VBZ", "VBD", "MD"))
+        ):
+            return True
+    return False
 
 
 def _inverts(document: Document, i: int) -> bool:

@@ -13,7 +13,7 @@ from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.crf import Crf
 
 MANIFEST_FILE = "manifest.json"
-FEATURES_VERSION = 2
+FEATURES_VERSION = 3
 """Raised with every change of features or labels: models of another version do not fit the code."""
 MODEL_NAMES = ("tasks", "arguments", "roles", "attachments", "orders")
 FILES = ("references.json", "readings.json", "calibration.json")

@@ -120,10 +120,10 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
         place = f"{min(2, len(ahead))}.{min(2, len(behind))}"
         opens = k == 0 or clauses[k - 1].sentence != clause.sentence
         item["rest"] = rest = _rest(clauses, k, behind)
-        joint = next((word for word in ("and", "or", "but") if word in clause.near), "none")
-        if k and document.tokens[clauses[k - 1].task.token].lemma in ("wait", "stay"):
+        joint = _joint(clause)
+        if k and document.tokens[clauses[k - 1].task.token].lemma in _WAITING:  # "wait until ..." is in order as it is
             item["waits"] = "+".join(sorted({"until", "after", "when"}.intersection(clause.near)))
-        nearby = sum(clauses[j].sentence == clause.sentence for j in ahead)
+        nearby = min(3, sum(clauses[j].sentence == clause.sentence for j in ahead))
         for label in clause.wording.orders:
             item[f"says.{label}"] = 1.0
             item[f"says.{label}.place"] = f"{place}.{roles[k]}"
@@ -133,8 +133,8 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
                 f"{min(3, len(ahead))}.{nearby}"
             )
         for label in other_orders(roles, attachments, wordings, k):
-            item[f"branch.{label}"] = f"{place}.{clause.boundary}"
-            item[f"branch.{label}.role"] = roles[k]
+            item[f"elsewhere.{label}"] = f"{place}.{clause.boundary}"
+            item[f"elsewhere.{label}.role"] = roles[k]
         for label in ("before", "after", "first", "last"):
             item[f"others.{label}.ahead"] = any(label in clauses[j].wording.orders for j in ahead)
             item[f"others.{label}.behind"] = any(label in clauses[j].wording.orders for j in behind)
@@ -159,16 +159,20 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
     return items
 
 
+def _joint(clause: Clause) -> str:
+    return next((word for word in ("and", "or", "but") if word in clause.near), "none")
+
+
 def _rest(clauses: Sequence[Clause], k: int, behind: Sequence[int]) -> str:
     """What a task may take along: how many siblings follow it in its sentence, and how the next one joins it."""
     same = [j for j in behind if clauses[j].sentence == clauses[k].sentence]
     if not same:
         return "0"
     following = clauses[same[0]]
-    joint = next((word for word in ("and", "or", "but") if word in following.near), "none")
-    return f"{min(2, len(same))}.{joint}.{following.boundary}.{'says' if following.wording.orders else ''}"
+    return f"{min(2, len(same))}.{_joint(following)}.{following.boundary}.{'says' if following.wording.orders else ''}"
 
 
+_WAITING = frozenset(("wait", "stay"))
 _ORDER_CUES = frozenset(
     (
         "before",

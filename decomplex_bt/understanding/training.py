@@ -53,7 +53,8 @@ class TrainingReport:
 
     `held_out`: of the voices read by models that never saw them (all of them; with the encoder those of "development"),
     how many instructions came out with exactly the right tasks and control flow, and of how many. Only the few weights
-    of the choice among readings were fitted on them.
+    of the choice among readings were fitted on them. Fewer than three voices are not held out as a whole, but every
+    other instruction.
     """
 
     voices: tuple[str, ...]
@@ -185,7 +186,7 @@ def _corpus(examples: Sequence[Example], domain: Domain, parser: Parser, progres
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """An annotated instruction with its readings by stages that never saw its voice."""
+    """An annotated instruction with its readings by stages that never saw it (nor its voice, see `_folds`)."""
 
     voice: str
     observed: Observed

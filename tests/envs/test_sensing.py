@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from decomplex_bt.envs.config import SensingConfig
 from decomplex_bt.envs.interface import COLUMNS, Interaction
-from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, X, Y
+from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, Sensor, X, Y
+from decomplex_bt.errors import InputError
 
 INSPECTED = COLUMNS.index("inspected")
 
@@ -116,3 +118,36 @@ def test_absent_people_and_things_are_nowhere(trial):
     t.drive(0.0, 1.0, steps=30)
     assert not t.sees("apple")
     assert not t.sees("anna")
+
+
+@pytest.mark.parametrize("looks", [1, 2, 3])
+def test_a_place_is_inspected_by_so_many_looks_in_a_row_and_forgotten_by_one_away(trial, looks):
+    t = trial(at=(0.5, 7.8), facing=(0.5, 9.0), states={"fridge": "open"})
+    sensor = Sensor(t.world, SensingConfig(looks=looks, every=1))
+    seen = []
+    for _ in range(4):
+        t.world.drive(0.0, 0.0)
+        assert sensor.look()
+        seen.append(bool(sensor.inspected[t.row["fridge"]]))
+    assert seen == [k >= looks for k in range(1, 5)]
+    while sensor.visible[t.row["fridge"]]:
+        t.world.drive(0.0, 1.0)
+        sensor.look()
+    assert not sensor.inspected[t.row["fridge"]]
+
+
+def test_who_walks_on_in_a_kept_scene_is_seen_where_they_are(trial):
+    t = trial(at=(2.2, 6.2), facing=(2.2, 9.0), people={"user": "study", "anna": "kitchen", "tom": None, "guest": None})
+    t.drive(0.0, steps=4)
+    row, world = t.row["anna"], t.world
+    behind, ahead = np.array([2.2, 5.2]), np.array([2.2, 7.0])
+    for spot, is_seen in ((behind, False), (ahead, True), (behind, False)):
+        world._position[row] = spot
+        world.stirs += 1
+        t.drive(0.0, steps=4)
+        assert t.sees("anna") is is_seen
+
+
+def test_a_sensor_that_never_looks_is_refused():
+    with pytest.raises(InputError, match="looks is 0"):
+        SensingConfig(looks=0)

@@ -123,3 +123,19 @@ def test_a_further_mention_speaks_for_the_order_of_what_it_mentions():
     wordings = [PLAIN, Wording(orders=("after", "last")), PLAIN]
     assert other_orders(["task", "again", "task"], ["top", "<1", "top"], wordings, 0) == ("after", "last")
     assert other_orders(["task", "again", "task"], ["top", "<1", "top"], wordings, 2) == ()
+
+
+def test_a_first_sibling_has_nothing_to_go_ahead_of():
+    arcs = [Arc(order="before+"), Arc(), Arc()]
+    assert flow_of(arcs, [PLAIN] * 3) == Flow.from_json([1, 2, 3])
+    wordings = [Wording(orders=("before", "first")), Wording(orders=("first", "before"))]
+    derived = arcs_of(Flow.from_json([2, 1]), wordings)
+    assert derived is not None
+    assert [arc.order for arc in derived] == ["keep", "before"]
+
+
+def test_first_goes_ahead_of_all_and_before_of_one():
+    arcs = [Arc(), Arc(), Arc(order="first+"), Arc()]
+    assert flow_of(arcs, [PLAIN] * 4) == Flow.from_json([3, 4, 1, 2])
+    arcs[2] = Arc(order="before+")
+    assert flow_of(arcs, [PLAIN] * 4) == Flow.from_json([1, 3, 4, 2])

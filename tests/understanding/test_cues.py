@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.cues import find_cues
+from decomplex_bt.understanding.document import Parser
 
 
 @pytest.mark.parametrize(
@@ -34,3 +35,21 @@ from decomplex_bt.understanding.cues import find_cues
 def test_a_phrase_is_its_class(text, expected):
     found = [cue.name for cue in find_cues(document(*text.split()))]
     assert [name for name in found if name not in ("can", "and")] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Sweep the floor before any of that.", ["before_all"]),
+        ("Before that, close it.", ["before_that"]),
+        ("Clean the table before both guests arrive.", ["before"]),
+        ("Before any of this gets cold, cover it.", ["before"]),
+        ("Before that meeting starts, bring me a coffee.", ["before"]),
+        ("If it is not before noon, close the door.", ["not", "before"]),
+        ("Turn off the light, but not before you have closed the door.", ["until"]),
+        ("Put the box on shelf B4 and close the door.", []),
+    ],
+)
+def test_what_goes_on_after_before_is_a_clause_and_no_pro_form(text, expected):
+    names = {"before", "before_that", "before_all", "until", "not"}
+    assert [cue.name for cue in find_cues(Parser().parse(text)) if cue.name in names] == expected
