@@ -158,7 +158,17 @@ class _Grounder:
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         goal = task.value("goal") or task.value("path")
         objects, _ = self._objects(task, self._is_person, "be followed")
-        return replace(bare, objects=objects, goal=self._place(goal) if goal is not None else None)
+        return replace(bare, objects=objects, goal=self._whither(goal) if goal is not None else None)
+
+    def _whither(self, words: str) -> Referent:
+        """Where somebody leads the way to: who leads knows rooms and furniture, not where things lie."""
+        goal = self._place(words)
+        fixed = tuple(name for name in goal.candidates if not self._is_thing(name))
+        if not fixed:
+            raise ImpossibleGoalError(
+                f"{words!r} may lie anywhere, so nobody can lead the way to it; say a room or a piece of furniture"
+            )
+        return replace(goal, candidates=fixed)
 
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         recipient = task.value("recipient")

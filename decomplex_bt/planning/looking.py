@@ -91,6 +91,8 @@ class Looking(Standing):
             not_so = [name for name in seen if name not in so]
             is_any = is_indefinite(referent)
             left = [name for name in self._fitting(referent) if name not in seen and self._may_be_seen(name)]
+            if self._may_be_there() and not any(self._is_open(place) for place in self.wheres):
+                left = [name for name in left if self._is_there(name)]  # what is elsewhere was not asked about
             if referent.is_all and (not_so or not left) and seen:
                 if not_so:
                     return self._false({})

@@ -120,6 +120,13 @@ def test_the_clean_one_is_brought_not_the_dirty_one() -> None:
     assert (brought.status, bound(brought)["a clean mug"]) == (DONE, ("mug_2",))
 
 
+@pytest.mark.parametrize("state", ["clean", "dirty"])
+def test_only_those_at_the_place_are_asked_about(state: str) -> None:
+    inside = world({"plate_1": "counter", "plate_2": "desk"}, {("plate_1", "cleanliness"): state})
+    (checked,) = run("[Are](1:check_state) [the plates](1:object) [on the counter](1:location) [clean](1:state)", inside)
+    assert (checked.status, checked.truth) == (DONE, state == "clean")
+
+
 def test_all_the_dirty_ones_are_washed() -> None:
     values = {(f"plate_{i}", "cleanliness"): "dirty" for i in (1, 2)}
     inside = world({"plate_1": "kitchen_table", "plate_2": "sink"}, values)
