@@ -24,7 +24,7 @@ from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Marked
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
 from decomplex_bt.understanding.prohibitions import forbidden
-from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
+from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel, certain
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -111,16 +111,21 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
     """All readings of a document, that of the likeliest tasks first, of each set of tasks the likeliest flow first."""
     return tuple(
         reading
-        for found in _without(forbidden(observed), stages.tasks.alternatives(observed))
+        for found in _settled(observed, stages.tasks.alternatives(observed), ontology)
         for reading in _read(observed, found, stages, ontology)
     )
 
 
-def _without(tokens: Sequence[int], alternatives: Sequence[FoundTasks]) -> Iterator[FoundTasks]:
-    """The task sets without these tokens; each set once, the likelier one."""
+def _settled(
+    observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology
+) -> Iterator[FoundTasks]:
+    """The task sets without what is forbidden and with what is certain; each set once, the likelier one."""
+    tokens = forbidden(observed)
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         tasks = tuple(task for task in found.tasks if task.token not in tokens)
+        if "placing" in ontology.task_types:
+            tasks = certain(observed.document, tasks)
         key = tuple((task.token, task.type) for task in tasks)
         if key not in seen:
             seen.add(key)

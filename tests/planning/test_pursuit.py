@@ -123,7 +123,8 @@ def test_the_clean_one_is_brought_not_the_dirty_one() -> None:
 @pytest.mark.parametrize("state", ["clean", "dirty"])
 def test_only_those_at_the_place_are_asked_about(state: str) -> None:
     inside = world({"plate_1": "counter", "plate_2": "desk"}, {("plate_1", "cleanliness"): state})
-    (checked,) = run("[Are](1:check_state) [the plates](1:object) [on the counter](1:location) [clean](1:state)", inside)
+    text = "[Are](1:check_state) [the plates](1:object) [on the counter](1:location) [clean](1:state)"
+    (checked,) = run(text, inside)
     assert (checked.status, checked.truth) == (DONE, state == "clean")
 
 

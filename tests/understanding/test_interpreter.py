@@ -82,6 +82,20 @@ def test_a_missing_argument_asks_its_question(interpreter):
     assert [(m.task, m.argument, m.question) for m in missing] == [(1, "goal", "Where should I put it?")]
 
 
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Put the book.", "placing"),
+        ("Put down the cup.", "placing"),
+        ("Put the pen on the desk.", "placing"),
+        ("Put the kettle on.", "change_state"),
+        ("Put out the light.", "change_state"),
+    ],
+)
+def test_to_put_something_is_to_place_it_unless_it_is_put_on_or_out(interpreter, text, kind):
+    assert [task.type for task in interpreter.interpret(text).tasks] == [kind]
+
+
 def test_the_same_text_is_understood_alike_under_any_hash_seed(printed_under_hash_seeds):
     program = (
         "import json; from decomplex_bt.understanding.interpreter import Interpreter;"
