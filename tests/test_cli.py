@@ -337,3 +337,17 @@ def test_standard_input_that_cannot_be_read_is_named(tmp_path: Path) -> None:
         done = subprocess.run(command, stdin=written_only, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "<stdin>: cannot be read" in done.stderr
+
+
+@pytest.mark.parametrize("held_out", [{}, {"ann": (3, 4), "bob": (1, 5)}])
+def test_train_tells_how_well_each_voice_was_read_the_worst_first(held_out, monkeypatch, capsys) -> None:
+    from decomplex_bt.understanding import training
+
+    report = training.TrainingReport(("ann", "bob"), 9, 0, Path("models"), held_out)
+    monkeypatch.setattr(training, "train", lambda *arguments, **options: report)
+    assert main(["train"]) == 0
+    told = [line.split()[0] for line in capsys.readouterr().out.splitlines() if "%" in line]
+    assert told == (["bob", "ann", "all"] if held_out else [])
+    assert main(["train", "--json"]) == 0
+    printed = json.loads(capsys.readouterr().out)["held_out"]
+    assert {voice: (p["count"], p["total"]) for voice, p in printed.items()} == held_out
