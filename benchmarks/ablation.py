@@ -62,9 +62,10 @@ ROWS: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "flow": {
         "cues": CUES,
-        "likeness to earlier checks": ("says", "asked"),
+        "likeness to earlier checks": ("asked",),
         "what became of an action": ("outcome", "action1", "action2"),
-        "'first' in a branch": ("branch",),
+        "what the words say of order": ("says.", "others.", "rest", "waits"),
+        "order told elsewhere ('first' in a branch)": ("elsewhere",),
         "shared nouns and pronouns": ("link",),
         "replacement (... instead)": ("right.replaces",),
         "shape of the condition in its sentence": ("left.shape", "right.shape", "turn.shape"),
@@ -182,16 +183,23 @@ STAGES = {"tasks": _tasks, "arguments": _arguments, "flow": _flow}
 
 @contextmanager
 def _without(starts: tuple[str, ...], *extractors: tuple[Any, str]) -> Iterator[None]:
-    """Leaves out all features whose names start so, in training and in use."""
+    """Leaves out all features whose names start so, in training and in use. Raises `ValueError` if there were none."""
+    left_out = 0
     with ExitStack() as stack:
         for module, name in extractors:
             whole = getattr(module, name)
 
             def reduced(*given: Any, whole: Callable[..., Any] = whole) -> Any:
-                return [{k: v for k, v in item.items() if not k.startswith(starts)} for item in whole(*given)]
+                nonlocal left_out
+                items = whole(*given)
+                kept = [{k: v for k, v in item.items() if not k.startswith(starts)} for item in items]
+                left_out += sum(map(len, items)) - sum(map(len, kept))
+                return kept
 
             stack.enter_context(patch.object(module, name, reduced))
         yield
+    if not left_out:
+        raise ValueError(f"no feature's name starts with any of {starts}: the row would say nothing")
 
 
 def _counts(found: Sequence[tuple[set[Any], set[Any]]]) -> tuple[int, int, int]:

@@ -32,9 +32,9 @@ another."""
 NEARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
 """What is asked of each point: near enough to be looked over, not left or right of the field of view, within range;
 then, for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
+VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 MOST_LAYOUTS = 256
 """Layouts kept at once, for each house."""
-VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 
 Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]

@@ -129,9 +129,7 @@ def order_features(chain: Chain, roles: Sequence[str], attachments: Sequence[str
             item[f"says.{label}.place"] = f"{place}.{roles[k]}"
             item[f"says.{label}.opens"] = f"{opens}.{len(ahead) > 0}"
             item[f"says.{label}.rest"] = rest
-            item[f"says.{label}.ahead"] = (
-                f"{min(3, len(ahead))}.{nearby}"
-            )
+            item[f"says.{label}.ahead"] = f"{min(3, len(ahead))}.{nearby}"
         for label in other_orders(roles, attachments, wordings, k):
             item[f"elsewhere.{label}"] = f"{place}.{clause.boundary}"
             item[f"elsewhere.{label}.role"] = roles[k]
