@@ -51,6 +51,10 @@ def run(
     from decomplex_bt.cli.film import Film
     from decomplex_bt.cli.reading import read
 
+    if window:
+        from decomplex_bt.envs.rendering.window import check_screen
+
+        check_screen()
     is_json = chosen(format, json) is Format.json
     film = Film(record) if record is not None else None
     reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)

@@ -1,4 +1,4 @@
-"""A window on the screen for `human` rendering; with SDL_VIDEODRIVER=dummy it works without a screen."""
+"""A window on the screen for `human` rendering; without a screen it works as well, and nobody sees it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ UNSEEN = ("offscreen", "dummy")
 class Window:
     """Shows pictures of one size (pixels), at most `FRAMES_PER_SECOND` a second; closing it hides it for good.
 
-    Raises `InputError` where there is no screen.
+    Raises `InputError` where none can be opened.
     """
 
     def __init__(self, size: tuple[int, int]) -> None:
@@ -26,9 +26,6 @@ class Window:
             self._screen: pygame.Surface | None = pygame.display.set_mode(size)
         except pygame.error as error:
             raise _no_window(str(error)) from None
-        if pygame.display.get_driver() in UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
-            self.close()
-            raise _no_window("there is no display")
         pygame.display.set_caption(TITLE)
         self._clock = pygame.time.Clock()
 
@@ -47,6 +44,20 @@ class Window:
         if self._screen is not None:
             pygame.display.quit()
             self._screen = None
+
+
+def check_screen() -> None:
+    """Raises `InputError` where a window would be seen by nobody, unless SDL_VIDEODRIVER asks for just that.
+
+    For whoever asks for a window alone: an environment renders for "human" anywhere, as Gymnasium's checker wants it.
+    """
+    try:
+        pygame.display.init()
+    except pygame.error as error:
+        raise _no_window(str(error)) from None
+    if pygame.display.get_driver() in UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
+        pygame.display.quit()
+        raise _no_window("there is no display")
 
 
 def _no_window(why: str) -> InputError:

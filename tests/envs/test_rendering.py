@@ -17,7 +17,7 @@ from decomplex_bt.envs.rendering.lettering import printable, shorten, text_size,
 from decomplex_bt.envs.rendering.renderer import Renderer
 from decomplex_bt.envs.rendering.sight import view_polygon
 from decomplex_bt.envs.rendering.text_map import text_map
-from decomplex_bt.envs.rendering.window import Window
+from decomplex_bt.envs.rendering.window import Window, check_screen
 from decomplex_bt.errors import InputError
 
 
@@ -153,11 +153,12 @@ def test_window_without_a_driver_is_a_clear_error(geometry: Geometry, monkeypatc
         Window((200, 180))
 
 
-def test_a_window_nobody_can_see_is_a_clear_error(geometry: Geometry, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_window_nobody_can_see_is_refused_to_who_asks_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    check_screen()
     monkeypatch.setattr("decomplex_bt.envs.rendering.window.os.environ", {})
     with pytest.raises(InputError, match="no display"):
-        Window((200, 180))
+        check_screen()
 
 
 def test_captions_survive_any_text() -> None:
