@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.home import Home
     from decomplex_bt.envs.judge import Judge
     from decomplex_bt.envs.options import Options
+    from decomplex_bt.envs.randomness import Generators
     from decomplex_bt.envs.recording import Recording
     from decomplex_bt.envs.verdict import Verdict
 
@@ -37,8 +38,7 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house. `noise` makes the world's generator for slips and misses, `whims`
-    the one for where people go.
+    `house` is the path or the seed of its house.
     """
 
     def __init__(
@@ -48,9 +48,7 @@ class Episode:
         start: Start,
         config: HouseholdConfig,
         recording: Recording,
-        *,
-        noise: Callable[[], Generator],
-        whims: Callable[[], Generator],
+        generators: Generators,
     ) -> None:
         self.domain, self.setting, self.house, self._rows = home.domain, home.setting, home.house, home.rows
         self.judge, self.start, self.recording = judge, start, recording
@@ -69,8 +67,8 @@ class Episode:
             setting.spots,
             start,
             config=config.world,
-            noise=noise,
-            whims=whims,
+            noise=generators.noise,
+            whims=generators.whims,
             stage=home.stage,
         )
         self.sensor = Sensor(self.world, config.sensing)
@@ -78,7 +76,7 @@ class Episode:
         self.sensor.look()
         self._judged_arrangement = self.world.arrangement
         self.verdict: Verdict = judge.begin(self.world, self.sensor)
-        self._meddler = self._make_meddler(options.meddling)
+        self._meddler = self._make_meddler(options.meddling, generators.meddling)
         self._move: Move | None = None
         self._held_version = -1
         self._is_table_full = len(self.sensor.table) == self._rows
@@ -93,10 +91,9 @@ class Episode:
         if options.missed_detection is not None:
             self.sensor.missed_detection = options.missed_detection
 
-    def _make_meddler(self, rate: float) -> Meddler | None:
+    def _make_meddler(self, rate: float, rng: Generator) -> Meddler | None:
         if rate == 0.0:
             return None
-        rng = self.world.noise.spawn(1)[0]  # spawning leaves the noise as it is
         return Meddler(self.world, rng, rate=rate, mentioned=self.judge.mentioned, allows=self.judge.allows)
 
     # -- a step -------------------------------------------------------------------------------------------------------

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -416,32 +416,32 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """Begins an episode in the house of now. Nothing of the last one is touched until all is known to be usable."""
         from decomplex_bt.envs.episode import Episode
         from decomplex_bt.envs.opening import draw_start
+        from decomplex_bt.envs.randomness import draw_generators
         from decomplex_bt.envs.recording import Recording
 
         generator = self.np_random.bit_generator.state
-        seeds = self.np_random.integers(2**63, size=5).tolist()
-        base, mixing, asking, noise, whims = (partial(np.random.default_rng, seed) for seed in seeds)
+        generators = draw_generators(self.np_random)
         if options.request is not None:
             self._request, self._judge = options.request, None
-        request, judge = self._ask(replayed or self._request, asking)
-        start = draw_start(self.setting, options, judge.tests, self.config.balance, base(), mixing())
+        request, judge = self._ask(replayed or self._request, generators.asking)
+        start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
         self._settle_in(before)
         if self._episode is not None:
             self._episode.world.dismantle()
         recording = Recording(generator, request, options)
-        self._episode = episode = Episode(self._home, judge, start, self.config, recording, noise=noise, whims=whims)
+        self._episode = episode = Episode(self._home, judge, start, self.config, recording, generators)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
         return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
 
-    def _ask(self, request: Request | None, rng: Callable[[], Generator]) -> tuple[Request, Judge]:
+    def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
         from decomplex_bt.envs.opening import draw_asked, judge_for
 
         if request is None:
-            return draw_asked(self._home.base, self.domain, rng())
+            return draw_asked(self._home.base, self.domain, rng)
         if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
             return request, judge_for(request, self.domain)
         if self._judge is None:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from decomplex_bt.envs.balance import Test
+    from decomplex_bt.envs.randomness import Generators
 
 INSTRUCTION_TRIES = 200
 """Corpus examples tried before none is found that can be asked for in a house."""
@@ -56,11 +57,11 @@ def draw_asked(base: Domain, domain: Domain, rng: Generator) -> tuple[Request, J
 
 
 def draw_start(
-    setting: Setting, options: Options, tests: Sequence[Test], balance: float, base: Generator, mixing: Generator
+    setting: Setting, options: Options, tests: Sequence[Test], balance: float, generators: Generators
 ) -> Start:
     """How the world begins: drawn, mixed towards the tests, and as the options want it."""
     draw = Draw(setting.prior, setting.spots)
-    chance = Stream(base)
+    chance, mixing = Stream(generators.base), generators.mixing
     if options.chance:
         draw.everything(chance)
         mix(draw, tests, balance if options.balance is None else options.balance, mixing)

@@ -5,10 +5,9 @@ SI units; world frame with the origin bottom left; headings in radians, counter-
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -61,9 +60,8 @@ class World:
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
     `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
-    that are closed. `noise` is for slips and misses, `whims` for where people go who may go wherever they like; each is
-    made when it is first asked for. `stage`: the fixed shapes to use, which leave the world they were in before; None:
-    this world gets its own.
+    that are closed. `noise` is for slips and misses, `whims` for where people go who may go wherever they like.
+    `stage`: the fixed shapes to use, which leave the world they were in before; None: this world gets its own.
     """
 
     _is_dismantled = False
@@ -76,12 +74,12 @@ class World:
         start: Start,
         *,
         config: WorldConfig,
-        noise: Callable[[], Generator],
-        whims: Callable[[], Generator],
+        noise: Generator,
+        whims: Generator,
         stage: Stage | None = None,
     ) -> None:
         self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config
-        self._noise, self._whims = noise, whims
+        self.noise, self.whims = noise, whims
         self.grasp_slip = geometry.house.grasp_slip
         self.place = start.place.copy()
         self._position = start.position.copy()
@@ -129,14 +127,6 @@ class World:
         if self._is_stale:
             self._read_all()
         return self._position
-
-    @cached_property
-    def noise(self) -> Generator:
-        return self._noise()
-
-    @cached_property
-    def whims(self) -> Generator:
-        return self._whims()
 
     def is_floor(self, row: int) -> bool:
         return row in self._floors

@@ -67,8 +67,8 @@ def trial() -> Callable[..., Trial]:
             setting.spots,
             draw.start,
             config=WorldConfig(),
-            noise=lambda: rng,
-            whims=lambda: rng,
+            noise=rng,
+            whims=rng,
         )
         world.grasp_slip = 0.0
         sensor = Sensor(world, SensingConfig())

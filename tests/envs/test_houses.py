@@ -48,8 +48,8 @@ def truth_of(domain, seed=0):
         setting.spots,
         draw.start,
         config=WorldConfig(),
-        noise=lambda: rng,
-        whims=lambda: rng,
+        noise=rng,
+        whims=rng,
     )
     return WorldTruth(world, Sensor(world, SensingConfig()))
 
