@@ -164,9 +164,7 @@ def _flow(data: Data) -> Iterator[dict[str, Any]]:
         with tempfile.TemporaryDirectory() as folder:
             dependencies.train_flow(Path(folder), train)
             model = dependencies.FlowModel(Path(folder))
-            right = sum(
-                model.find(o, dependencies.marked_tasks(o, i)).flow == i.flow for o, i in complex_ones
-            )
+            right = sum(model.find(o, dependencies.marked_tasks(o, i)).flow == i.flow for o, i in complex_ones)
         low, high = Proportion(right, len(complex_ones)).interval or (0.0, 1.0)
         return {"figure": right / len(complex_ones), "low": low, "high": high, "n": len(complex_ones)}
 

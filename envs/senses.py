@@ -159,11 +159,7 @@ class Senses:
 
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
         """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
-        return [
-            disc
-            for name, disc, until in (*self._about, *self._lying)
-            if name != besides and self.seconds < until
-        ]
+        return [disc for name, disc, until in (*self._about, *self._lying) if name != besides and self.seconds < until]
 
     def _was_seen(self, row: int, within: float) -> bool:
         return bool(self._visible[row]) or self.seconds - self._seen_at[row] < within

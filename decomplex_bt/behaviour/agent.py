@@ -192,9 +192,7 @@ def compile_instruction(instruction: Instruction, grounded: GroundInstruction, d
     tasks = {task.number: task for task in grounded.tasks}
     prepositions = domain.lexicon.prepositions
     names = {
-        task.id: say_task(
-            task, domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions
-        )
+        task.id: say_task(task, domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions)
         for task in instruction.tasks
     }
     return compile_flow(

@@ -101,9 +101,7 @@ def score(
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE.png|.svg|.pdf", help="Draw the calibration; needs the extra plots.")
     ] = None,
-    ask: Annotated[
-        bool, typer.Option("--ask", help="Also ask back in doubt, and let the annotation answer.")
-    ] = False,
+    ask: Annotated[bool, typer.Option("--ask", help="Also ask back in doubt, and let the annotation answer.")] = False,
     encoder: EncoderOption = None,
     seed: SeedOption = 0,
 ) -> int:

@@ -16,9 +16,7 @@ _SWITCHED = {"on", "off"}
 """States that a thing is turned to, not made ("turn the tv off")."""
 
 
-def say_task(
-    task: Task, ontology: Ontology, *, state: str | None = None, prepositions: Sequence[str] = ()
-) -> str:
+def say_task(task: Task, ontology: Ontology, *, state: str | None = None, prepositions: Sequence[str] = ()) -> str:
     """The task in plain English, as the ontology says it, all its arguments included ("look for a pen in the drawer").
 
     `state` stands in where the task names none (the verb implies it). `prepositions`: those that may lead a value.

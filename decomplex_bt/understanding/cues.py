@@ -158,7 +158,9 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
 
 
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
-_AFTER_BEFORE = frozenset("you i he she it we they that this the my your ur his her our their any all doing going".split())
+_AFTER_BEFORE = frozenset(
+    "you i he she it we they that this the my your ur his her our their any all doing going".split()
+)
 
 
 def _opens_clause(document: Document, first: int, last: int) -> bool:
@@ -166,8 +168,7 @@ def _opens_clause(document: Document, first: int, last: int) -> bool:
     for token in document.tokens[first + 1 : last + 1]:
         head = document.tokens[token.head]
         if last < token.head and (
-            token.dep in ("det", "predet")
-            or (token.dep in ("nsubj", "nsubjpass") and head.tag in ("VBZ", "VBD", "MD"))
+            token.dep in ("det", "predet") or (token.dep in ("nsubj", "nsubjpass") and head.tag in ("VBZ", "VBD", "MD"))
         ):
             return True
     return False

@@ -132,9 +132,7 @@ def right_features(clauses: Sequence[Clause], k: int, j: int) -> Features:
 def _replacement_features(clauses: Sequence[Clause], k: int, j: int, joiner: str) -> Features:
     """Whether what follows the condition `j` takes the place of task `k` ahead of it ("bring me the tea, but if it is
     cold, the milk instead"): then `k` belongs to the other side."""
-    consequences = [
-        m for m in range(j + 1, min(j + 4, len(clauses))) if clauses[m].sentence <= clauses[j].sentence + 1
-    ]
+    consequences = [m for m in range(j + 1, min(j + 4, len(clauses))) if clauses[m].sentence <= clauses[j].sentence + 1]
     if not consequences:
         return {"right.replaces": "nothing"}
     instead = any("instead" in (*clauses[m].near, *clauses[m].far, *clauses[m].behind) for m in (j, *consequences))

@@ -116,9 +116,7 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
     )
 
 
-def _settled(
-    observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology
-) -> Iterator[FoundTasks]:
+def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology) -> Iterator[FoundTasks]:
     """The task sets without what is forbidden and with what is certain; each set once, the likelier one."""
     tokens = forbidden(observed)
     seen: set[tuple[tuple[int, str], ...]] = set()
@@ -230,9 +228,7 @@ class _Counts:
         )
 
 
-def _features(
-    observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, counts: _Counts
-) -> tuple[float, ...]:
+def _features(observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, counts: _Counts) -> tuple[float, ...]:
     """The counts among `FEATURES`, in their order."""
     conditions = {t.token for t, arc in zip(tasks, flow.arcs, strict=True) if arc.role in CONDITION_ROLES}
     uncued = sum(i not in counts.cued and not observed.question[i] and i in counts.checks for i in conditions)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.clauses import Clause
 from decomplex_bt.understanding.crf import Features
 from decomplex_bt.understanding.cues import GOVERNING, last_of
+from decomplex_bt.understanding.document import Token
 from decomplex_bt.understanding.features import Observed
 
 PRONOUNS = frozenset("it they them that this those these one there he she".split())
@@ -44,9 +45,8 @@ def _mention_features(observed: Observed, clauses: Sequence[Clause], k: int) -> 
         return {}
     tokens = observed.document.tokens
     lemma = tokens[clause.task.token].lemma
-    says = "state" if any(kind == "state" for kind, _ in clause.task.arguments) else (
-        "place" if any(kind == "location" for kind, _ in clause.task.arguments) else "nothing"
-    )
+    kinds = {kind for kind, _ in clause.task.arguments}
+    says = "state" if "state" in kinds else "place" if "location" in kinds else "nothing"
     what = "noun" if clause.objects else "pronoun" if _speaks_of_pronoun(observed, clause) else "none"
     opens = last_of(clause.near, GOVERNING)
     item: Features = {"says": f"{says}.{what}.{opens}.{clause.wording.is_negated}"}
@@ -100,9 +100,7 @@ def _outcome(observed: Observed, clauses: Sequence[Clause], j: int, m: int) -> d
         (tokens[i].lemma for i in inside if tokens[i].lemma in ("do", "have", "be")), "none"
     )
     subject = next((tokens[i] for i in inside if tokens[i].dep in ("nsubj", "nsubjpass", "expl")), None)
-    what = "none" if subject is None else subject.lower if subject.lower in _SUBJECTS else (
-        "shared" if subject.lemma in action.nouns else subject.pos
-    )
+    what = "none" if subject is None else _kind_of(subject, action)
     says = next((word for word in _OUTCOMES if any(tokens[i].lower == word for i in inside)), "") or "+".join(
         sorted({kind for kind, _ in clause.task.arguments} & {"state", "location"})
     )
@@ -115,6 +113,13 @@ def _outcome(observed: Observed, clauses: Sequence[Clause], j: int, m: int) -> d
         "says": f"{action.task.type}.{turned}.{says}",
         "verb": f"{action.task.type}.{tokens[clause.task.token].lemma}.{clause.wording.is_negated}",
     }
+
+
+def _kind_of(subject: Token, action: Clause) -> str:
+    """Of a clause's subject: the pronoun it is, whether the action names it, or else its part of speech."""
+    if subject.lower in _SUBJECTS:
+        return subject.lower
+    return "shared" if subject.lemma in action.nouns else subject.pos
 
 
 _SUBJECTS = frozenset("it they that this you there he she any none".split())

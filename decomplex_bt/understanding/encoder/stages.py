@@ -62,9 +62,7 @@ class EncoderTasks:
             labels = best.copy()
             labels[places] = chosen
             probability = certain * prod(float(chances[i, k]) for i, k in zip(places, chosen, strict=True))
-            tasks = tuple(
-                FoundTask(i, self._labels[k], float(chances[i, k])) for i, k in enumerate(labels) if k
-            )
+            tasks = tuple(FoundTask(i, self._labels[k], float(chances[i, k])) for i, k in enumerate(labels) if k)
             found.append(FoundTasks(tasks, probability))
         found.sort(key=lambda alternative: -alternative.probability)
         return tuple(found[:MAX_ALTERNATIVES])
