@@ -40,4 +40,5 @@ class _Words(ISeedSequence):
 def draw_generators(rng: Generator) -> Generators:
     """Those of the next episode of an environment, whose own generator `rng` is."""
     words = rng.integers(2**64, size=(len(Generators._fields), WORDS), dtype=np.uint64)
-    return Generators(*(Generator(PCG64(_Words(row))) for row in words))
+    # numpy takes any ISeedSequence, which its type stubs do not know
+    return Generators(*(Generator(PCG64(_Words(row))) for row in words))  # type: ignore[arg-type]

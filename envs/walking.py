@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import pairwise
 from math import atan2, hypot
 from typing import TYPE_CHECKING
 
@@ -104,7 +106,7 @@ def _advance(world: World, walk: Walk) -> None:
     target = walk.rest[0]
     dx, dy = target[0] - here[0], target[1] - here[1]
     away = hypot(dx, dy)
-    _open_doors(world, here, target)
+    open_doors(world, [here, *walk.rest[:2]])
     if _must_wait(world, walk, here, (dx / away, dy / away)):
         walk.body.velocity = (0.0, 0.0)
         return
@@ -131,12 +133,14 @@ def _must_wait(world: World, walk: Walk, here: Point, ahead: Point) -> bool:
     return not walk.shoves
 
 
-def _open_doors(world: World, here: Point, target: Point) -> None:
-    """A walker opens the closed doors on their way."""
+def open_doors(world: World, way: Sequence[Point]) -> None:
+    """A walker opens the closed doors on the next stretches of their way, from where they are: a door may stand so
+    close behind a corner that they would not get to the corner for it."""
+    x, y = way[0]
     for leaf in world.closed_leaves:
         ax, ay, bx, by = world.geometry.leaves[leaf]
-        near = hypot((ax + bx) / 2 - here[0], (ay + by) / 2 - here[1]) < DOOR_REACH
-        if near and not world.geometry.is_free_line(here, target, (leaf,)):
+        near = hypot((ax + bx) / 2 - x, (ay + by) / 2 - y) < DOOR_REACH
+        if near and not all(world.geometry.is_free_line(*stretch, (leaf,)) for stretch in pairwise(way)):
             world.set_state(world.geometry.row[leaf], APERTURE, 1)
 
 

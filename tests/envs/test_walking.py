@@ -9,7 +9,7 @@ import pytest
 from decomplex_bt.envs.floorplan import floorplan_of
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.navigation import Driver, Limits, Pose
-from decomplex_bt.envs.walking import advance
+from decomplex_bt.envs.walking import advance, open_doors
 
 ANNA_ONLY = {"user": "study", "anna": "living_room", "tom": None, "guest": None}
 
@@ -80,6 +80,15 @@ def test_a_walker_opens_doors(beside_anna):
     assert t.state("bathroom_door", 1) == 1
     t.world.locate()
     assert t.world.geometry.rooms[t.world.room[t.row["anna"]]] == "bathroom"
+
+
+def test_a_door_close_behind_a_corner_is_opened_before_the_corner_is_reached(trial):
+    t = trial(at=(2.2, 6.0), people=ANNA_ONLY)
+    t.world.set_state(t.row["bedroom_door"], 1, 0)
+    ax, ay, bx, by = t.world.geometry.leaves["bedroom_door"]
+    x, y = (ax + bx) / 2, (ay + by) / 2
+    open_doors(t.world, [(x, y + 0.3), (x, y + 0.05), (x, y - 1.0)])  # a person's body keeps them 0.25 m away
+    assert t.state("bedroom_door", 1) == 1
 
 
 def test_who_is_there_already_says_so(beside_anna):
