@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -129,14 +130,21 @@ def document_of(doc: Any) -> Document:
 
 
 class Parser:
-    """The spaCy pipeline behind one door; loads the model at construction (about a second).
+    """The spaCy pipeline behind one door; from construction on it is loaded in a thread of its own (about a second),
+    for which whoever needs it first waits.
 
-    Raises `LanguageModelError` where no model of the right name, version and pipeline is installed.
+    Using it raises `LanguageModelError` where no model of the right name, version and pipeline is installed.
     """
 
     def __init__(self) -> None:
-        self._nlp = _load_pipeline()
+        loader = ThreadPoolExecutor(max_workers=1)
+        self._loading = loader.submit(_load_pipeline)
+        loader.shutdown(wait=False)
         self._lock = Lock()
+
+    @cached_property
+    def _nlp(self) -> Any:
+        return self._loading.result()
 
     @property
     def model_name(self) -> str:
