@@ -21,14 +21,18 @@ from unittest.mock import patch
 import numpy as np
 
 from decomplex_bt.corpus import read_corpus, read_voices
-from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.evaluation.proportion import Proportion
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding import arguments, dependencies, tasks
 from decomplex_bt.understanding.disturbances import with_fillers
 from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.encoder.flows import EncoderFlows, FlowNetworkModel
+from decomplex_bt.understanding.encoder.model import PIECES_FILE
+from decomplex_bt.understanding.encoder.pieces import Pieces
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import ENCODER_FOLDER, has_encoder
 from decomplex_bt.understanding.noise import edited, without_punctuation
 from decomplex_bt.understanding.training import EDITS, observe
 
@@ -37,12 +41,13 @@ Pairs = list[tuple[Observed, Instruction]]
 
 class Data(NamedTuple):
     """Annotated instructions: those learnt from, their copies for tasks and arguments and for the flow, and those
-    scored."""
+    scored. `network`: the shipped one, which has learnt from the same, if it can be run."""
 
     train: Pairs
     noised: Pairs
     for_flow: Pairs
     development: Pairs
+    network: FlowNetworkModel | None
 
 
 CUES = ("cue", "since", "reported", "near", "far", "behind", "governing", "turn", "between", "ahead", "type.ahead")
@@ -108,7 +113,15 @@ def _data() -> Data:
         [pair for edit in EDITS for pair in read([edited(i, edit) for i in train])],
         [*bare, *read([with_fillers(i, rng) for i in train])],
         read(splits["development"]),
+        _network(domain),
     )
+
+
+def _network(domain: Domain) -> FlowNetworkModel | None:
+    folder = domain.folder / "models"
+    if not has_encoder(folder):
+        return None
+    return FlowNetworkModel(folder / ENCODER_FOLDER, Pieces(folder / ENCODER_FOLDER / PIECES_FILE), domain.ontology)
 
 
 def _tasks(data: Data) -> Iterator[dict[str, Any]]:
@@ -160,17 +173,23 @@ def _arguments(data: Data) -> Iterator[dict[str, Any]]:
 def _flow(data: Data) -> Iterator[dict[str, Any]]:
     complex_ones = [(o, i) for o, i in data.development if len(i.tasks) > 1]
 
-    def score(train: Pairs) -> dict[str, Any]:
+    def score(train: Pairs, network: FlowNetworkModel | None = None) -> dict[str, Any]:
         with tempfile.TemporaryDirectory() as folder:
             dependencies.train_flow(Path(folder), train)
-            model = dependencies.FlowModel(Path(folder))
-            right = sum(model.find(o, dependencies.marked_tasks(o, i)).flow == i.flow for o, i in complex_ones)
+            crfs = dependencies.FlowModel(Path(folder))
+            model = crfs if network is None else EncoderFlows(crfs, network)
+            right = sum(
+                model.alternatives(o, dependencies.marked_tasks(o, i))[0].flow == i.flow for o, i in complex_ones
+            )
         low, high = Proportion(right, len(complex_ones)).interval or (0.0, 1.0)
         return {"figure": right / len(complex_ones), "low": low, "high": high, "n": len(complex_ones)}
 
     extractors = [(dependencies, f"{name}_features") for name in ("role", "attachment", "order")]
     yield _row("flow", "nothing", score(data.train))
     yield _row("flow", "nothing, noised copies added", score([*data.train, *data.for_flow]))
+    if data.network is not None:
+        with_both = score([*data.train, *data.for_flow], data.network)
+        yield _row("flow", "nothing, noised copies and the network added", with_both)
     for name, starts in ROWS["flow"].items():
         with _without(starts, *extractors):
             yield _row("flow", name, score(data.train))

@@ -23,6 +23,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+ROLES = ("task", "condition", "mention", "and", "or", "again")
 CONDITION_ROLES = frozenset(("condition", "mention", "and", "or"))
 JOINTS = frozenset(("and", "or"))
 ORDERS = ("keep", "before", "after", "first", "last", "before+", "first+")

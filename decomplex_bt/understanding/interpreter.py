@@ -19,7 +19,7 @@ from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import check_models
+from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 
 MAX_CHARACTERS = 2000
@@ -34,7 +34,7 @@ class Interpreter:
     """Understands instructions of one domain with its trained models."""
 
     def __init__(self, domain: Domain, models: Path, parser: Parser, *, encoder: bool = False) -> None:
-        check_models(models, domain, parser.model_name)
+        check_models(models, domain)
         self.domain = domain
         self._parser = parser
         self._gazetteer = Gazetteer.of(domain.lexicon, domain.kinds)
@@ -43,12 +43,14 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
-            self._stages = load_encoder(folder, FlowModel(models), domain, parser.model_name)
+            self._stages = load_encoder(folder, FlowModel(models), domain)
         else:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")
         self._calibration = Calibration(folder / CALIBRATION_FILE)
         self._references = ReferenceModel(models / REFERENCES_FILE, domain.ontology)
+        for read in dict.fromkeys((models, folder)):  # last, since the parser may still be loading
+            check_language(read, parser.model_name)
 
     @classmethod
     def load(
@@ -61,11 +63,12 @@ class Interpreter:
         is kept for the process. Raises `DataFileError` where the models are missing, damaged or made by other versions,
         `LanguageModelError` where spaCy's English model is, `EncoderMissingError` where the encoder's extra is.
         """
+        parser = _parser()  # which goes on loading while all else is read
         loaded = domain if isinstance(domain, Domain) else load_domain(domain)
         folder = models or loaded.folder / "models"
         if encoder is None:
             encoder = has_encoder(folder)
-        return _cached(folder, loaded, encoder) if models is None else cls(loaded, folder, _parser(), encoder=encoder)
+        return _cached(folder, loaded, encoder) if models is None else cls(loaded, folder, parser, encoder=encoder)
 
     def interpret(self, text: str) -> Instruction:
         """The understood instruction. Text without a known task gives one without tasks and with a warning.

@@ -93,14 +93,9 @@ def read_manifest(folder: Path) -> Manifest:
 
 
 def check_models(
-    folder: Path,
-    domain: Domain,
-    language_model: str,
-    *,
-    models: Sequence[str] = MODEL_NAMES,
-    files: Sequence[str] = FILES,
+    folder: Path, domain: Domain, *, models: Sequence[str] = MODEL_NAMES, files: Sequence[str] = FILES
 ) -> Manifest:
-    """The manifest, once it is sure that these models fit this code, this domain's labels and spaCy's model.
+    """The manifest, once it is sure that these models are whole and fit this code and this domain's labels.
 
     Raises `DataFileError` that names what does not fit.
     """
@@ -110,10 +105,6 @@ def check_models(
         raise DataFileError(
             path, f"features_version {manifest.features_version}, expected {FEATURES_VERSION}; run `decomplex-bt train`"
         )
-    if language_model.rpartition("-")[2].split(".")[:2] != manifest.language_model.rpartition("-")[2].split(".")[:2]:
-        raise DataFileError(
-            path, f"made with {manifest.language_model}, found {language_model}; run `decomplex-bt train`"
-        )
     _check_files(folder, manifest, models, files)
     unknown = set(manifest.models["tasks"].labels if "tasks" in models else ()) - {"O", *domain.ontology.task_types}
     if unknown:
@@ -121,6 +112,15 @@ def check_models(
             path, f"the task model knows {sorted(unknown)}, the ontology does not; run `decomplex-bt train`"
         )
     return manifest
+
+
+def check_language(folder: Path, language_model: str) -> None:
+    """Makes sure that the models fit spaCy's. Raises `DataFileError` where they were made with another version."""
+    made_with = read_manifest(folder).language_model
+    if language_model.rpartition("-")[2].split(".")[:2] != made_with.rpartition("-")[2].split(".")[:2]:
+        raise DataFileError(
+            folder / MANIFEST_FILE, f"made with {made_with}, found {language_model}; run `decomplex-bt train`"
+        )
 
 
 def _check_files(folder: Path, manifest: Manifest, models: Sequence[str], files: Sequence[str]) -> None:

@@ -76,9 +76,9 @@ def train(
 
     `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder instead, on the
     voices of "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`;
-    about half an hour. The test voices are never read. Nothing is written unless all models were trained. The same
-    corpus and libraries give the same files. Raises `DataFileError`, and `TrainerMissingError` where the extra `train`
-    is not installed.
+    an hour and a half on one core. The test voices are never read. Nothing is written unless all models were trained.
+    The same corpus and libraries give the same files. Raises `DataFileError`, and `TrainerMissingError` where the extra
+    `train` is not installed.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     corpus = corpus or loaded.folder / "corpus"
@@ -136,8 +136,9 @@ def train_with_encoder(
     *,
     progress: Progress = lambda stage: None,
 ) -> tuple[int, Mapping[str, tuple[int, int]]]:
-    """Trains the encoder into `folder`; the voices in `for_choice` only teach the choice among readings and its
-    confidence. Gives what `train_models` does."""
+    """Trains the encoder and the flow network into `folder`; the voices in `for_choice` only teach the choice among
+    readings and its confidence. Gives what `train_models` does."""
+    from decomplex_bt.understanding.encoder.flow_training import train_flow_network
     from decomplex_bt.understanding.encoder.model import EncoderModel
     from decomplex_bt.understanding.encoder.referents import train_share
     from decomplex_bt.understanding.encoder.stages import encoder_stages
@@ -148,12 +149,13 @@ def train_with_encoder(
     kept = data.only([voice in for_choice for voice in data.voices])
     copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *_disturbed(learnt.plain, domain, parser)]
     train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
+    train_flow_network(folder, learnt.plain, learnt.for_flow()[len(learnt.plain) :], domain.ontology, progress=progress)
     model = EncoderModel(folder)
     with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
         progress("flow")
         left_out = train_flow(Path(scratch), learnt.for_flow())
         progress("readings")
-        stages = encoder_stages(model, FlowModel(Path(scratch)), domain.ontology)
+        stages = encoder_stages(folder, model, FlowModel(Path(scratch)), domain.ontology)
         held_out = _train_choice(folder, list(_held(kept, stages, domain)))
         progress("references")
         train_references(Path(scratch) / REFERENCES_FILE, learnt.plain, domain.ontology)

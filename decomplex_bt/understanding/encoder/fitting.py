@@ -1,0 +1,92 @@
+"""Fitting a network on a pretrained encoder: the pace of learning, batches of samples of like length."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeVar
+
+from decomplex_bt.understanding.encoder.pieces import Pieced
+
+BATCH = 16
+WARM_UP = 0.1
+
+
+class HasPieces(Protocol):
+    """A sample of any kind."""
+
+    @property
+    def pieced(self) -> Pieced:
+        """Its text as pieces."""
+
+
+S = TypeVar("S", bound=HasPieces)
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """How a network learns. `copies`: how many noised copies an epoch sees for each plain sample; the rates are the
+    highest ones, of the pretrained encoder and of all else."""
+
+    epochs: int
+    copies: float
+    encoder_rate: float
+    heads_rate: float
+
+
+def fit(
+    network: Any,
+    samples: Sequence[S],
+    copies: Sequence[S],
+    loss_of: Callable[[Any, Sequence[S]], Any],
+    pace: Pace,
+    rng: random.Random,
+    progress: Callable[[str], None],
+) -> None:
+    """Fits a torch network, whose pretrained part is its `encoder`, by AdamW."""
+    import torch
+
+    encoder = [p for name, p in network.named_parameters() if name.startswith("encoder.")]
+    heads = [p for name, p in network.named_parameters() if not name.startswith("encoder.")]
+    optimizer = torch.optim.AdamW(
+        [{"params": encoder, "lr": pace.encoder_rate}, {"params": heads, "lr": pace.heads_rate}],
+        weight_decay=0.01,
+        fused=True,
+    )
+    extra = min(len(copies), int(pace.copies * len(samples)))
+    steps = pace.epochs * math.ceil((len(samples) + extra) / BATCH + 1)
+    schedule = torch.optim.lr_scheduler.LambdaLR(
+        optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
+    )
+    network.train()
+    for epoch in range(pace.epochs):
+        total = 0.0
+        batches = _batches([*samples, *rng.sample(list(copies), extra)], rng)
+        for batch in batches:
+            loss = loss_of(network, batch)
+            optimizer.zero_grad()
+            loss.backward()
+            torch.nn.utils.clip_grad_norm_([*encoder, *heads], 1.0)
+            optimizer.step()
+            schedule.step()
+            total += float(loss.detach()) / len(batches)
+        progress(f"encoder {epoch + 1}/{pace.epochs}, loss {total:.2f}")
+    network.eval()
+
+
+def _batches(samples: list[S], rng: random.Random) -> list[list[S]]:
+    """Batches of samples of like length, in random order."""
+    rng.shuffle(samples)
+    stretch = 20 * BATCH
+    batches = []
+    for first in range(0, len(samples), stretch):
+        alike = sorted(samples[first : first + stretch], key=lambda sample: len(sample.pieced.ids))
+        batches += [alike[i : i + BATCH] for i in range(0, len(alike), BATCH)]
+    rng.shuffle(batches)
+    return batches
+
+
+def padded(values: Sequence[int], length: int, filler: int) -> list[int]:
+    return [*values, *[filler] * (length - len(values))]

@@ -1,0 +1,158 @@
+"""The control flow read by a network beside the CRFs: what either finds likely is judged by both; stands in for
+`FlowModel` in the chain of readings."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from math import exp, prod, sqrt
+from pathlib import Path
+
+import numpy as np
+
+from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.errors import DataFileError
+from decomplex_bt.understanding.arcs import Arc
+from decomplex_bt.understanding.clauses import MarkedTask, clauses_of
+from decomplex_bt.understanding.construction import flow_of
+from decomplex_bt.understanding.crf import Crf, Features
+from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Varied, chained_roles, likeliest, varied
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.encoder.heads import Array, log_softmax
+from decomplex_bt.understanding.encoder.model import open_session
+from decomplex_bt.understanding.encoder.pieces import MAX_PIECES, Pieced, Pieces
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.structure import Chain, attachment_features, order_features, role_features
+
+NETWORK_FILE, JUDGE_FILE, LABELS_FILE = "flow.onnx", "flow_judge.onnx", "flow_labels.json"
+UNCERTAIN = 0.05
+"""A label that the network finds less likely gives no other flow."""
+MAX_VARIED_PLACES = 3
+MAX_ROLES, MAX_ATTACHMENTS = 4, 6
+"""How many ways to tell the roles are read on, and of all ways to attach the tasks then."""
+LEAST = 1e-12
+
+
+def pieces_of(document: Document, tasks: Sequence[MarkedTask], pieces: Pieces, types: Sequence[str]) -> Pieced | None:
+    """The pieces of a document with a mark of its type before each task; None where they are too many to be read."""
+    marks = {task.token: pieces.mark(types.index(task.type)) for task in tasks}
+    pieced = pieces.of([token.text for token in document.tokens], marks)
+    return pieced if len(pieced.ids) < MAX_PIECES else None
+
+
+class FlowNetworkModel:
+    """A trained flow network, from a folder. Raises `EncoderMissingError` and `DataFileError`."""
+
+    def __init__(self, folder: Path, pieces: Pieces, ontology: Ontology) -> None:
+        self._reader, self._judge = open_session(folder / NETWORK_FILE), open_session(folder / JUDGE_FILE)
+        self._pieces, self._types = pieces, sorted(ontology.task_types)
+        path = folder / LABELS_FILE
+        try:
+            stored = json.loads(path.read_text(encoding="utf-8"))
+            self.roles, self.attachments, self.orders = (
+                tuple(map(str, stored[name])) for name in ("roles", "attachments", "orders")
+            )
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            problem = f"no labels of flows ({type(error).__name__}); run `decomplex-bt train --encoder`"
+            raise DataFileError(path, problem) from None
+
+    def read(self, document: Document, tasks: Sequence[MarkedTask]) -> Array | None:
+        """The vectors of tasks, (1, tasks, size); None where the text is too long."""
+        pieced = pieces_of(document, tasks, self._pieces, self._types)
+        if pieced is None:
+            return None
+        ids = np.array([pieced.ids], np.int64)
+        places = np.array([[pieced.firsts[task.token] for task in tasks]], np.int64)
+        settled: Array = self._reader.run(None, {"ids": ids, "mask": np.ones_like(ids), "places": places})[0]
+        return settled
+
+    def judge(
+        self, settled: Array, roles: Sequence[Sequence[str]], attachments: Sequence[Sequence[str]]
+    ) -> tuple[Array, Array, Array]:
+        """Of several ways to label the tasks, the log probabilities (ways, tasks, labels) of roles, of attachments
+        given the roles, and of orders given both."""
+        given = {
+            "settled": np.repeat(settled, len(roles), axis=0),
+            "roles": np.array([[_index(self.roles, name) for name in way] for way in roles], np.int64),
+            "attachments": np.array(
+                [[_index(self.attachments, name) for name in way] for way in attachments], np.int64
+            ),
+        }
+        first, second, third = (log_softmax(scores) for scores in self._judge.run(None, given))
+        return first, second, third
+
+
+class EncoderFlows:
+    """Control flows by the CRFs and the network: their probabilities are the geometric means of both."""
+
+    def __init__(self, crfs: FlowModel, network: FlowNetworkModel) -> None:
+        self._crfs, self._network = crfs, network
+
+    def alternatives(self, observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[FoundFlow, ...]:
+        """Different control flows of tasks in text order, likeliest first, at most `dependencies.MAX_FLOWS`."""
+        settled = self._network.read(observed.document, tasks) if len(tasks) > 1 else None
+        if settled is None:
+            return self._crfs.alternatives(observed, tasks)
+        network, crfs = self._network, self._crfs
+        clauses = clauses_of(observed, tasks)
+        chain = Chain(observed, clauses)
+        top = [[network.attachments[0]] * len(tasks)]
+        (table,), _, _ = network.judge(settled, [[network.roles[0]] * len(tasks)], top)
+        ways = _ways(crfs.roles, role_features(chain), table, network.roles)[:MAX_ROLES]
+        roles = [chained_roles(clauses, way.labels) for way in ways]
+        _, tables, _ = network.judge(settled, roles, top * len(roles))
+        attached = [
+            (way, told, attachment)
+            for way, told, table in zip(ways, roles, tables, strict=True)
+            for attachment in _ways(crfs.attachments, attachment_features(chain, told), table, network.attachments)
+        ]
+        attached.sort(key=lambda chosen: -chosen[0].probability * chosen[2].probability)
+        del attached[MAX_ATTACHMENTS:]
+        _, _, tables = network.judge(settled, [told for _, told, _ in attached], [a.labels for _, _, a in attached])
+        found = []
+        for (way, told, attachment), table in zip(attached, tables, strict=True):
+            items = order_features(chain, told, attachment.labels)
+            for order in _ways(crfs.orders, items, table, network.orders):
+                labels = zip(told, attachment.labels, order.labels, strict=True)
+                arcs = tuple(Arc(*each) for each in labels)
+                chances = (way.probability, attachment.probability, order.probability)
+                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
+        return likeliest(found)
+
+
+def _ways(crf: Crf, items: Sequence[Features], table: Array, names: Sequence[str]) -> list[Varied]:
+    """The labels of a sequence that the CRF or the network finds likely, by the geometric mean of both, best first.
+
+    `table`: the network's log probabilities (tasks, labels).
+    """
+    found = {way.labels: way.probability for way in varied(crf, items)}
+    for labels in _variants(table, names):
+        if labels not in found and set(labels) <= set(crf.labels):
+            found[labels] = crf.probability(labels)
+    ways = [
+        Varied(labels, sqrt(max(LEAST, chance) * _chance(table, names, labels))) for labels, chance in found.items()
+    ]
+    return sorted(ways, key=lambda way: (-way.probability, way.labels))
+
+
+def _variants(table: Array, names: Sequence[str]) -> list[tuple[str, ...]]:
+    """The network's likeliest labels, then those that differ from them in one uncertain place."""
+    best = table.argmax(axis=1)
+    found = [tuple(names[k] for k in best)]
+    for place in np.argsort(table.max(axis=1), kind="stable")[:MAX_VARIED_PLACES]:
+        second = int(np.argsort(-table[place], kind="stable")[1])
+        if exp(table[place, second]) > UNCERTAIN:
+            found.append((*found[0][:place], names[second], *found[0][place + 1 :]))
+    return found
+
+
+def _chance(table: Array, names: Sequence[str], labels: Sequence[str]) -> float:
+    """The network's probability of labels; the least one for those it does not know."""
+    known = [
+        exp(row[names.index(label)]) if label in names else LEAST for row, label in zip(table, labels, strict=True)
+    ]
+    return max(LEAST, prod(known))
+
+
+def _index(names: Sequence[str], name: str) -> int:
+    return names.index(name) if name in names else 0
