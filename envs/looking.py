@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 
 from decomplex_bt.envs.approach import Script, SkillError, drive_to, face, say_name
 from decomplex_bt.envs.embodiment import Action, HouseholdEmbodiment
@@ -99,7 +100,7 @@ def _spots(body: HouseholdEmbodiment, place: str) -> Iterator[Cells]:
 
 
 def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
-    """Turns round at the middle of the room, then at spots all over it, nearest first."""
+    """Turns round where it stands, then at spots all over the room, nearest first, or as near as it gets to them."""
     room = floor.removesuffix("_floor")
     plan, senses = body.floorplan, body.senses
     yield from turn_round(body)
@@ -115,7 +116,10 @@ def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
         x, y = spots.pop(0)
         cells = plan.cells_around(x, y, nearest=0.0, farthest=0.6, room=room)
         if cells.size:
-            yield from drive_to(body, cells, lambda: False, towards=say_name(room))
+            with suppress(
+                SkillError
+            ):  # people may stand in the way of a spot, and what is behind them be seen past them
+                yield from drive_to(body, cells, lambda: False, towards=say_name(room))
             yield from turn_round(body)
 
 

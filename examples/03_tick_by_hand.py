@@ -12,7 +12,11 @@ Output:
     check that the tv is on: (move living_room_doorway tv living_room) (3 of 4): checking the tv
     turn the tv off: (move living_room_floor tv living_room) (1 of 2): turn the tv off
     turn the tv off: (switch-off tv) (2 of 2): turn the tv off
-    tell me: (say user) (1 of 1): tell me
+    tell me: (move living_room_floor living_room_doorway living_room) (1 of 6): tell me
+    tell me: (pass living_room_doorway living_room hallway) (2 of 6): tell me
+    tell me: (move living_room_doorway kitchen_doorway hallway) (3 of 6): tell me
+    tell me: (pass kitchen_doorway hallway kitchen) (4 of 6): tell me
+    tell me: (say user) (6 of 6): tell me
     tv: off
     the remote is believed at: couch
     success: True

@@ -4,8 +4,8 @@ The judge goes by the annotation; the tree agent reads the text itself, the orac
 
 Output:
 
-    tree: 100.0% [83.9%, 100.0%] (20/20); found open 10 times, closed 10 times
-    oracle: 100.0% [83.9%, 100.0%] (20/20); found open 10 times, closed 10 times
+    tree: 100.0% [83.9%, 100.0%] (20/20); found open 8 times, closed 12 times
+    oracle: 100.0% [83.9%, 100.0%] (20/20); found open 8 times, closed 12 times
 """
 
 from decomplex_bt.corpus import parse_corpus

@@ -7,6 +7,7 @@ import pytest
 from decomplex_bt.behaviour.embodiment import SkillStatus
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.approach import SkillError, drive_to
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.planning.pddl import GroundAction
@@ -144,6 +145,22 @@ def test_a_floor_is_inspected_with_all_that_lies_there(room):
     t.go(f"{room}_floor", room)
     assert t.do(f"inspect {room}_floor").status is SkillStatus.SUCCESS
     assert {"ball", "shoes"} <= t.body.senses.places.keys()
+
+
+def test_a_spot_of_a_floor_that_cannot_be_got_to_is_left_out(monkeypatch):
+    t = attempt()
+    t.go("hallway_floor", "hallway")
+    tried = []
+
+    def refuse_the_first(body, cells, is_there, **others):
+        tried.append(cells)
+        if len(tried) == 1:
+            raise SkillError("somebody stands in the way")
+        yield from drive_to(body, cells, is_there, **others)
+
+    monkeypatch.setattr("decomplex_bt.envs.looking.drive_to", refuse_the_first)
+    assert t.do("inspect hallway_floor").status is SkillStatus.SUCCESS
+    assert len(tried) > 1
 
 
 def test_a_person_is_followed_to_a_room():
