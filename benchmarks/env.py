@@ -2,7 +2,8 @@
 
     python benchmarks/env.py [ROUNDS] [PYTHON]
 
-`step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it. `reset`:
+`step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it, each round
+in another world. `reset`:
 with the instruction known, on seeds not used before, to building a `Space` with everything in it anew by pymunk's own
 calls. Each round measures all of them; the medians are printed, with steps a second beside those of Gymnasium's
 CartPole (and of BabyAI's BossLevel and of PushT, where minigrid and gym-pusht are installed), what importing and
@@ -64,16 +65,16 @@ def main(rounds: int = 9, other_python: str = sys.executable) -> None:
     assert isinstance(env, HouseholdEnv)
     for _ in range(WARM_UP):
         env.reset(seed=next(SEEDS))
-    measures: dict[str, Callable[[], float]] = {
-        "env.step": lambda: _steps(env),
-        "ten bare steps": lambda: _bare_steps(env),
-        "env.reset": lambda: _resets(env),
-        "building the space": lambda: _builds(env),
+    measures: dict[str, Callable[[int], float]] = {
+        "env.step": lambda world: _steps(env, world),
+        "ten bare steps": lambda world: _bare_steps(env, world),
+        "env.reset": lambda world: _resets(env),
+        "building the space": lambda world: _builds(env, world),
     }
     times: dict[str, list[float]] = {name: [] for name in measures}
-    for _ in range(rounds):
+    for world in range(rounds):
         for name, measure in measures.items():
-            times[name].append(measure())
+            times[name].append(measure(world))
     for name, values in times.items():
         print(f"{name:20} {median(values) * 1e6:8.1f} µs")
     for name, steps in _peers(env, other_python).items():
@@ -89,14 +90,14 @@ def main(rounds: int = 9, other_python: str = sys.executable) -> None:
 
 def _peers(env: HouseholdEnv, other_python: str) -> dict[str, float]:
     """Steps a second with an action of one kind and no rendering, ours first; resets are not counted."""
-    steps = {"Household-v0": 1 / min(_steps(env) for _ in range(5))}
+    steps = {"Household-v0": 1 / median(_steps(env, world) for world in range(9))}
     peers = {"CartPole-v1": "CartPole-v1"}
     if find_spec("minigrid") is not None:
         import_module("minigrid")
         peers["BabyAI BossLevel"] = "BabyAI-BossLevel-v0"
     for name, identity in peers.items():
         peer = gym.make(identity)
-        steps[name] = 1 / min(_peer_steps(peer) for _ in range(3))
+        steps[name] = 1 / median(_peer_steps(peer) for _ in range(9))
     pushed = subprocess.run([other_python, "-c", PUSHT], capture_output=True, text=True, check=False)
     if pushed.returncode == 0:
         steps["PushT"] = float(pushed.stdout)
@@ -168,8 +169,8 @@ def _actions() -> list[dict[str, Any]]:
     return [{"drive": drive, "interact": 0, "target": 0} for drive in drives]
 
 
-def _steps(env: HouseholdEnv) -> float:
-    env.reset(seed=0)
+def _steps(env: HouseholdEnv, world: int) -> float:
+    env.reset(seed=world)
     actions = _actions()
     start = perf_counter()
     for action in actions:
@@ -177,9 +178,9 @@ def _steps(env: HouseholdEnv) -> float:
     return (perf_counter() - start) / STEPS
 
 
-def _bare_steps(env: HouseholdEnv) -> float:
+def _bare_steps(env: HouseholdEnv, seed: int) -> float:
     """The same drive, and nothing but what moves it: the velocities set and the space stepped ten times."""
-    env.reset(seed=0)
+    env.reset(seed=seed)
     world = env.world
     drives = [action["drive"].tolist() for action in _actions()]
     step, substep = world.space.step, world.config.substep
@@ -202,9 +203,9 @@ def _resets(env: HouseholdEnv) -> float:
     return (perf_counter() - start) / RESETS
 
 
-def _builds(env: HouseholdEnv) -> float:
+def _builds(env: HouseholdEnv, world: int) -> float:
     """All that is in the space of an episode made anew, by pymunk's own calls and nothing else."""
-    env.reset(seed=0)
+    env.reset(seed=world)
     space = env.world.space
     bodies = [_body_of(body) for body in space.bodies]
     row = {body: index for index, body in enumerate(space.bodies)}
