@@ -116,9 +116,7 @@ def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
         x, y = spots.pop(0)
         cells = plan.cells_around(x, y, nearest=0.0, farthest=0.6, room=room)
         if cells.size:
-            with suppress(
-                SkillError
-            ):  # people may stand in the way of a spot, and what is behind them be seen past them
+            with suppress(SkillError):  # people may stand in its way, and what is behind them be seen past them
                 yield from drive_to(body, cells, lambda: False, towards=say_name(room))
             yield from turn_round(body)
 

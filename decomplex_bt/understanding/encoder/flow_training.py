@@ -12,7 +12,7 @@ from typing import Any
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arcs import ORDERS, ROLES, Arc
-from decomplex_bt.understanding.clauses import clauses_of, wordings_of
+from decomplex_bt.understanding.clauses import MarkedTask, clauses_of, wordings_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.derivation import arcs_of
 from decomplex_bt.understanding.encoder.export import export
@@ -25,6 +25,8 @@ from decomplex_bt.understanding.features import Observed
 PACE = Pace(epochs=6, copies=0.5, encoder_rate=1e-4, heads_rate=5e-4)
 
 Pairs = Sequence[tuple[Observed, Instruction]]
+Learnable = tuple[Observed, tuple[MarkedTask, ...], tuple[Arc, ...]]
+"""An instruction, its tasks, and the labels that say its flow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +57,11 @@ def train_flow_network(
     encoder, pretrained = begin(seed)
     from decomplex_bt.understanding.encoder.flow_network import FlowNetwork, FlowSizes
 
-    pieces, types = Pieces(pretrained / "tokenizer.json"), sorted(ontology.task_types)
-    arcs = [found for found in (_arcs(*pair) for pair in (*plain, *noised)) if found is not None]
-    attachments = tuple(sorted({arc.attachment for found in arcs for arc in found}))
+    learnt, disturbed = _learnable(plain), _learnable(noised)
+    attachments = tuple(sorted({arc.attachment for _, _, arcs in (*learnt, *disturbed) for arc in arcs}))
     names = (ROLES, attachments, ORDERS)
-    samples, copies = (_samples(pairs, pieces, types, names) for pairs in (plain, noised))
+    pieces, types = Pieces(pretrained / "tokenizer.json"), sorted(ontology.task_types)
+    samples, copies = (_samples(found, pieces, types, names) for found in (learnt, disturbed))
     sizes = FlowSizes(encoder.config.hidden_size, *map(len, names))
     network = FlowNetwork(encoder, sizes)
     fit(network, samples, copies, _loss, pace, random.Random(seed), progress)
@@ -68,24 +70,29 @@ def train_flow_network(
     (folder / LABELS_FILE).write_text(json.dumps(labels) + "\n", encoding="utf-8")
 
 
-def _arcs(observed: Observed, instruction: Instruction) -> tuple[Arc, ...] | None:
-    """What there is to learn; None where there is nothing, or no labels say it."""
-    if len(instruction.tasks) < 2:
-        return None
-    return arcs_of(instruction.flow, wordings_of(clauses_of(observed, marked_tasks(observed, instruction))))
+def _learnable(pairs: Pairs) -> list[Learnable]:
+    """The instructions with an order to learn, whose flow the labels can say."""
+    found = []
+    for observed, instruction in pairs:
+        marked = marked_tasks(observed, instruction)
+        arcs = arcs_of(instruction.flow, wordings_of(clauses_of(observed, marked))) if len(marked) > 1 else None
+        if arcs is not None:
+            found.append((observed, marked, arcs))
+    return found
 
 
 def _samples(
-    pairs: Pairs, pieces: Pieces, types: Sequence[str], names: tuple[Sequence[str], Sequence[str], Sequence[str]]
+    learnable: Sequence[Learnable],
+    pieces: Pieces,
+    types: Sequence[str],
+    names: tuple[Sequence[str], Sequence[str], Sequence[str]],
 ) -> list[FlowSample]:
+    roles, attachments, orders = names
     found = []
-    for observed, instruction in pairs:
-        arcs = _arcs(observed, instruction)
-        marked = marked_tasks(observed, instruction)
+    for observed, marked, arcs in learnable:
         pieced = pieces_of(observed.document, marked, pieces, types)
-        if arcs is None or pieced is None:
+        if pieced is None:
             continue
-        roles, attachments, orders = names
         labels = (
             tuple(roles.index(arc.role) for arc in arcs),
             tuple(attachments.index(arc.attachment) for arc in arcs),

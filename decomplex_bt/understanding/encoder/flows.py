@@ -96,11 +96,12 @@ class EncoderFlows:
         network, crfs = self._network, self._crfs
         clauses = clauses_of(observed, tasks)
         chain = Chain(observed, clauses)
-        top = [[network.attachments[0]] * len(tasks)]
-        (table,), _, _ = network.judge(settled, [[network.roles[0]] * len(tasks)], top)
+        # Each label is judged with those before it; what comes after does not matter yet.
+        no_roles, no_places = [[network.roles[0]] * len(tasks)], [[network.attachments[0]] * len(tasks)]
+        (table,), _, _ = network.judge(settled, no_roles, no_places)
         ways = _ways(crfs.roles, role_features(chain), table, network.roles)[:MAX_ROLES]
         roles = [chained_roles(clauses, way.labels) for way in ways]
-        _, tables, _ = network.judge(settled, roles, top * len(roles))
+        _, tables, _ = network.judge(settled, roles, no_places * len(roles))
         attached = [
             (way, told, attachment)
             for way, told, table in zip(ways, roles, tables, strict=True)
@@ -155,4 +156,5 @@ def _chance(table: Array, names: Sequence[str], labels: Sequence[str]) -> float:
 
 
 def _index(names: Sequence[str], name: str) -> int:
+    """Of a label the CRFs alone know, the first one's: `_chance` makes such labels unlikely anyway."""
     return names.index(name) if name in names else 0

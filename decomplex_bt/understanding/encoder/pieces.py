@@ -42,7 +42,8 @@ class Pieces:
         return int(number)
 
     def mark(self, number: int) -> int:
-        """The id of a piece that no text holds, to mark tokens with; there are 99 of them, numbered from 0."""
+        """The id of a piece that no text holds, to mark tokens with; there are 99 of them, numbered from 0, and one
+        that stands for all others."""
         found = self._tokenizer.token_to_id(f"[unused{number}]")
         return self._unknown if found is None else int(found)
 
