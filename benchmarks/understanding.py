@@ -3,13 +3,15 @@
     python benchmarks/understanding.py [--rounds 5]
 
 Prints, with the CRFs alone and with the encoder where it is installed: one instruction, text to flow, against
-`nlp(text)` without ner; a batch against one by one, beside what the pipeline itself gains by `nlp.pipe`; a cold process
-that parses one instruction against one that only imports spaCy and loads the model; the peak memory of the former.
+`nlp(text)` without ner; a batch in one process and in several against one by one, beside what the pipeline itself gains
+by `nlp.pipe`; a cold process that parses one instruction against one that only imports spaCy and loads the model; the
+peak memory of the former.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import statistics
 import subprocess
 import sys
@@ -66,6 +68,14 @@ def measure(interpreter: Interpreter, nlp: Callable[[str], object], texts: Seque
         lambda: [interpreter.interpret(t) for t in texts], lambda: list(interpreter.interpret_batch(texts)), rounds
     )
     print(f"  a batch is {ratio:.2f} times as fast as one by one")
+    many = [*texts] * 5
+    list(interpreter.interpret_batch(many, jobs=-1))  # the processes load the models once
+    ratio, _ = median_ratio(
+        lambda: [interpreter.interpret(t) for t in many],
+        lambda: list(interpreter.interpret_batch(many, jobs=-1)),
+        rounds,
+    )
+    print(f"  a batch in a process for each of {os.cpu_count()} cores is {ratio:.2f} times as fast as one by one")
 
 
 def measure_cold(encoder: bool, rounds: int) -> None:

@@ -38,7 +38,7 @@ class Unsure:
     def interpret(self, text):
         return replace(self.instruction, text=text)
 
-    def interpret_batch(self, texts):
+    def interpret_batch(self, texts, *, jobs=1):
         return map(self.interpret, texts)
 
 

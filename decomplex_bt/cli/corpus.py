@@ -14,6 +14,7 @@ from decomplex_bt.cli.options import (
     EncoderOption,
     Format,
     FormatOption,
+    JobsOption,
     JsonOption,
     SeedOption,
     chosen,
@@ -104,6 +105,7 @@ def score(
     ask: Annotated[bool, typer.Option("--ask", help="Also ask back in doubt, and let the annotation answer.")] = False,
     encoder: EncoderOption = None,
     seed: SeedOption = 0,
+    jobs: JobsOption = 1,
 ) -> int:
     """Understand every instruction of a corpus and score it against the annotation, simple and complex ones apart.
 
@@ -121,11 +123,11 @@ def score(
     gold = [example.instruction for example in scoring.examples_of(path, split, loaded.ontology)]
     interpreter = Interpreter.load(loaded, models=models, encoder=encoder)
     texts = [instruction.text for instruction in gold]
-    readings = list(track(interpreter.interpret_batch(texts), total=len(texts), label="understanding"))
+    readings = list(track(interpreter.interpret_batch(texts, jobs=jobs), total=len(texts), label="understanding"))
     parts: list[scoring.Part] = [scoring.Scores(metrics.score_by_complexity(readings, gold))]
     if noise:
         follow = partial(_follow, total=len(gold))
-        parts.append(scoring.Noise(robustness.score_noise(interpreter, gold, seed=seed, track=follow)))
+        parts.append(scoring.Noise(robustness.score_noise(interpreter, gold, seed=seed, jobs=jobs, track=follow)))
     if calibration or plot is not None:
         measured = reliability.reliability(readings, gold)
         parts.append(scoring.Calibration(measured))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, EncoderOption, Format, JsonOption, chosen, domain_of
+from decomplex_bt.cli.options import DomainOption, EncoderOption, Format, JobsOption, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, track, use_utf8
 from decomplex_bt.errors import InputError
 
@@ -37,11 +37,12 @@ def parse(
     ] = None,
     domain: DomainOption = "household",
     encoder: EncoderOption = None,
+    jobs: JobsOption = 1,
 ) -> int:
     """Understand instructions, one a line: tasks, arguments and control flow.
 
     A line that cannot be an instruction is named on standard error; the others come out all the same, and the exit
-    status is 2.
+    status is 2. With several processes nothing is printed before all lines are there.
     """
     use_utf8()
     layout = chosen(format or (Format.text if sys.stdout.isatty() else Format.json), json)
@@ -51,7 +52,7 @@ def parse(
         interpreter = Interpreter.load(domain_of(domain), encoder=encoder)
         lines = _Lines(stream)
         is_typed = stream.isatty()
-        understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines)
+        understood = map(interpreter.interpret, lines) if is_typed else interpreter.interpret_batch(lines, jobs=jobs)
         for number, instruction in enumerate(track(understood, total=None, label="parsing")):
             _print(instruction, layout, alternatives, is_first=number == 0)
     if lines.count == 0:

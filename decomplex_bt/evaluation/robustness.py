@@ -23,8 +23,8 @@ Track = Callable[[Iterable[Instruction], str], Iterable[Instruction]]
 class Reader(Protocol):
     """What is measured; an `Interpreter` is one."""
 
-    def interpret_batch(self, texts: Iterable[str]) -> Iterator[Instruction]:
-        """The understood instructions, in order."""
+    def interpret_batch(self, texts: Iterable[str], *, jobs: int = 1) -> Iterator[Instruction]:
+        """The understood instructions, in order, read in so many processes."""
 
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand."""
@@ -69,7 +69,12 @@ class NoiseRow:
 
 
 def score_noise(
-    reader: Reader, gold: Sequence[Instruction], *, seed: int = 0, track: Track = lambda read, name: read
+    reader: Reader,
+    gold: Sequence[Instruction],
+    *,
+    seed: int = 0,
+    jobs: int = 1,
+    track: Track = lambda read, name: read,
 ) -> tuple[NoiseRow, ...]:
     """The scores of the instructions as they are, then under each of `DISTURBANCES`.
 
@@ -87,7 +92,8 @@ def score_noise(
         rng = np.random.default_rng(stream)
         copies[name] = [on_tokens(disturb(instruction, rng), reader) for instruction in gold]
     for (name, wanted), stream in zip(copies.items(), reversed(streams), strict=False):
-        found = list(track(reader.interpret_batch([instruction.text for instruction in wanted]), name))
+        texts = [instruction.text for instruction in wanted]
+        found = list(track(reader.interpret_batch(texts, jobs=jobs), name))
         right = [metrics.has_same_flow(*pair) for pair in zip(found, wanted, strict=True)]
         plain = plain or right
         rows.append(_row(name, found, wanted, _difference(right, plain), np.random.default_rng(stream)))

@@ -77,6 +77,17 @@ def test_a_batch_gives_what_one_by_one_gives(interpreter):
     assert list(interpreter.interpret_batch(texts)) == [interpreter.interpret(text) for text in texts]
 
 
+def test_a_batch_in_several_processes_gives_the_same_in_order(interpreter, monkeypatch):
+    monkeypatch.setattr("decomplex_bt.understanding.interpreter.CHUNK", 2)
+    texts = [f"If the oven is on, bring me {count} cups." for count in ("two", "three", "four", "five", "six")]
+    assert list(interpreter.interpret_batch(texts, jobs=2)) == list(interpreter.interpret_batch(texts))
+
+
+def test_an_unusable_text_of_a_batch_is_bad_input_in_several_processes_too(interpreter):
+    with pytest.raises(InputError, match="empty"):
+        list(interpreter.interpret_batch(["Close the door.", " "], jobs=2))
+
+
 def test_a_missing_argument_asks_its_question(interpreter):
     missing = interpreter.interpret("Put the cup.").missing
     assert [(m.task, m.argument, m.question) for m in missing] == [(1, "goal", "Where should I put it?")]
