@@ -6,6 +6,7 @@ from collections.abc import Callable
 from itertools import pairwise
 from math import prod
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.clauses import MarkedTask
 from decomplex_bt.understanding.dependencies import MAX_FLOWS, FlowModel, marked_tasks
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.encoder.flows import LABELS_FILE, EncoderFlows, FlowNetworkModel
+from decomplex_bt.understanding.encoder.flows import LABELS_FILE, EncoderFlows, FlowNetworkModel, Label
 from decomplex_bt.understanding.encoder.model import PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieces
 from decomplex_bt.understanding.features import Observed
@@ -79,15 +80,16 @@ def test_judgements_are_probabilities_and_do_not_depend_on_their_neighbours(
     assert settled.shape[:2] == (1, 5)
     ways = [["task"] * 5, ["task", "condition", "task", "task", "task"]]
     places = [["top"] * 5, ["top", "top", "<1+", "<1-", "top"]]
-    together = network.judge(settled, ways, places)
-    for table in together:
-        assert np.allclose(np.exp(table).sum(axis=-1), 1, atol=1e-4)
-    alone = network.judge(settled, ways[1:], places[1:])
-    for both, one in zip(together, alone, strict=True):
-        assert np.allclose(
-            np.exp(both[1]), np.exp(one[0]), atol=0.05
-        )  # weights of 8 bits: the scale is found anew in each run
-    assert not np.allclose(together[1][0], together[1][1], atol=0.1), "attachments do not depend on the roles"
+    for label in get_args(Label):
+        together, alone = (
+            network.judge(label, settled, ways, places),
+            network.judge(label, settled, ways[1:], places[1:]),
+        )
+        assert np.allclose(np.exp(together).sum(axis=-1), 1, atol=1e-4)
+        # weights of 8 bits: the scale is found anew in each run
+        assert np.allclose(np.exp(together[1]), np.exp(alone[0]), atol=0.05)
+    first, second = network.judge("attachment", settled, ways, places)
+    assert not np.allclose(first, second, atol=0.1), "attachments do not depend on the roles"
 
 
 def test_the_type_of_a_task_is_read(network: FlowNetworkModel, marked: Marked) -> None:

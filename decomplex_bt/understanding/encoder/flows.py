@@ -7,6 +7,7 @@ import json
 from collections.abc import Sequence
 from math import exp, prod, sqrt
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from decomplex_bt.understanding.crf import Crf, Features
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Varied, chained_roles, likeliest, varied
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.encoder.heads import Array, log_softmax
-from decomplex_bt.understanding.encoder.model import open_session
+from decomplex_bt.understanding.encoder.model import open_session, partial_run
 from decomplex_bt.understanding.encoder.pieces import MAX_PIECES, Pieced, Pieces
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.structure import Chain, attachment_features, order_features, role_features
@@ -31,6 +32,8 @@ MAX_VARIED_PLACES = 3
 MAX_ROLES, MAX_ATTACHMENTS = 4, 6
 """How many ways to tell the roles are read on, and of all ways to attach the tasks then."""
 LEAST = 1e-12
+
+Label = Literal["role", "attachment", "order"]
 
 
 def pieces_of(document: Document, tasks: Sequence[MarkedTask], pieces: Pieces, types: Sequence[str]) -> Pieced | None:
@@ -45,6 +48,7 @@ class FlowNetworkModel:
 
     def __init__(self, folder: Path, pieces: Pieces, ontology: Ontology) -> None:
         self._reader, self._judge = open_session(folder / NETWORK_FILE), open_session(folder / JUDGE_FILE)
+        self._partly = partial_run()
         self._pieces, self._types = pieces, sorted(ontology.task_types)
         path = folder / LABELS_FILE
         try:
@@ -67,10 +71,10 @@ class FlowNetworkModel:
         return settled
 
     def judge(
-        self, settled: Array, roles: Sequence[Sequence[str]], attachments: Sequence[Sequence[str]]
-    ) -> tuple[Array, Array, Array]:
+        self, label: Label, settled: Array, roles: Sequence[Sequence[str]], attachments: Sequence[Sequence[str]]
+    ) -> Array:
         """Of several ways to label the tasks, the log probabilities (ways, tasks, labels) of roles, of attachments
-        given the roles, and of orders given both."""
+        given the roles, or of orders given both; what is not given to a label does not matter to it."""
         given = {
             "settled": np.repeat(settled, len(roles), axis=0),
             "roles": np.array([[_index(self.roles, name) for name in way] for way in roles], np.int64),
@@ -78,8 +82,7 @@ class FlowNetworkModel:
                 [[_index(self.attachments, name) for name in way] for way in attachments], np.int64
             ),
         }
-        first, second, third = (log_softmax(scores) for scores in self._judge.run(None, given))
-        return first, second, third
+        return log_softmax(self._judge.run([f"{label}_scores"], given, self._partly)[0])
 
 
 class EncoderFlows:
@@ -96,12 +99,11 @@ class EncoderFlows:
         network, crfs = self._network, self._crfs
         clauses = clauses_of(observed, tasks)
         chain = Chain(observed, clauses)
-        # Each label is judged with those before it; what comes after does not matter yet.
         no_roles, no_places = [[network.roles[0]] * len(tasks)], [[network.attachments[0]] * len(tasks)]
-        (table,), _, _ = network.judge(settled, no_roles, no_places)
+        (table,) = network.judge("role", settled, no_roles, no_places)
         ways = _ways(crfs.roles, role_features(chain), table, network.roles)[:MAX_ROLES]
         roles = [chained_roles(clauses, way.labels) for way in ways]
-        _, tables, _ = network.judge(settled, roles, no_places * len(roles))
+        tables = network.judge("attachment", settled, roles, no_places * len(roles))
         attached = [
             (way, told, attachment)
             for way, told, table in zip(ways, roles, tables, strict=True)
@@ -109,7 +111,7 @@ class EncoderFlows:
         ]
         attached.sort(key=lambda chosen: -chosen[0].probability * chosen[2].probability)
         del attached[MAX_ATTACHMENTS:]
-        _, _, tables = network.judge(settled, [told for _, told, _ in attached], [a.labels for _, _, a in attached])
+        tables = network.judge("order", settled, [told for _, told, _ in attached], [a.labels for _, _, a in attached])
         found = []
         for (way, told, attachment), table in zip(attached, tables, strict=True):
             items = order_features(chain, told, attachment.labels)

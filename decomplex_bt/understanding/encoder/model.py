@@ -52,3 +52,12 @@ def open_session(path: Path) -> Any:
         return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
     except Exception as error:  # the library raises its own exceptions, one for each kind of damage
         raise DataFileError(path, f"no encoder ({error}); run `decomplex-bt train --encoder`") from None
+
+
+def partial_run() -> Any:
+    """Options for a run that computes the outputs asked for and nothing else."""
+    import onnxruntime
+
+    options = onnxruntime.RunOptions()
+    options.only_execute_path_to_fetches = True
+    return options
