@@ -7,7 +7,7 @@ from collections.abc import Callable
 from decomplex_bt.envs.approach import Script, SkillError, approach, approach_person, approach_thing, drive_to, say_name
 from decomplex_bt.envs.embodiment import HouseholdEmbodiment
 from decomplex_bt.envs.interface import Interaction, Result
-from decomplex_bt.envs.looking import stand
+from decomplex_bt.envs.looking import inspect, stand
 
 MAX_SLIPS = 6
 """A grasp that slips is tried again so often; one in twenty slips, so seven in a row are no accident."""
@@ -59,7 +59,14 @@ def perform(
 
 
 def _come_nearer(body: HouseholdEmbodiment, target: str, near: str | None, attempt: int) -> Script:
-    """To where a place is used from; where that did not do, right up to the thing."""
+    """To where a place is used from; where that did not do, right up to the thing.
+
+    A thing that is not in view may have been taken away since it was: its place is looked over again.
+    """
+    if near in body.house.places() and target in body.house.things and not body.senses.is_seen(target):
+        yield from inspect(body, near)
+        if not body.senses.is_seen(target):
+            raise SkillError(f"{say_name(target)} is not there any more")
     if near is not None and attempt == 1 and near not in body.house.rooms and not near.endswith("_floor"):
         yield from approach(body, near, is_closer=True)
     elif target in body.house.people:

@@ -93,6 +93,20 @@ def test_a_thing_on_the_floor_is_driven_up_to():
     assert t.place("ball") == "robot"
 
 
+def test_what_somebody_has_taken_away_is_not_tried_again_but_looked_for():
+    t = attempt(placement={"ball": "study_floor"})
+    t.go("study_floor", "study")
+    t.do("inspect study_floor")
+    world = t.env.world
+    row, bed = world.geometry.row["ball"], world.geometry.row["bed"]
+    world.shift(row, bed, tuple(world.geometry.footprints[bed].reshape(2, 2).mean(axis=0).tolist()))
+    tick = t.do("pick ball study_floor")
+    assert tick.reason == "the ball is not there any more"
+    assert sum(action["interact"] == Interaction.PICK for action in t.actions) == 1
+    assert "study_floor" in t.body.senses.inspected
+    assert "ball" not in t.body.senses.places
+
+
 def test_slipped_grasps_are_tried_again_and_no_more_than_so_often():
     t = attempt(placement={"milk": "kitchen_table"})
     t.go("kitchen_table", "kitchen")
