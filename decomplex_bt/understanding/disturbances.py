@@ -87,10 +87,12 @@ def with_slips(instruction: Instruction, rng: np.random.Generator) -> Instructio
     """Letters swapped with the next, dropped, doubled or taken from the key beside, anywhere in the text."""
     text = instruction.text
     borders = {border for span in spans_of(instruction) for border in (span.start, span.end)}
-    changes, i = [], 0
+    changes: list[Change] = []
+    i = 0
     while i < len(text):
         if text[i].lower() in _NEXT_KEYS and rng.random() < SLIP_RATE:
-            slips = list(_slips(text, i, borders, rng))
+            is_after_gap = bool(changes) and changes[-1].end == i and not changes[-1].text
+            slips = list(_slips(text, i, borders, rng, is_after_gap=is_after_gap))
             changes.append(slips[int(rng.integers(len(slips)))])
             i = changes[-1].end
         else:
@@ -140,11 +142,14 @@ def _is_i(text: str) -> bool:
     return re.match(r"I\b", text) is not None
 
 
-def _slips(text: str, i: int, borders: set[int], rng: np.random.Generator) -> Iterator[Change]:
-    """What may happen to the letter at `i` without touching the border of a span or emptying one."""
+def _slips(text: str, i: int, borders: set[int], rng: np.random.Generator, *, is_after_gap: bool) -> Iterator[Change]:
+    """What may happen to the letter at `i` without touching the border of a span or emptying one.
+
+    `is_after_gap`: the letter before was dropped.
+    """
     letter, keys = text[i], _NEXT_KEYS[text[i].lower()]
     has_next = i + 1 < len(text) and text[i + 1].isalpha() and i + 1 not in borders
-    has_last = i > 0 and text[i - 1].isalpha() and i not in borders
+    has_last = i > 0 and not is_after_gap and text[i - 1].isalpha() and i not in borders
     key = keys[int(rng.integers(len(keys)))]
     yield Change(i, i + 1, letter * 2)
     yield Change(i, i + 1, key.upper() if letter.isupper() else key)

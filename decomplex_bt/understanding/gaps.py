@@ -28,7 +28,7 @@ _LEADING = frozenset(
     "the that this these those other others another a an each both either of same all whole thing lot former latter "
     "place machine inside where".split()
 )
-_ALONE = frozenset("inside five six both".split())
+_ALONE = frozenset("inside five six both either none".split())
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
@@ -11,7 +11,7 @@ from decomplex_bt.understanding.features import Observed
 
 PREPOSITIONS = frozenset(
     "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
-    "down through along across around between after towards toward above below upon w".split()
+    "down through along across around round between after towards toward above below upon w".split()
 )
 POINTING = frozenset(
     "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody "
@@ -77,7 +77,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             found[inner.start, inner.stop] = _owned(document, inner, task, argument.type, shape)
             if shape == "long":
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
-    chunks = list(noun_chunks(document))
+    verbs = frozenset(document.indices(task.span).start for task in tasks)
+    chunks = [chunk for whole in noun_chunks(document) for chunk in _between(document, whole, verbs)]
     for shape, phrases in (
         ("chunk", chunks),
         ("list", _coordinations(document, chunks)),
@@ -93,6 +94,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if document.tokens[phrase.stop - 1].lower in _NO_NOUNS:
                 continue
             owner = inside.get(phrase.stop - 1)
+            if len({inside.get(i) for i in phrase}) > 1:
+                shape = f"across.{shape}"
             if owner is None:
                 found[phrase.start, phrase.stop] = _outside(document, phrase, shape)
             else:
@@ -318,6 +321,16 @@ def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:
 def _is_listed(document: Document, between: range) -> bool:
     words = [document.tokens[i].lower for i in between]
     return bool(words) and all(word in (",", "and", "or", "&") for word in words)
+
+
+def _between(document: Document, chunk: range, verbs: Container[int]) -> Iterator[range]:
+    """The parts of a noun phrase between the verbs of tasks that were taken for nouns ("the timer *rings*")."""
+    start = chunk.start
+    for i in (*chunk, chunk.stop):
+        if i == chunk.stop or i in verbs:
+            if i > start:
+                yield from _trimmed(document, range(start, i))
+            start = i + 1
 
 
 def _trimmed(document: Document, chunk: range) -> Iterator[range]:

@@ -147,9 +147,11 @@ def train_with_encoder(
     data = _corpus(examples, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
     kept = data.only([voice in for_choice for voice in data.voices])
-    copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *_disturbed(learnt.plain, domain, parser)]
+    disturbed = list(_disturbed(learnt.plain, domain, parser))
+    copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *disturbed]
     train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
-    train_flow_network(folder, learnt.plain, learnt.for_flow()[len(learnt.plain) :], domain.ontology, progress=progress)
+    copies = [*learnt.for_flow()[len(learnt.plain) :], *disturbed]
+    train_flow_network(folder, learnt.plain, copies, domain.ontology, progress=progress)
     model = EncoderModel(folder)
     with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
         progress("flow")

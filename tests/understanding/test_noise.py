@@ -97,3 +97,16 @@ def test_only_hesitations_come_between_the_words_of_an_argument(ontology, monkey
     words = copy.tasks[0].arguments[0].value.replace(",", "").split()
     assert words[::2] == "the old blue woollen winter coat".split()
     assert set(words[1::2]) <= set(disturbances.HESITATIONS)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_slips_leave_something_of_every_span_however_many_there_are(seed, ontology, monkeypatch):
+    monkeypatch.setattr(disturbances, "SLIP_RATE", 1.0)
+    instruction = read_markup(
+        "[Put](1:change_state) [it](1:object=the fan) [on](1:state) or [off](1:state) by [us](1:location).",
+        ontology,
+        flow=[1],
+    )
+    slipped = DISTURBANCES["typing slips"](instruction, np.random.default_rng(seed))
+    assert slipped.text != instruction.text
+    assert all(span.of(slipped.text).strip() for span in disturbances.spans_of(slipped))
