@@ -48,9 +48,8 @@ def main() -> None:
 
 
 def folds_of(domain: Domain, count: int) -> dict[int, tuple[str, ...]]:
-    """Which voices each fold leaves out; those of one split are spread evenly."""
-    voices = read_voices(domain.folder / "corpus")
-    names = sorted((name for name in voices if voices[name].split != "test"), key=lambda n: (voices[n].split, n))
+    """Which voices each fold leaves out, as `decomplex-bt train` has them."""
+    names = sorted(name for name, voice in read_voices(domain.folder / "corpus").items() if voice.split != "test")
     return {fold: tuple(names[fold::count]) for fold in range(count)}
 
 
