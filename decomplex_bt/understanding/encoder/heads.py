@@ -69,7 +69,7 @@ def log_softmax(x: Array) -> Array:
 
 def _gelu(x: Array) -> Array:
     """The tanh form of the Gaussian error linear unit."""
-    return 0.5 * x * (1 + np.tanh(0.7978845608 * (x + 0.044715 * (x * x * x))))  # a power takes numpy ten times as long
+    return 0.5 * x * (1 + np.tanh(0.7978845608 * (x + 0.044715 * (x * x * x))))  # a quarter of what a power takes
 
 
 def _with_one(x: Array) -> Array:
