@@ -16,6 +16,11 @@ SPEEDS = tuple(round(share / 4, 2) for share in range(-4, 5))
 """The nine speeds, as shares of the highest, that a flat action chooses from."""
 
 
+KEPT = ("robot", "held", "entities", "result", "seconds", "instruction_codes")
+"""The keys of the `Dict` observation in the order they stand in the vector."""
+INDICATORS = np.eye(len(Result), dtype=np.float32)
+
+
 class FlatHouseholdEnv(HouseholdEnv):
     """`HouseholdEnv` with a `MultiDiscrete` action and a `Box` observation.
 
@@ -41,7 +46,7 @@ class FlatHouseholdEnv(HouseholdEnv):
 
     def _kept(self) -> list[tuple[str, spaces.Space[Any]]]:
         inner = observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
-        return [(key, inner[key]) for key in ("robot", "held", "entities", "result", "seconds", "instruction_codes")]
+        return [(key, inner[key]) for key in KEPT]
 
     def _make_action_space(self) -> spaces.Space[Any]:
         return spaces.MultiDiscrete([len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows])
@@ -56,7 +61,5 @@ class FlatHouseholdEnv(HouseholdEnv):
 
     def _observe(self) -> Observation | NDArray[np.float32]:  # type: ignore[override]
         seen = super()._observe()
-        result = np.zeros(len(Result), dtype=np.float32)
-        result[seen["result"]] = 1
-        seen["result"] = result
-        return np.concatenate([np.ravel(seen[key]) for key, _ in self._kept()], dtype=np.float32)
+        seen["result"] = INDICATORS[seen["result"]]
+        return np.concatenate([seen[key].ravel() for key in KEPT], dtype=np.float32)

@@ -90,6 +90,9 @@ class Geometry:
         x0, y0, x1, y1 = self._rects[guess]
         if x0 < x < x1 and y0 < y < y1:
             return guess
+        for index, (x0, y0, x1, y1) in enumerate(self._rects):
+            if x0 < x < x1 and y0 < y < y1:
+                return index
         best, nearest = 0, float("inf")
         for index, rect in enumerate(self._rects):
             away = distance_to_rect(x, y, rect)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from math import ceil, cos, sin
+from math import ceil, cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -107,14 +107,15 @@ class Samples:
         points = np.cumsum([0, *(room.size for room in of_rooms)]).tolist()
         segments = np.cumsum([0, *(room.width for room in of_rooms)]).tolist()
         elsewhere = np.full((len(rooms) - 1, points[-1]), ANYWAY)
-        twins, floors = [], []
+        twins: list[tuple[int, int]] = []
+        floor_points, floor_numbers = [], []
         for index, (room, of_room) in enumerate(zip(rooms, of_rooms, strict=True)):
             if index:
                 elsewhere[index - 1, points[index] : points[index + 1]] = 0.0
             later = rooms[index + 1 :]
             twins += [(segments[index] + segment, row) for segment, row, to in of_room.doors if to in later]
-            floor = slice(of_room.floor.start + points[index], of_room.floor.stop + points[index])
-            floors.append((floor, self.floors[room]))
+            floor_points.append(self.numbers[of_room.floor] + points[index])
+            floor_numbers.append(self.numbers[self.floors[room]])
         rows = np.concatenate([room.rows for room in of_rooms])
         holding = np.concatenate([room.holding + first for room, first in zip(of_rooms, segments, strict=False)])
         return Layout(
@@ -124,7 +125,8 @@ class Samples:
             twins=twins,
             holding=holding,
             holding_rows=rows[holding],
-            floors=floors,
+            floor_points=np.concatenate(floor_points),
+            floor_numbers=np.concatenate(floor_numbers),
         )
 
     def _lay_out(
@@ -158,8 +160,8 @@ class Samples:
 class Layout(NamedTuple):
     """The fixed places of some rooms, the robot's own first. `features` `(5 + rooms - 1, n)`. Segment `i` is the entity
     `rows[i]`, its points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides
-    its last one, with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows. `floors`:
-    which points are a floor's, and which of all floors' points they are."""
+    its last one, with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows.
+    `floor_points`: which points are a floor's, `floor_numbers`: which of all floors' points they are."""
 
     features: Floats
     rows: Rows
@@ -167,7 +169,8 @@ class Layout(NamedTuple):
     twins: list[tuple[int, int]]
     holding: Rows
     holding_rows: Rows
-    floors: list[tuple[slice, slice]]
+    floor_points: Rows
+    floor_numbers: Rows
 
 
 class Scene:
@@ -227,12 +230,15 @@ class Scene:
         questions = self._by_room if has_one_way else self._ask(tuple([room for room, _ in beyond]))
         questions[:, VARYING] = np.array(varying).reshape(-1, 3)
         is_within = np.dot(questions, self.features) >= SLACK
-        in_view = np.logical_and.reduce(is_within[RANGE:] if has_one_way else self._through(is_within, beyond))
-        if half_angle < np.pi / 2:
-            in_view &= is_within[RIGHTMOST]
-            in_view &= is_within[LEFTMOST]
-        elif half_angle < np.pi:
-            in_view &= is_within[RIGHTMOST] | is_within[LEFTMOST]
+        if half_angle >= pi:
+            first = RANGE
+        elif half_angle < pi / 2:
+            first = LEFTMOST
+        else:
+            first = RIGHTMOST
+            np.logical_or(is_within[LEFTMOST], is_within[RIGHTMOST], out=is_within[RIGHTMOST])
+        asked = is_within[first:] if has_one_way else [*is_within[first:RANGE], *self._through(is_within, beyond)]
+        in_view = np.logical_and.reduce(asked)
         return in_view, is_within[NEARNESS] & in_view
 
     def _through(self, is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:

@@ -132,8 +132,7 @@ class Sensor:
             inspected = inspected & before
         self._full_before.append(is_full)
         self.inspected = inspected
-        for here, there in layout.floors:
-            np.putmask(self._seen_floor[there], in_view[here], now)
+        self._seen_floor[layout.floor_numbers[in_view[layout.floor_points]]] = now
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
         np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
 

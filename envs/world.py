@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from math import cos, pi, sin
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -84,7 +85,9 @@ class World:
         self.place = start.place.copy()
         self._position = start.position.copy()
         self._is_stale = False
-        self._step_seconds = config.step_seconds
+        self._step_seconds = step = config.step_seconds
+        self._max_speed, self._max_turn_rate = config.max_speed, config.max_turn_rate
+        self._most_gained, self._most_turned = config.max_acceleration * step, config.max_turn_acceleration * step
         self.heading = np.zeros(len(geometry.names))
         self.heading[geometry.robot_row] = self.robot_heading = start.heading
         self.states: NDArray[np.int8] = start.states.copy()
@@ -229,7 +232,7 @@ class World:
         self._people: dict[int, pymunk.Shape] = {}
         self._leaf_shapes: dict[str, pymunk.Shape] = {}
         self.closed_leaves: tuple[str, ...] = ()
-        self._loose: list[tuple[int, pymunk.Body]] = []
+        self._loose: list[tuple[int, pymunk.Body]] = []  # what may move, besides the robot, in order of rows
         self._awake: set[int] = set()
         self._moved: set[int] = set()
         for name in geometry.leaves:
@@ -265,23 +268,19 @@ class World:
         self._bodies[row] = (body, (shape, *joints))
         self.space.add(body, *joints)
         put(self.space, shape)
-        self._note_loose()
         if row != self.geometry.robot_row:
+            self._loose = sorted((*self._loose, (row, body)), key=itemgetter(0))
             self._awake.add(row)
+        self.arrangement += 1
 
     def _drop_body(self, row: int) -> None:
         if self._is_stale:
             self._read_all()
         body, parts = self._bodies.pop(row)
         self.space.remove(*parts, body)
-        self._note_loose()
-
-    def _note_loose(self) -> None:
-        """Notes which bodies, besides the robot's, may move."""
-        rows = sorted(row for row in self._bodies if row != self.geometry.robot_row)
-        self._loose = [(row, self._bodies[row][0]) for row in rows]
-        self._awake.intersection_update(rows)
-        self._moved.intersection_update(rows)
+        self._loose = [(other, loose) for other, loose in self._loose if other != row]
+        self._awake.discard(row)
+        self._moved.discard(row)
         self.arrangement += 1
 
     def _stand(self, person: int) -> None:
@@ -305,13 +304,11 @@ class World:
 
         The contacts of the step may then change them. The direction is that of the middle of the step.
         """
-        config = self.config
-        if forward == 0.0 and turn == 0.0 and abs(self.speed) < 1e-3 and abs(self.turn_rate) < 1e-3:
+        speed, turn_rate = self.speed, self.turn_rate
+        if forward == 0.0 and turn == 0.0 and abs(speed) < 1e-3 and abs(turn_rate) < 1e-3:
             return
-        most = config.max_acceleration * self._step_seconds
-        speed = self.speed + min(max(forward * config.max_speed - self.speed, -most), most)
-        most = config.max_turn_acceleration * self._step_seconds
-        turn_rate = self.turn_rate + min(max(turn * config.max_turn_rate - self.turn_rate, -most), most)
+        speed += _within(forward * self._max_speed - speed, self._most_gained)
+        turn_rate += _within(turn * self._max_turn_rate - turn_rate, self._most_turned)
         middle = self.robot_heading + turn_rate * self._step_seconds / 2
         self._motor.push(speed * cos(middle), speed * sin(middle), turn_rate)
 
@@ -394,6 +391,11 @@ class World:
 
     def _carried_rows(self) -> NDArray[np.int64]:
         return np.flatnonzero(self.place >= self.geometry.people_rows[0])
+
+
+def _within(value: float, most: float) -> float:
+    """The value, brought within `most` of 0."""
+    return most if value > most else -most if value < -most else value
 
 
 def _say(member: Interaction | Result) -> str:
