@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
@@ -27,6 +27,9 @@ MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
 
 ENCODER_FOLDER = "encoder"
+
+LIKELY = 0.5
+"""The confidence from which on an argument stands beside a surer one of its type."""
 
 CHUNK = 64
 """How many texts of a batch a process reads at a time."""
@@ -138,10 +141,12 @@ class Interpreter:
                 number,
                 task.type,
                 document.span(task.token, task.token),
-                tuple(
-                    _argument(document, argument, certainty("argument", belief.arguments[argument]))
-                    for argument in reading.arguments
-                    if argument.owner == task.token
+                _without_rivals(
+                    [
+                        _argument(document, argument, certainty("argument", belief.arguments[argument]))
+                        for argument in reading.arguments
+                        if argument.owner == task.token
+                    ]
                 ),
                 certainty("task", belief.tasks[task.token]),
                 certainty("dependency", belief.dependencies[task.token]),
@@ -163,6 +168,13 @@ def check_text(text: str) -> None:
 def _argument(document: Document, argument: FoundArgument, confidence: float) -> Argument:
     span = document.span(argument.tokens.start, argument.tokens.stop - 1)
     return Argument(argument.type, span.of(document.text), span, confidence)
+
+
+def _without_rivals(arguments: Sequence[Argument]) -> tuple[Argument, ...]:
+    """The arguments of a task, of which it keeps two of one type only where both are likely: "the cup, and the plate,
+    too" happens, but where one of the two is doubtful it is a misreading."""
+    surest = {argument.type: argument for argument in sorted(arguments, key=lambda a: a.confidence)}
+    return tuple(a for a in arguments if a.confidence >= LIKELY or a is surest[a.type])
 
 
 def _checked(items: Iterable[_Item], check: Callable[[_Item], None]) -> Iterator[_Item]:

@@ -21,10 +21,11 @@ from decomplex_bt.understanding.affinity import Option
 from decomplex_bt.understanding.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
+from decomplex_bt.understanding.facts import typed_by_facts
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
 from decomplex_bt.understanding.prohibitions import forbidden
-from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel, certain
+from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -117,13 +118,12 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
 
 
 def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology) -> Iterator[FoundTasks]:
-    """The task sets without what is forbidden and with what is certain; each set once, the likelier one."""
+    """The task sets without what is forbidden and with what is settled by facts; each set once, the likelier one."""
     tokens = forbidden(observed)
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         tasks = tuple(task for task in found.tasks if task.token not in tokens)
-        if "placing" in ontology.task_types:
-            tasks = certain(observed.document, tasks)
+        tasks = typed_by_facts(observed.document, tasks, ontology.task_types)
         key = tuple((task.token, task.type) for task in tasks)
         if key not in seen:
             seen.add(key)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import product, zip_longest
+from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 from decomplex_bt.instruction import Instruction
@@ -63,25 +63,6 @@ class TaskModel:
         """The tasks of a document in text order."""
         labelling = self._crf.label(task_features(observed))
         return _tasks(labelling.labels, labelling.marginals)
-
-
-def certain(document: Document, tasks: Sequence[FoundTask]) -> tuple[FoundTask, ...]:
-    """The tasks, with one fact of English made certain: "put the cup" without "on", "off", "out" or "up" changes no
-    state, it places, however little else is said."""
-    settled: list[FoundTask] = []
-    for task, following in zip_longest(tasks, tasks[1:]):
-        if task.type == "change_state" and document.tokens[task.token].lemma == "put":
-            end = len(document) if following is None else following.token
-            words = [token.lower for token in document.tokens[task.token + 1 : end]]
-            words = words[: next((i for i, word in enumerate(words) if word in _ENDS), len(words))]
-            if not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down"):
-                task = replace(task, type="placing")
-        settled.append(task)
-    return tuple(settled)
-
-
-_ENDS = frozenset((".", "?", "!", ";"))
-_CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 
 
 def _tasks(labels: Sequence[str], marginals: Sequence[float]) -> tuple[FoundTask, ...]:

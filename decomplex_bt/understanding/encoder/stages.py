@@ -118,8 +118,9 @@ class EncoderArguments:
 
 
 def _following(before: str, label: str) -> float:
-    """The score of a label behind another: an I needs its B or I."""
-    return 0.0 if label[0] != "I" or label[2:] == before[2:] else IMPOSSIBLE
+    """The score of a label behind another: an I needs its B or I, and no two arguments of a type stand side by side."""
+    is_same = label[2:] == before[2:]
+    return 0.0 if label == "O" or is_same == (label[0] == "I") else IMPOSSIBLE
 
 
 def _best_path(scores: Array, allowed: Array) -> list[int]:

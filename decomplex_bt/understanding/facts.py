@@ -1,0 +1,80 @@
+"""Facts of English that settle the type of a task, whatever a model thinks likelier."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.tasks import FoundTask
+
+_ENDS = frozenset((".", "?", "!", ";"))
+_CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
+_SURE = frozenset(("sure", "certain"))
+_BE = frozenset(("be", "'s", "is", "are", "'re", "re", "s"))
+_MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
+_PREDICATES = frozenset(("JJ", "VBN", "VBD", "RP"))
+_SHORT_STATES = frozenset(("shut", "open", "closed", "locked"))
+_PREPOSITIONS = frozenset(("on", "off"))
+_NOMINAL = ("DT", "NN", "PRP", "CD", "JJ", "WP")
+_NOT_BROUGHT_ABOUT = frozenset(
+    "asleep awake alive ok okay okey fine well safe happy comfortable gone there here home in out back ready".split()
+)
+_TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
+
+
+def typed_by_facts(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
+    """The tasks, in text order, with their types brought in line with the facts; `types`: those that there are."""
+    return tuple(
+        replace(task, type=fact)
+        if (fact := _fact(document, task, tasks[i + 1].token if i + 1 < len(tasks) else len(document))) in types
+        else task
+        for i, task in enumerate(tasks)
+    )
+
+
+def _fact(document: Document, task: FoundTask, following: int) -> str:
+    """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
+    if task.type == "change_state" and document.tokens[task.token].lemma == "put":
+        return "placing" if _is_put_somewhere(document.tokens[task.token + 1 : following]) else task.type
+    if task.type == "check_state" and _is_made_sure_of(document, task.token):
+        return "change_state"
+    return task.type
+
+
+def _is_put_somewhere(said: Sequence[Token]) -> bool:
+    """ "Put the cup" without "on", "off", "out" or "up" changes no state, it places, however little else is said."""
+    words = [token.lower for token in said]
+    words = words[: next((i for i, word in enumerate(words) if word in _ENDS), len(words))]
+    return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
+
+
+def _is_made_sure_of(document: Document, at: int) -> bool:
+    """ "Make sure the door is locked", "ensure it's off": who says so wants it locked, unless a later "if" asks how it
+    was. Only of what can be brought about: not of where somebody is, or that they are well."""
+    said = document.tokens[at:]
+    words = [token.lower for token in said[1:3]]
+    if said[0].lemma == "ensure":
+        start = 1
+    elif said[0].lemma in ("make", "be") and words[:1] and words[0] in _SURE:
+        start = 2
+    elif said[0].lemma == "see" and words[:2] == ["to", "it"]:
+        start = 3
+    else:
+        return False
+    be = next((i for i in range(start, len(said)) if said[i].lower in _BE or said[i].lower in _ENDS), len(said))
+    predicate = [token for token in said[be + 1 :] if token.lower not in _MANNERS]
+    if be == len(said) or said[be].lower in _ENDS or not _is_state(predicate[:2]):
+        return False
+    last = document.sentences[at] + 1
+    return not any(token.lower in _TAKEN_UP and document.sentences[token.i] <= last for token in predicate)
+
+
+def _is_state(predicate: Sequence[Token]) -> bool:
+    """Whether these words behind an "is" begin with a state that can be brought about: "off", but not "off the hook"."""
+    if not predicate or predicate[0].lower in _NOT_BROUGHT_ABOUT:
+        return False
+    state, *rest = predicate
+    if state.lower in _PREPOSITIONS:
+        return not rest or not rest[0].tag.startswith(_NOMINAL)
+    return state.tag in _PREDICATES or state.lower in _SHORT_STATES
