@@ -1,9 +1,10 @@
-"""Facts of English that settle the type of a task, whatever a model thinks likelier."""
+"""Facts of English that settle the type or the place of a task, whatever a model thinks likelier."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.tasks import FoundTask
@@ -20,20 +21,53 @@ _NOMINAL = ("DT", "NN", "PRP", "CD", "JJ", "WP")
 _NOT_BROUGHT_ABOUT = frozenset(
     "asleep awake alive ok okay okey fine well safe happy comfortable gone there here home in out back ready".split()
 )
+_IS_OR_HAS = frozenset(("'s", "\u2019s"))
+_BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all".split())
+_PERFECTS = frozenset(
+    "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
+    "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
+)
+_NOT_ON = frozenset(("already", "too", "now", "again", "then"))
+_COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
+_AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
-def typed_by_facts(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
-    """The tasks, in text order, with their types brought in line with the facts; `types`: those that there are."""
-    return tuple(
-        replace(task, type=fact)
-        if (fact := _fact(document, task, tasks[i + 1].token if i + 1 < len(tasks) else len(document))) in types
-        else task
-        for i, task in enumerate(tasks)
-    )
+def corrected(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
+    """The tasks, in text order, brought in line with the facts; `types`: those that there are."""
+    found: list[FoundTask] = []
+    for task, following in zip_longest(tasks, tasks[1:]):
+        end = len(document) if following is None else following.token
+        fact = _type(document, task, end)
+        token = _place(document, task.token) if task.type == "check_state" else task.token
+        if fact in types and token < end and (not found or found[-1].token < token):
+            task = replace(task, type=fact, token=token)
+        found.append(task)
+    return tuple(found)
 
 
-def _fact(document: Document, task: FoundTask, following: int) -> str:
+def _place(document: Document, at: int) -> int:
+    """The token that a check is told by: of "'s", where it is "has", the participle ("it's been", "it's gone cold"),
+    and where it may as well be "is" that ("it's gone")."""
+    tokens = document.tokens
+    if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
+        return at if _goes_on(document, at) else at - 1
+    if tokens[at].lower not in _IS_OR_HAS:
+        return at
+    participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
+    if participle is None or participle.tag not in ("VBN", "VBD"):
+        return at
+    is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
+    return participle.i if is_perfect else at
+
+
+def _goes_on(document: Document, gone: int) -> bool:
+    """Whether "gone" tells what something has become, or where to: "gone cold", "gone out"."""
+    token = document.tokens[gone + 1] if gone + 1 < len(document) else None
+    return token is not None and token.lower not in _NOT_ON and (token.tag in _COMPLEMENTS or token.lower in _AWAY)
+
+
+def _type(document: Document, task: FoundTask, following: int) -> str:
     """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
     if task.type == "change_state" and document.tokens[task.token].lemma == "put":
         return "placing" if _is_put_somewhere(document.tokens[task.token + 1 : following]) else task.type
@@ -71,7 +105,7 @@ def _is_made_sure_of(document: Document, at: int) -> bool:
 
 
 def _is_state(predicate: Sequence[Token]) -> bool:
-    """Whether these words behind an "is" begin with a state that can be brought about: "off", but not "off the hook"."""
+    """Whether what stands behind an "is" begins with a state to be brought about: "off", but not "off the hook"."""
     if not predicate or predicate[0].lower in _NOT_BROUGHT_ABOUT:
         return False
     state, *rest = predicate

@@ -21,7 +21,7 @@ from decomplex_bt.understanding.affinity import Option
 from decomplex_bt.understanding.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
-from decomplex_bt.understanding.facts import typed_by_facts
+from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
 from decomplex_bt.understanding.prohibitions import forbidden
@@ -123,7 +123,7 @@ def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: O
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         tasks = tuple(task for task in found.tasks if task.token not in tokens)
-        tasks = typed_by_facts(observed.document, tasks, ontology.task_types)
+        tasks = corrected(observed.document, tasks, ontology.task_types)
         key = tuple((task.token, task.type) for task in tasks)
         if key not in seen:
             seen.add(key)

@@ -64,8 +64,8 @@ class Heads:
 
 
 def _product(x: Array, y: Array) -> Array:
-    """The product of two matrices, a few rows at a time: as one it would be shared out among threads, which takes longer
-    than the sum itself, and ten times as long where another process works on the other cores."""
+    """The product of two matrices, a few rows at a time: as one it would be shared out among threads, which takes
+    longer than the sum itself, and ten times as long where another process works on the other cores."""
     rows = max(1, MOST_SUMMED // y.size)
     if len(x) <= rows:
         return x @ y

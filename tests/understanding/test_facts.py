@@ -1,0 +1,85 @@
+"""What English settles about a task is settled, and what it leaves open is left to the models."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from documents import document
+
+from decomplex_bt.understanding.facts import corrected
+from decomplex_bt.understanding.tasks import FoundTask
+
+TYPES = ("check_state", "change_state", "placing", "bringing")
+
+
+def found(words: str, *tasks: tuple[int, str], types: tuple[str, ...] = TYPES) -> list[tuple[int, str]]:
+    """The places and types of tasks after correction; the words as `documents.document` takes them, their tags only."""
+    said = [f"{word}/dep/{i}" if "/" in word else word for i, word in enumerate(words.split())]
+    corrections = corrected(document(*said), [FoundTask(i, kind, 0.9) for i, kind in tasks], types)
+    return [(task.token, task.type) for task in corrections]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "make/VB sure/JJ the/DT door/NN is/VBZ locked/VBN .",
+        "ensure/VB it/PRP 's/VBZ off/RP and/CC go/VB",
+        "be/VB certain/JJ both/DT windows/NNS are/VBP properly/RB shut/JJ",
+        "see/VB to/IN it/PRP that/IN the/DT heating/NN is/VBZ on/RP",
+    ],
+)
+def test_what_somebody_makes_sure_of_is_brought_about(words: str) -> None:
+    assert found(words, (0, "check_state")) == [(0, "change_state")]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "make/VB sure/JJ the/DT door/NN is/VBZ locked/VBN ./. if/IN it/PRP is/VBZ n't/RB ,/, lock/VB it/PRP",
+        "make/VB sure/JJ the/DT keys/NNS are/VBP on/IN the/DT hook/NN",
+        "make/VB sure/JJ mum/NN is/VBZ asleep/JJ",
+        "make/VB sure/JJ mum/NN is/VBZ in/IN the/DT garden/NN",
+        "make/VB sure/JJ ./. is/VBZ it/PRP locked/VBN",
+        "check/VB that/IN the/DT door/NN is/VBZ locked/VBN",
+        "make/VB sure/JJ",
+    ],
+)
+def test_what_is_asked_or_cannot_be_brought_about_stays_a_check(words: str) -> None:
+    assert found(words, (0, "check_state")) == [(0, "check_state")]
+
+
+def test_a_domain_without_the_type_keeps_its_own() -> None:
+    locked = "make/VB sure/JJ the/DT door/NN is/VBZ locked/VBN"
+    assert found(locked, (0, "check_state"), types=("check_state",)) == [(0, "check_state")]
+
+
+def test_putting_without_a_particle_is_placing() -> None:
+    assert found("put/VB the/DT cup/NN", (0, "change_state")) == [(0, "placing")]
+    assert found("put/VB the/DT lamp/NN on/RP", (0, "change_state")) == [(0, "change_state")]
+    assert found("put/VB the/DT cup/NN and/CC go/VB on/RP", (0, "change_state"), (4, "bringing"))[0] == (0, "placing")
+
+
+@pytest.mark.parametrize(
+    ("words", "at", "told_by"),
+    [
+        ("if/IN the/DT kettle/NN 's/POS just/RB boiled/VBN", 3, 5),
+        ("if/IN he/PRP 's/VBZ got/VBN it/PRP", 2, 3),
+        ("if/IN it/PRP 's/VBZ gone/VBN cold/JJ", 2, 3),
+        ("if/IN it/PRP 's/VBZ gone/VBN ,/, tell/VB me/PRP", 3, 2),
+        ("if/IN it/PRP 's/VBZ gone/VBN too/RB", 2, 2),
+        ("if/IN it/PRP 's/VBZ locked/VBN", 2, 2),
+        ("if/IN it/PRP is/VBZ gone/VBN cold/JJ", 2, 2),
+        ("if/IN it/PRP 's/VBZ", 2, 2),
+    ],
+)
+def test_a_perfect_is_told_by_its_participle(words: str, at: int, told_by: int) -> None:
+    assert found(words, (at, "check_state")) == [(told_by, "check_state")]
+
+
+def test_a_place_that_another_task_has_is_left_to_it() -> None:
+    words = "if/IN he/PRP 's/VBZ got/VBN it/PRP"
+    assert found(words, (2, "check_state"), (3, "bringing")) == [(2, "check_state"), (3, "bringing")]
