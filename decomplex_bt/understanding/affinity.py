@@ -169,11 +169,16 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             features = tuple(_features(context, gap, candidate, side, rank, kind, kind_rank))
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
+            contrast = (
+                f"{_modifier(document, gap.tokens)}.{_modifier(document, _named(candidate))}" if gap.tokens else ""
+            )
             for text, way in spellings(document, gap, candidate):
                 more = (
                     f"way:{way}.{gap.form}",
                     f"way:{way}.{word}.{determiner}",
                     f"way:{way}.{gap.form}.{determiner}.{candidate.shape}",
+                    f"way:{way}.{gap.form}.{contrast}",
+                    f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
     options.append(Option(None, "", "", tuple(_none_features(context, gap))))
@@ -357,9 +362,29 @@ def _determiner(document: Document, candidate: Candidate) -> str:
         return "the"
     if word in ("my", "your", "his", "her", "our", "their", "its") or "'s " in candidate.text:
         return "my"
-    if first.pos == "NUM":
+    if first.pos == "NUM" or word == "both":
         return "number"
     return "name" if first.pos == "PROPN" and candidate.text[:1].isupper() else "bare"
+
+
+def _named(candidate: Candidate) -> range:
+    """The tokens of a candidate up to its head; none where it stands for one that is named elsewhere."""
+    return range(candidate.tokens.start, candidate.head + 1) if not candidate.mention else range(0)
+
+
+def _modifier(document: Document, tokens: range) -> str:
+    """What stands before the last word of a phrase: a colour, another adjective, a number, a noun, or none of these."""
+    if len(tokens) < 2:
+        return "none"
+    token = document.tokens[tokens.stop - 2]
+    if token.lower in _COLOURS:
+        return "colour"
+    return {"ADJ": "adjective", "NUM": "number", "NOUN": "noun", "PROPN": "noun"}.get(token.pos, "none")
+
+
+_COLOURS = frozenset(
+    "red blue green yellow white black brown grey gray pink purple orange navy silver gold golden beige".split()
+)
 
 
 def _kind(context: Context, candidate: Candidate) -> str:

@@ -141,7 +141,7 @@ class Interpreter:
                 number,
                 task.type,
                 document.span(task.token, task.token),
-                _without_rivals(
+                without_rivals(
                     [
                         _argument(document, argument, certainty("argument", belief.arguments[argument]))
                         for argument in reading.arguments
@@ -170,7 +170,7 @@ def _argument(document: Document, argument: FoundArgument, confidence: float) ->
     return Argument(argument.type, span.of(document.text), span, confidence)
 
 
-def _without_rivals(arguments: Sequence[Argument]) -> tuple[Argument, ...]:
+def without_rivals(arguments: Sequence[Argument]) -> tuple[Argument, ...]:
     """The arguments of a task, of which it keeps two of one type only where both are likely: "the cup, and the plate,
     too" happens, but where one of the two is doubtful it is a misreading."""
     surest = {argument.type: argument for argument in sorted(arguments, key=lambda a: a.confidence)}

@@ -74,6 +74,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             head = head_of(document, inner)
             short = range(inner.start, head + 1)
             shape = "whole" if len(short) == len(inner) else "long"
+            if document.tokens[head].lower in _NO_NOUNS:
+                shape = "unnamed"
             found[inner.start, inner.stop] = _owned(document, inner, task, argument.type, shape)
             if shape == "long":
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
@@ -248,7 +250,7 @@ def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
         if lemma == text.lower() and text.endswith("s") and not text.endswith("ss"):
             return text[:-1]
         return lemma if text.islower() else text[: len(lemma)]
-    if is_plural and tag == "NN":
+    if is_plural and tag == "NN" and (not text.endswith("s") or text.endswith(("ss", "us", "is"))):
         return text + ("es" if text.endswith(("s", "x", "ch", "sh")) else "s")
     return text
 

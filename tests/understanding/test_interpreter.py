@@ -2,13 +2,15 @@
 
 import json
 import shutil
+from dataclasses import replace
 
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter
+from decomplex_bt.instruction import Argument
+from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter, without_rivals
 
 PEN = "Bring me a pen if you can find one on the desk, otherwise look in the drawer."
 
@@ -105,6 +107,25 @@ def test_a_missing_argument_asks_its_question(interpreter):
 )
 def test_to_put_something_is_to_place_it_unless_it_is_put_on_or_out(interpreter, text, kind):
     assert [task.type for task in interpreter.interpret(text).tasks] == [kind]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If the furnace filter is dirty, take it out and bring me a new one.", "a new furnace filter"),
+        ("Put the blue bin by the gate and bring the green one to me.", "the green bin"),
+        ("Close the kitchen window and open the bathroom one.", "the bathroom window"),
+    ],
+)
+def test_another_one_is_named_by_the_noun_less_what_tells_it_apart(interpreter, text, value):
+    assert interpreter.interpret(text).tasks[-1].values("object") == (value,)
+
+
+def test_a_task_keeps_two_arguments_of_a_type_only_where_both_are_likely(interpreter):
+    sure, likely, doubtful = (Argument("object", text, None, c) for text, c in (("a", 0.9), ("b", 0.6), ("c", 0.4)))
+    place = Argument("goal", "d", None, 0.2)
+    assert without_rivals([doubtful, sure, place, likely]) == (sure, place, likely)
+    assert len(without_rivals([doubtful, replace(doubtful, value="e")])) == 1
 
 
 def test_the_same_text_is_understood_alike_under_any_hash_seed(printed_under_hash_seeds):

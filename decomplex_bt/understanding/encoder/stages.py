@@ -3,7 +3,7 @@ readings, and `flows` that of `FlowModel`."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from math import prod
@@ -92,7 +92,7 @@ class EncoderArguments:
         self._model = model
         self._types = task_labels(tuple(ontology.task_types))
         self._labels = argument_labels(tuple(ontology.argument_types))
-        self._allowed = np.array([[_following(before, label) for label in self._labels] for before in self._labels])
+        self._allowed = steps(self._labels)
 
     def find_all(self, observed: Observed, tasks: Mapping[int, str]) -> FoundArguments:
         """The arguments of a document, in text order, with the joint probability of all labels and owners."""
@@ -103,7 +103,7 @@ class EncoderArguments:
         types = [self._types.index(tasks.get(i, "O")) for i in range(len(observed.document))]
         typed = heads.typed(self._model.vectors(observed.document), types)
         scores = log_softmax(heads.arguments(typed))
-        labels = _best_path(scores, self._allowed)
+        labels = best_path(scores, self._allowed)
         chances = np.exp(scores[np.arange(len(labels)), labels])
         starts = [i for i, k in enumerate(labels) if self._labels[k][0] == "B"]
         owners = np.exp(log_softmax(heads.owners(typed, starts, places))) if starts else np.zeros((0, 1))
@@ -117,14 +117,19 @@ class EncoderArguments:
         return FoundArguments(tuple(found), float(chances.prod() * owners.max(axis=1).prod()))
 
 
-def _following(before: str, label: str) -> float:
-    """The score of a label behind another: an I needs its B or I, and no two arguments of a type stand side by side."""
+def steps(labels: Sequence[str]) -> Array:
+    """The score of each label (columns) behind each other (rows): 0, or `IMPOSSIBLE` for an I without its B or I before
+    it, and for a B right behind its own type: no two arguments of a type stand side by side."""
+    return np.array([[_step(before, label) for label in labels] for before in labels])
+
+
+def _step(before: str, label: str) -> float:
     is_same = label[2:] == before[2:]
     return 0.0 if label == "O" or is_same == (label[0] == "I") else IMPOSSIBLE
 
 
-def _best_path(scores: Array, allowed: Array) -> list[int]:
-    """The likeliest sequence of labels in which no I stands without its B (Viterbi)."""
+def best_path(scores: Array, allowed: Array) -> list[int]:
+    """The likeliest labels for scores (tokens, labels), the first of which is "O", by allowed `steps` (Viterbi)."""
     best = scores[0] + allowed[0]
     back = []
     for row in scores[1:]:
