@@ -146,6 +146,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
         return [*_predicate_options(context, gap), Option(None, "", "", tuple(_none_features(context, gap)))]
     options: list[Option] = []
     document = context.observed.document
+    own = _modifier(document, gap.tokens)
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in context.pool:
         if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
@@ -169,9 +170,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             features = tuple(_features(context, gap, candidate, side, rank, kind, kind_rank))
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
-            contrast = (
-                f"{_modifier(document, gap.tokens)}.{_modifier(document, _named(candidate))}" if gap.tokens else ""
-            )
+            contrast = f"{own}.{_modifier(document, _named(candidate))}" if gap.tokens else ""
             for text, way in spellings(document, gap, candidate):
                 more = (
                     f"way:{way}.{gap.form}",
