@@ -1,8 +1,8 @@
-"""Facts of English that settle the type or the place of a task, whatever a model thinks likelier."""
+"""Facts of English that settle the type or the place of a task, or where a phrase ends, whatever a model finds."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Container, Sequence
 from dataclasses import replace
 from itertools import zip_longest
 
@@ -30,6 +30,8 @@ _PERFECTS = frozenset(
 _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
+_NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
+_NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
@@ -44,6 +46,16 @@ def corrected(document: Document, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type=fact, token=token)
         found.append(task)
     return tuple(found)
+
+
+def completed(document: Document, tokens: range, taken: Container[int]) -> range:
+    """The tokens of an argument; where they end in an article or the like, with the words up to its noun as well, as
+    far as those are not `taken`."""
+    stop = tokens.stop
+    if document.tokens[stop - 1].lower in _NEEDING_A_NOUN:
+        while stop < len(document) and stop not in taken and document.tokens[stop].pos in _NOUN_PARTS:
+            stop += 1
+    return range(tokens.start, stop)
 
 
 def _place(document: Document, at: int) -> int:

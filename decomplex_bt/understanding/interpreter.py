@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
@@ -18,6 +18,7 @@ from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Cali
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.facts import completed
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
@@ -136,6 +137,7 @@ class Interpreter:
 
     def _tasks_of(self, document: Document, reading: Reading, belief: Belief) -> list[Task]:
         certainty = self._calibration.of
+        taken = {task.token for task in reading.tasks}.union(*(argument.tokens for argument in reading.arguments))
         return [
             Task(
                 number,
@@ -143,7 +145,7 @@ class Interpreter:
                 document.span(task.token, task.token),
                 without_rivals(
                     [
-                        _argument(document, argument, certainty("argument", belief.arguments[argument]))
+                        _argument(document, argument, certainty("argument", belief.arguments[argument]), taken)
                         for argument in reading.arguments
                         if argument.owner == task.token
                     ]
@@ -165,8 +167,9 @@ def check_text(text: str) -> None:
         raise InputError("the instruction holds half of a surrogate pair; expected valid Unicode text")
 
 
-def _argument(document: Document, argument: FoundArgument, confidence: float) -> Argument:
-    span = document.span(argument.tokens.start, argument.tokens.stop - 1)
+def _argument(document: Document, argument: FoundArgument, confidence: float, taken: Container[int]) -> Argument:
+    tokens = completed(document, argument.tokens, taken)
+    span = document.span(tokens.start, tokens.stop - 1)
     return Argument(argument.type, span.of(document.text), span, confidence)
 
 

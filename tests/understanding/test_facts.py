@@ -10,7 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
-from decomplex_bt.understanding.facts import corrected
+from decomplex_bt.understanding.facts import completed, corrected
 from decomplex_bt.understanding.tasks import FoundTask
 
 TYPES = ("check_state", "change_state", "placing", "bringing")
@@ -83,3 +83,11 @@ def test_a_perfect_is_told_by_its_participle(words: str, at: int, told_by: int) 
 def test_a_place_that_another_task_has_is_left_to_it() -> None:
     words = "if/IN he/PRP 's/VBZ got/VBN it/PRP"
     assert found(words, (2, "check_state"), (3, "bringing")) == [(2, "check_state"), (3, "bringing")]
+
+
+def test_a_phrase_does_not_end_in_an_article() -> None:
+    said = document(*(f"{word}/dep/0" for word in "in/IN the/DT old/JJ car/NN and/CC go/VB her/PRP$ bell/NN".split()))
+    assert completed(said, range(0, 2), ()) == range(0, 4)
+    assert completed(said, range(0, 2), {3}) == range(0, 3)
+    assert completed(said, range(0, 4), ()) == range(0, 4)
+    assert completed(said, range(6, 7), ()) == range(6, 7)
