@@ -10,10 +10,12 @@ from decomplex_bt.domain.document import Record
 
 
 class VerbSense(Record):
-    """What a verb (with its particle) can mean. `state`: what it implies ("heat": hot); `tasks`: likeliest first."""
+    """What a verb (with its particle) can mean. `tasks`: likeliest first. `state`: what it implies ("heat": hot).
+    `goal`: where it puts a thing, in words ("throw away": trash can)."""
 
     tasks: tuple[str, ...] = Field(min_length=1)
     state: str | None = None
+    goal: str | None = None
 
 
 class VerbGroup(VerbSense):
@@ -60,4 +62,8 @@ class Lexicon(Record):
     @cached_property
     def verbs(self) -> dict[str, VerbSense]:
         """Every verb, by lemma or "lemma particle" ("turn on"), with what it can mean."""
-        return {verb: VerbSense(tasks=group.tasks, state=group.state) for group in self.groups for verb in group.verbs}
+        return {
+            verb: VerbSense(tasks=group.tasks, state=group.state, goal=group.goal)
+            for group in self.groups
+            for verb in group.verbs
+        }

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
 from decomplex_bt.errors import ImpossibleGoalError, MissingArgumentError, UnknownWordError
@@ -58,7 +59,10 @@ class _Grounder:
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
-        state = self._verb_state(task)
+        sense = self._sense(task)
+        state = sense.state if sense is not None and task.type == "change_state" else None
+        if sense is not None and sense.goal is not None and task.value("goal") is None:
+            task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
         task = self._complete(task, state is not None)
         bare = GroundTask(task.id, task.type, self.instruction.phrase(task.id), (task.span.start, task.span.end))
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
@@ -218,14 +222,12 @@ class _Grounder:
     def _user(self) -> Referent:
         return Referent(self.house.user, (self.house.user,))
 
-    # -- states -------------------------------------------------------------------------------------------------------
+    # -- verbs and states ---------------------------------------------------------------------------------------------
 
-    def _verb_state(self, task: Task) -> str | None:
-        """The state that the verb, with its particle, implies ("turn … on", "heat"); None if it says none."""
+    def _sense(self, task: Task) -> VerbSense | None:
+        """What the verb, with its particle, implies ("turn … on", "heat", "throw … away"), as a verb of this type."""
         sense = sense_of(task.span.of(self.instruction.text), self._particles(task), self.domain.lexicon)
-        if sense is None or task.type not in sense.tasks or task.type != "change_state":
-            return None
-        return sense.state
+        return None if sense is None or task.type not in sense.tasks else sense
 
     def _particles(self, task: Task) -> list[str]:
         """The words behind the verb, up to the next task or the end of the sentence, that are in no argument."""

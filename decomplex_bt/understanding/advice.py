@@ -27,6 +27,9 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], domain: Domain)
             given.add("recipient")
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
             given.add("state")
+        place = observed.document.indices(task.span).start
+        if observed.gazetteer.disposal(observed.document, place) == task.type:
+            given.add("goal")
         for group in task_type.required:
             if not given & set(group):
                 yield Missing(task.id, group[0], task_type.questions[group[0]])

@@ -69,7 +69,7 @@ class ReferenceModel:
                         context.mention(gap, option)
                 arguments.append(argument)
             implied = []
-            for gap in unsaid_gaps(observed.document, task, self._ontology):
+            for gap in unsaid_gaps(observed, task, self._ontology):
                 option, probability = self._best(context, gap, hints)
                 if option.candidate is not None:
                     implied.append(Argument(option.type, option.text, None, probability))
@@ -135,7 +135,7 @@ def choices_of(observed: Observed, instruction: Instruction, ontology: Ontology)
                 is_same = argument.span is not None and argument.value == argument.span.of(document.text)
                 gaps.append((gap, {} if is_same else {argument.type: argument.value.lower()}))
         implied = {a.type: a.value.lower() for a in task.arguments if a.span is None}
-        for gap in unsaid_gaps(document, plain, ontology):
+        for gap in unsaid_gaps(observed, plain, ontology):
             types = ("state", "location") if gap.type == PREDICATE else (gap.type,)
             gaps.append((gap, {kind: implied[kind] for kind in types if kind in implied}))
         for gap, values in gaps:

@@ -7,8 +7,10 @@ from dataclasses import replace
 from itertools import zip_longest
 
 from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.tasks import FoundTask
 
+_HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _ENDS = frozenset((".", "?", "!", ";"))
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _SURE = frozenset(("sure", "certain"))
@@ -35,12 +37,13 @@ _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
-def corrected(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
+def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
     """The tasks, in text order, brought in line with the facts; `types`: those that there are."""
+    document = observed.document
     found: list[FoundTask] = []
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
-        fact = _type(document, task, end)
+        fact = _type(observed, task, end)
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
@@ -50,12 +53,14 @@ def corrected(document: Document, tasks: Sequence[FoundTask], types: Collection[
 
 def completed(document: Document, tokens: range, taken: Container[int]) -> range:
     """The tokens of an argument; where they end in an article or the like, with the words up to its noun as well, as
-    far as those are not `taken`."""
-    stop = tokens.stop
+    far as those are not `taken`. The "rid" of "get rid of it" belongs to the verb."""
+    start, stop = tokens.start, tokens.stop
+    if len(tokens) > 1 and document.tokens[start].lower == "rid":
+        start += 1
     if document.tokens[stop - 1].lower in _NEEDING_A_NOUN:
         while stop < len(document) and stop not in taken and document.tokens[stop].pos in _NOUN_PARTS:
             stop += 1
-    return range(tokens.start, stop)
+    return range(start, stop)
 
 
 def _place(document: Document, at: int) -> int:
@@ -79,8 +84,11 @@ def _goes_on(document: Document, gone: int) -> bool:
     return token is not None and token.lower not in _NOT_ON and (token.tag in _COMPLEMENTS or token.lower in _AWAY)
 
 
-def _type(document: Document, task: FoundTask, following: int) -> str:
+def _type(observed: Observed, task: FoundTask, following: int) -> str:
     """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
+    document = observed.document
+    if task.type in _HANDLING and (disposal := observed.gazetteer.disposal(document, task.token)) is not None:
+        return disposal
     if task.type == "change_state" and document.tokens[task.token].lemma == "put":
         return "placing" if _is_put_somewhere(document.tokens[task.token + 1 : following]) else task.type
     if task.type == "check_state" and _is_made_sure_of(document, task.token):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.phrases import (
     PRONOUNS,
     QUANTIFIERS,
@@ -92,8 +93,9 @@ def _form(document: Document, tokens: range) -> str | None:
     return "pronoun" if all(word in _LEADING | PRONOUNS | QUANTIFIERS for word in words) else None
 
 
-def unsaid_gaps(document: Document, task: Task, ontology: Ontology) -> Iterator[Gap]:
+def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[Gap]:
     """The arguments that a task may have by ellipsis."""
+    document = observed.document
     said = {argument.type for argument in task.arguments}
     position = document.indices(task.span).start
     if task.type == "searching" and "object" not in said:
@@ -107,6 +109,8 @@ def unsaid_gaps(document: Document, task: Task, ontology: Ontology) -> Iterator[
     if task.type == "bringing" and not said & {"recipient", "goal"}:
         yield Gap(task, "goal", position, "")
     for group in ontology.task_types[task.type].required:
+        if group[0] == "goal" and observed.gazetteer.disposal(document, position) is not None:
+            continue
         if group[0] in ("object", "goal") and not said & set(group):
             yield Gap(task, group[0], position, "", is_required=group[0] == "object")
     if task.type == "check_state" and not said & {"state", "location"}:

@@ -123,7 +123,7 @@ def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: O
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         tasks = tuple(task for task in found.tasks if task.token not in tokens)
-        tasks = corrected(observed.document, tasks, ontology.task_types)
+        tasks = corrected(observed, tasks, ontology.task_types)
         key = tuple((task.token, task.type) for task in tasks)
         if key not in seen:
             seen.add(key)

@@ -48,6 +48,20 @@ def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ..
     assert [(r.candidates, r.is_all, r.count) for r in task.objects] == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("[Throw](1:placing) [the pen](1:object) away.", "trash_can"),
+        ("[Get](1:placing) rid [of the pen](1:object).", "trash_can"),
+        ("[Throw](1:placing) [the pen](1:object) away [in the box](1:goal).", "box"),
+    ],
+)
+def test_a_verb_says_where_it_puts_a_thing_unless_words_do(text: str, goal: str) -> None:
+    task = first(text)
+    assert task.goal is not None
+    assert (task.objects[0].candidates, task.goal.candidates) == (PENS, (goal,))
+
+
 def test_state_words_tell_one_from_another() -> None:
     task = first("[Bring](1:bringing) [me](1:recipient) [the clean mug](1:object)")
     assert task.objects[0].where == (("cleanliness", "clean"),)

@@ -11,15 +11,20 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.facts import completed, corrected
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
 
+GAZETTEER = Gazetteer(
+    {}, {}, frozenset(), disposing={"throw away": "placing", "get rid": "placing", "discard": "placing"}
+)
 TYPES = ("check_state", "change_state", "placing", "bringing")
 
 
 def found(words: str, *tasks: tuple[int, str], types: tuple[str, ...] = TYPES) -> list[tuple[int, str]]:
     """The places and types of tasks after correction; the words as `documents.document` takes them, their tags only."""
     said = [f"{word}/dep/{i}" if "/" in word else word for i, word in enumerate(words.split())]
-    corrections = corrected(document(*said), [FoundTask(i, kind, 0.9) for i, kind in tasks], types)
+    corrections = corrected(Observed(document(*said), GAZETTEER), [FoundTask(i, kind, 0.9) for i, kind in tasks], types)
     return [(task.token, task.type) for task in corrections]
 
 
@@ -64,6 +69,20 @@ def test_putting_without_a_particle_is_placing() -> None:
 
 
 @pytest.mark.parametrize(
+    ("words", "kind"),
+    [
+        ("throw/VB the/DT old/JJ paper/NN away/RP", "placing"),
+        ("get/VB rid/JJ of/IN it/PRP", "placing"),
+        ("discard/VB it/PRP", "placing"),
+        ("throw/VB it/PRP to/IN me/PRP", "bringing"),
+        ("get/VB it/PRP", "bringing"),
+    ],
+)
+def test_a_verb_that_says_where_it_puts_a_thing_places_it(words: str, kind: str) -> None:
+    assert found(words, (0, "bringing")) == [(0, kind)]
+
+
+@pytest.mark.parametrize(
     ("words", "at", "told_by"),
     [
         ("if/IN the/DT kettle/NN 's/POS just/RB boiled/VBN", 3, 5),
@@ -91,3 +110,8 @@ def test_a_phrase_does_not_end_in_an_article() -> None:
     assert completed(said, range(0, 2), {3}) == range(0, 3)
     assert completed(said, range(0, 4), ()) == range(0, 4)
     assert completed(said, range(6, 7), ()) == range(6, 7)
+
+
+def test_rid_belongs_to_its_verb() -> None:
+    said = document(*(f"{word}/dep/0" for word in "get/VB rid/JJ of/IN it/PRP".split()))
+    assert completed(said, range(1, 4), ()) == range(2, 4)
