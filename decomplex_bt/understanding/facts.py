@@ -11,6 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
+_LAYING = frozenset(("lay", "set"))
 _ENDS = frozenset((".", "?", "!", ";"))
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _SURE = frozenset(("sure", "certain"))
@@ -89,8 +90,12 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     document = observed.document
     if task.type in _HANDLING and (disposal := observed.gazetteer.disposal(document, task.token)) is not None:
         return disposal
-    if task.type == "change_state" and document.tokens[task.token].lemma == "put":
-        return "placing" if _is_put_somewhere(document.tokens[task.token + 1 : following]) else task.type
+    said = document.tokens[task.token + 1 : following]
+    lemma = document.tokens[task.token].lemma
+    if task.type == "change_state" and lemma == "put":
+        return "placing" if _is_put_somewhere(said) else task.type
+    if task.type == "placing" and (_is_put_on(said) if lemma == "put" else lemma in _LAYING and _is_the_table(said)):
+        return "change_state"
     if task.type == "check_state" and _is_made_sure_of(document, task.token):
         return "change_state"
     return task.type
@@ -101,6 +106,19 @@ def _is_put_somewhere(said: Sequence[Token]) -> bool:
     words = [token.lower for token in said]
     words = words[: next((i for i, word in enumerate(words) if word in _ENDS), len(words))]
     return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
+
+
+def _is_put_on(said: Sequence[Token]) -> bool:
+    """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch."""
+    return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
+
+
+def _is_the_table(said: Sequence[Token]) -> bool:
+    """ "Lay the table", "set the kitchen table": that is no thing which is put somewhere."""
+    noun = next(
+        (i for i, token in enumerate(said) if token.pos not in ("DET", "ADJ", "PROPN", "NOUN", "PRON")), len(said)
+    )
+    return bool(said[:noun]) and said[noun - 1].lemma == "table"
 
 
 def _is_made_sure_of(document: Document, at: int) -> bool:

@@ -62,6 +62,22 @@ def test_a_domain_without_the_type_keeps_its_own() -> None:
     assert found(locked, (0, "check_state"), types=("check_state",)) == [(0, "check_state")]
 
 
+@pytest.mark.parametrize(
+    ("words", "kind"),
+    [
+        ("put/VB on/RP the/DT radio/NN", "change_state"),
+        ("put/VB out/RP the/DT candles/NNS", "change_state"),
+        ("put/VB on/IN the/DT shelf/NN the/DT cup/NN", "placing"),
+        ("lay/VB the/DT kitchen/NN table/NN for/IN two/CD", "change_state"),
+        ("set/VB the/DT cup/NN on/IN the/DT table/NN", "placing"),
+        ("move/VB the/DT table/NN", "placing"),
+        ("set/VB", "placing"),
+    ],
+)
+def test_to_put_on_is_to_switch_and_a_table_that_is_laid_goes_nowhere(words: str, kind: str) -> None:
+    assert found(words, (0, "placing")) == [(0, kind)]
+
+
 def test_putting_without_a_particle_is_placing() -> None:
     assert found("put/VB the/DT cup/NN", (0, "change_state")) == [(0, "placing")]
     assert found("put/VB the/DT lamp/NN on/RP", (0, "change_state")) == [(0, "change_state")]
