@@ -24,6 +24,7 @@ __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 Ask = Callable[[Missing], str | None]
 """Answers a question about a missing argument, None if it has no answer."""
 
+FILL, EMPTY = "fill", "empty"
 _PARTICLES = re.compile(r"[a-z']+")
 
 
@@ -59,6 +60,9 @@ class _Grounder:
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
+        if self._is_emptying(task):
+            objects = tuple(argument for argument in task.arguments if argument.type == "object")
+            task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
         sense = self._sense(task)
         state = sense.state if sense is not None and task.type == "change_state" else None
         if sense is not None and sense.goal is not None and task.value("goal") is None:
@@ -228,6 +232,15 @@ class _Grounder:
         """What the verb, with its particle, implies ("turn … on", "heat", "throw … away"), as a verb of this type."""
         sense = sense_of(task.span.of(self.instruction.text), self._particles(task), self.domain.lexicon)
         return None if sense is None or task.type not in sense.tasks else sense
+
+    def _is_emptying(self, task: Task) -> bool:
+        """Whether a task would take out what stays, but can be emptied: "take the trash out" """
+        if task.type not in ("taking", "bringing") or FILL not in self.domain.kinds.state_pairs:
+            return False
+        if "out" not in self._particles(task) and task.value("goal") not in ("out", "outside"):
+            return False
+        names = [n for words in task.values("object") for p in read_phrases(words, self.domain) for n in p.entities]
+        return bool(names) and all(self._is_fixed(name) and self._can_become(name, FILL, EMPTY) for name in names)
 
     def _particles(self, task: Task) -> list[str]:
         """The words behind the verb, up to the next task or the end of the sentence, that are in no argument."""

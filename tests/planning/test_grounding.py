@@ -62,6 +62,20 @@ def test_a_verb_says_where_it_puts_a_thing_unless_words_do(text: str, goal: str)
     assert (task.objects[0].candidates, task.goal.candidates) == (PENS, (goal,))
 
 
+@pytest.mark.parametrize(
+    "text", ["[Take](1:taking) out [the trash](1:object).", "[Take](1:bringing) [the rubbish](1:object) [out](1:goal)."]
+)
+def test_what_cannot_be_taken_out_is_emptied(text: str) -> None:
+    task = first(text)
+    assert (task.type, task.objects[0].candidates, task.state) == ("change_state", ("trash_can",), "empty")
+
+
+def test_what_stays_is_not_taken_up_nor_out() -> None:
+    for text in ("[Take](1:taking) [the trash](1:object).", "[Take](1:taking) out [the oven](1:object)."):
+        with pytest.raises(ImpossibleGoalError, match="cannot be carried"):
+            first(text)
+
+
 def test_state_words_tell_one_from_another() -> None:
     task = first("[Bring](1:bringing) [me](1:recipient) [the clean mug](1:object)")
     assert task.objects[0].where == (("cleanliness", "clean"),)
