@@ -97,6 +97,11 @@ class Flow:
             number for node, _ in self.walk() if not (isinstance(node, Do) and node.is_repeat) for number in node.tasks
         )
 
+    def mentions(self) -> frozenset[int]:
+        """The numbers that are not executed themselves, for they speak of another task again ("if that fails")."""
+        executed = {node.task for node, _ in self.walk()}
+        return frozenset(number for node, _ in self.walk() for number in node.tasks if number not in executed)
+
     def dependencies(self) -> dict[int, str]:
         """The paper's label of every task (DeComplex, Table I), derived from where it stands."""
         of_place = {"top": "sequential", "then": "dependent_positive", "else": "dependent_negative"}

@@ -63,3 +63,9 @@ def test_a_flow_says_itself():
     assert Flow.from_json([{"if": 1, "then": [2]}]).describe({1: "find it", 2: "bring it"}) == (
         "if [1] find it\nthen\n  [2] bring it"
     )
+
+
+def test_mentions_are_numbers_that_are_executed_nowhere() -> None:
+    flow = Flow.from_json([{"if": [1, 2], "then": [3], "else": [{"same": [4, 5]}, {"same": [3]}]}])
+    assert flow.mentions() == {2, 5}
+    assert Flow.from_json([1, 2]).mentions() == frozenset()

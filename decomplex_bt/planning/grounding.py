@@ -13,7 +13,7 @@ from dataclasses import replace
 from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
-from decomplex_bt.errors import ImpossibleGoalError, MissingArgumentError, UnknownWordError
+from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values, holds_things
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
@@ -32,11 +32,15 @@ def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) 
     """The instruction's tasks with every phrase replaced by the entities it may mean.
 
     Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer;
-    all are `InputError`s that carry the task's number.
+    all are `InputError`s that carry the task's number. A later mention of a task is not executed, and raises nothing.
     """
     grounder = _Grounder(instruction, domain, ask)
+    mentions = instruction.flow.mentions()
     tasks = []
     for task in instruction.tasks:
+        if task.id in mentions:
+            tasks.append(grounder.mention(task))
+            continue
         try:
             tasks.append(grounder.ground(task))
         except UnknownWordError as error:
@@ -68,9 +72,23 @@ class _Grounder:
         if sense is not None and sense.goal is not None and task.value("goal") is None:
             task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
         task = self._complete(task, state is not None)
-        bare = GroundTask(task.id, task.type, self.instruction.phrase(task.id), (task.span.start, task.span.end))
+        bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
         return grounded
+
+    def mention(self, task: Task) -> GroundTask:
+        """A task that speaks of another again and is not executed: without what it says where that is not enough for a
+        task of its own ("if it doesn't work")."""
+        ask, self.ask = self.ask, None
+        try:
+            return self.ground(task)
+        except InputError:
+            return self._bare(task)
+        finally:
+            self.ask = ask
+
+    def _bare(self, task: Task) -> GroundTask:
+        return GroundTask(task.id, task.type, self.instruction.phrase(task.id), (task.span.start, task.span.end))
 
     # -- one function for each task type ------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import gap_of
@@ -18,9 +19,13 @@ _REPEATING = {
 }  # fmt: skip
 
 
-def missing_arguments(observed: Observed, tasks: Sequence[Task], domain: Domain) -> Iterator[Missing]:
-    """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults)."""
+def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, domain: Domain) -> Iterator[Missing]:
+    """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults), of
+    all tasks but later mentions."""
+    mentions = flow.mentions()
     for task in tasks:
+        if task.id in mentions:
+            continue
         task_type = domain.ontology.task_types[task.type]
         given = {argument.type for argument in task.arguments if not _is_open(observed, task, argument)}
         if task.type == "bringing":

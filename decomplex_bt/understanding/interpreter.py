@@ -122,7 +122,7 @@ class Interpreter:
             text=document.text,
             tasks=tasks,
             flow=reading.flow,
-            missing=tuple(missing_arguments(observed, tasks, self.domain)),
+            missing=tuple(missing_arguments(observed, tasks, reading.flow, self.domain)),
             warnings=tuple(warnings_of(observed, tasks)),
             confidence=certainty,
             alternatives=tuple(

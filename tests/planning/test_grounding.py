@@ -232,3 +232,13 @@ def test_recipient_and_message_have_defaults() -> None:
     assert task.recipient is not None
     assert task.recipient.candidates == ("user",)
     assert task.message is None
+
+
+def test_a_later_mention_need_not_be_a_task_of_its_own() -> None:
+    turn, work = "[Turn](1:change_state) on [the tv](1:object)", "[it](2:object=the tv) doesn't [work](2:check_state)"
+    text = f"{turn}. If {work}, [go](3:motion) [to the kitchen](3:goal)."
+    said = read_markup(text, DOMAIN.ontology, flow=[{"if": [1, 2], "else": [3]}])
+    assert [task.state for task in ground(said, DOMAIN).tasks] == ["on", None, None]
+    alone = read_markup(text, DOMAIN.ontology, flow=[1, {"if": 2, "else": [3]}])
+    with pytest.raises(MissingArgumentError):
+        ground(alone, DOMAIN)
