@@ -25,7 +25,11 @@ Ask = Callable[[Missing], str | None]
 """Answers a question about a missing argument, None if it has no answer."""
 
 FILL, EMPTY = "fill", "empty"
+SOMEBODY = "somebody"
 _PARTICLES = re.compile(r"[a-z']+")
+_NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
+_THERE = re.compile(r"\bthere('s|\u2019s|s| is| are| be| was)\b", re.IGNORECASE)
+_MARKS = re.compile(r"[.,;:!?]")
 
 
 def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) -> GroundInstruction:
@@ -71,6 +75,9 @@ class _Grounder:
         state = sense.state if sense is not None and task.type == "change_state" else None
         if sense is not None and sense.goal is not None and task.value("goal") is None:
             task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
+        if self._is_of_nobody(task):
+            others = tuple(argument for argument in task.arguments if argument.type != "object")
+            task = replace(task, arguments=(*others, Argument("object", SOMEBODY)))
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
@@ -274,9 +281,25 @@ class _Grounder:
                 free.append(match[0])
         return free
 
+    def _is_of_nobody(self, task: Task) -> bool:
+        """Whether a check is of nobody's being there: of anybody's, with its branches changed over by the flow."""
+        if task.type != "check_state" or task.value("object") not in (None, "one", "no one"):
+            return False
+        return _NOBODY.search(self._clause(task)) is not None
+
+    def _clause(self, task: Task) -> str:
+        """The words around a verb, from the last task or mark before it to the next one after it."""
+        text, spans = self.instruction.text, [other.span for other in self.instruction.tasks if other.id != task.id]
+        start = max([span.end for span in spans if span.end <= task.span.start], default=0)
+        end = min([span.start for span in spans if span.start >= task.span.end], default=len(text))
+        before, after = text[start : task.span.start], text[task.span.end : end]
+        return f"{re.split(_MARKS, before)[-1]} {re.split(_MARKS, after)[0]}"
+
     def _has_presence_verb(self, task: Task) -> bool:
+        """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""
         form = task.span.of(self.instruction.text).lower()
-        return any(lemma in self.domain.lexicon.presence_verbs for lemma in lemmas(form))
+        is_verb = any(lemma in self.domain.lexicon.presence_verbs for lemma in lemmas(form))
+        return is_verb or _THERE.search(self._clause(task)) is not None
 
     def _says_state(self, task: Task) -> bool:
         """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""

@@ -9,6 +9,7 @@ import pytest
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
+from decomplex_bt.planning.ground_task import HERE
 from decomplex_bt.planning.grounding import GroundInstruction, GroundTask, ground
 
 DOMAIN = load_domain()
@@ -242,3 +243,20 @@ def test_a_later_mention_need_not_be_a_task_of_its_own() -> None:
     alone = read_markup(text, DOMAIN.ontology, flow=[1, {"if": 2, "else": [3]}])
     with pytest.raises(MissingArgumentError):
         ground(alone, DOMAIN)
+
+
+@pytest.mark.parametrize("nobody", ["nobody", "no [one](1:object)"])
+def test_a_check_of_nobody_is_one_of_anybody(nobody: str) -> None:
+    checks = [
+        ground(read_markup(f"If {who} {rest}", DOMAIN.ontology, flow=[{"if": 1, "then": [2]}]), DOMAIN).tasks[0]
+        for rest in ["[is](1:check_state) [in the kitchen](1:location), [go](2:motion) [to the bedroom](2:goal)."]
+        for who in (nobody, "[somebody](1:object)")
+    ]
+    assert checks[0].objects == checks[1].objects
+    assert checks[0].state == checks[1].state == HERE
+
+
+def test_to_see_if_there_is_something_is_to_ask_whether_it_is_there() -> None:
+    assert first("[See](1:check_state) if there's [any bread](1:object).").state == HERE
+    with pytest.raises(MissingArgumentError):
+        first("[Check](1:check_state) [the bread](1:object).")
