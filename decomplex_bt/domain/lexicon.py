@@ -11,7 +11,7 @@ from decomplex_bt.domain.document import Record
 
 class VerbSense(Record):
     """What a verb (with its particle) can mean. `tasks`: likeliest first. `state`: what it implies ("heat": hot).
-    `goal`: where it puts a thing, in words ("throw away": trash can)."""
+    `goal`: where it puts a thing or leads, in words ("throw away": trash can; "come back": here)."""
 
     tasks: tuple[str, ...] = Field(min_length=1)
     state: str | None = None

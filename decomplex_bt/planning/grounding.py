@@ -457,6 +457,8 @@ class _Grounder:
         entities = tuple(name for name in phrase.entities if fits(name))
         is_plural = not entities
         names = entities or tuple(name for name in phrase.plurals if fits(name))
+        if not names and phrase.is_all and phrase.plurals == tuple(self.house.things):
+            names = tuple(name for name in self.house.places() if fits(name))  # "turn everything off"
         if not names:
             first = (*phrase.entities, *phrase.plurals)[0]
             raise ImpossibleGoalError(

@@ -36,7 +36,7 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         if task.type == "check_state" and _is_of_nobody(observed, task):
             given.add("object")
         place = observed.document.indices(task.span).start
-        if observed.gazetteer.disposal(observed.document, place) == task.type:
+        if observed.gazetteer.ending_type(observed.document, place) == task.type:
             given.add("goal")
         for group in task_type.required:
             if not given & set(group):

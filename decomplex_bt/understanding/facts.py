@@ -88,8 +88,8 @@ def _goes_on(document: Document, gone: int) -> bool:
 def _type(observed: Observed, task: FoundTask, following: int) -> str:
     """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
     document = observed.document
-    if task.type in _HANDLING and (disposal := observed.gazetteer.disposal(document, task.token)) is not None:
-        return disposal
+    if task.type in _HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
+        return "placing"
     said = document.tokens[task.token + 1 : following]
     lemma = document.tokens[task.token].lemma
     if task.type == "change_state" and lemma == "put":

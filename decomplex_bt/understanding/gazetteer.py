@@ -14,15 +14,15 @@ from decomplex_bt.understanding.document import Document
 class Gazetteer:
     """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing",
     "furniture", "room", ...); `states`: words of state; `changeable`: head word to the state pairs its things have;
-    `pairs`: word of state to its state pair; `disposing`: verbs as in `verbs` to the task type that puts a thing where
-    the verb itself says ("throw away")."""
+    `pairs`: word of state to its state pair; `ending`: verbs as in `verbs` to the task type that ends where the verb
+    itself says ("throw away", "come back")."""
 
     verbs: Mapping[str, tuple[str, ...]]
     nouns: Mapping[str, str]
     states: frozenset[str]
     changeable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     pairs: Mapping[str, str] = field(default_factory=dict)
-    disposing: Mapping[str, str] = field(default_factory=dict)
+    ending: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:
@@ -61,12 +61,12 @@ class Gazetteer:
                 return self.verbs[lemma]
         return ()
 
-    def disposal(self, document: Document, i: int) -> str | None:
-        """The task type of a verb that itself says where it puts a thing ("throw away", "get rid of"), else None."""
+    def ending_type(self, document: Document, i: int) -> str | None:
+        """The task type of a verb that itself says where it ends ("throw away", "come back"), else None."""
         token, after = document.tokens[i], document.tokens[i + 1 : i + 2]
         endings = (self.particle(document, i), after[0].lower if after else None, None)
         verbs = (lemma if end is None else f"{lemma} {end}" for lemma in (token.lemma, token.lower) for end in endings)
-        return next((self.disposing[verb] for verb in verbs if verb in self.disposing), None)
+        return next((self.ending[verb] for verb in verbs if verb in self.ending), None)
 
     def particle(self, document: Document, i: int) -> str | None:
         """The particle of a phrasal verb: by the parse, else a particle word among the next four tokens."""

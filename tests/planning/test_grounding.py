@@ -260,3 +260,17 @@ def test_to_see_if_there_is_something_is_to_ask_whether_it_is_there() -> None:
     assert first("[See](1:check_state) if there's [any bread](1:object).").state == HERE
     with pytest.raises(MissingArgumentError):
         first("[Check](1:check_state) [the bread](1:object).")
+
+
+def test_everything_that_is_switched_is_every_device() -> None:
+    task = first("[Turn](1:change_state) [everything](1:object) [off](1:state).")
+    assert task.objects[0].is_all
+    assert {"tv", "oven"} < set(task.objects[0].candidates)
+    assert all("power" in DOMAIN.kind(name).states for name in task.objects[0].candidates)
+
+
+@pytest.mark.parametrize(("text", "goal"), [("back", "user"), ("", "user"), ("[to the kitchen](1:goal)", "kitchen")])
+def test_to_come_is_to_come_here_unless_words_say_where(text: str, goal: str) -> None:
+    task = first(f"[Come](1:motion) {text}.")
+    assert task.goal is not None
+    assert task.goal.candidates == (goal,)

@@ -15,9 +15,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
 
-GAZETTEER = Gazetteer(
-    {}, {}, frozenset(), disposing={"throw away": "placing", "get rid": "placing", "discard": "placing"}
-)
+GAZETTEER = Gazetteer({}, {}, frozenset(), ending={"throw away": "placing", "get rid": "placing", "discard": "placing"})
 TYPES = ("check_state", "change_state", "placing", "bringing")
 
 
