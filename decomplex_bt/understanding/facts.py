@@ -6,8 +6,10 @@ from collections.abc import Collection, Container, Sequence
 from dataclasses import replace
 from itertools import zip_longest
 
+from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
@@ -50,6 +52,17 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type=fact, token=token)
         found.append(task)
     return tuple(found)
+
+
+def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a verb without those that only a question before it has: of "No milk in the fridge? Bring me
+    water", the milk and the fridge; of "Any milk in the fridge? Bring me some", the milk alone."""
+    of = document.sentences
+    asking = {of[token.i] for token in document.tokens if "?" in token.text and of[token.i] < of[verb]}
+    own = {argument.type: argument.tokens for argument in arguments if of[argument.tokens.start] == of[verb]}
+    refused = {of[a.tokens.start] for a in arguments if a.type in own and not is_pronoun(document, own[a.type])}
+    dropped = asking & refused
+    return [a for a in arguments if of[a.tokens.start] not in (asking if a.type in own else dropped)]
 
 
 def completed(document: Document, tokens: range, taken: Container[int]) -> range:

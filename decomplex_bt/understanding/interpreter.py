@@ -18,7 +18,7 @@ from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Cali
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.facts import completed
+from decomplex_bt.understanding.facts import answered, completed
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
@@ -146,8 +146,9 @@ class Interpreter:
                 without_rivals(
                     [
                         _argument(document, argument, certainty("argument", belief.arguments[argument]), taken)
-                        for argument in reading.arguments
-                        if argument.owner == task.token
+                        for argument in answered(
+                            document, task.token, [a for a in reading.arguments if a.owner == task.token]
+                        )
                     ]
                 ),
                 certainty("task", belief.tasks[task.token]),

@@ -10,7 +10,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
-from decomplex_bt.understanding.facts import completed, corrected
+from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.facts import answered, completed, corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
@@ -129,3 +130,13 @@ def test_a_phrase_does_not_end_in_an_article() -> None:
 def test_rid_belongs_to_its_verb() -> None:
     said = document(*(f"{word}/dep/0" for word in "get/VB rid/JJ of/IN it/PRP".split()))
     assert completed(said, range(1, 4), ()) == range(2, 4)
+
+
+@pytest.mark.parametrize(("thing", "kept"), [("water", ("bring",)), ("some", ("there", "bring"))])
+def test_what_a_question_asks_for_is_not_what_the_answer_brings(thing: str, kept: tuple[str, ...]) -> None:
+    said = document(*(f"{word}/dep/{i}" for i, word in enumerate(f"milk/NN there/RB ?/. bring/VB {thing}/NN".split())))
+    asked, brought = FoundArgument("object", 3, range(0, 1), 0.9), FoundArgument("object", 3, range(4, 5), 0.9)
+    there = FoundArgument("source", 3, range(1, 2), 0.9)
+    expected = [found for name, found in (("there", there), ("bring", brought)) if name in kept]
+    assert answered(said, 3, [asked, there, brought]) == expected
+    assert answered(said, 3, [asked, there]) == [asked, there]
