@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody
 from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
@@ -27,9 +28,6 @@ Ask = Callable[[Missing], str | None]
 FILL, EMPTY = "fill", "empty"
 SOMEBODY = "somebody"
 _PARTICLES = re.compile(r"[a-z']+")
-_NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
-_THERE = re.compile(r"\bthere('s|\u2019s|s| is| are| be| was)\b", re.IGNORECASE)
-_MARKS = re.compile(r"[.,;:!?]")
 
 
 def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) -> GroundInstruction:
@@ -259,7 +257,7 @@ class _Grounder:
         return None if sense is None or task.type not in sense.tasks else sense
 
     def _is_emptying(self, task: Task) -> bool:
-        """Whether a task would take out what stays, but can be emptied: "take the trash out" """
+        """Whether a task would take out what stays but can be emptied ("take the trash out")."""
         if task.type not in ("taking", "bringing") or FILL not in self.domain.kinds.state_pairs:
             return False
         if "out" not in self._particles(task) and task.value("goal") not in ("out", "outside"):
@@ -285,21 +283,16 @@ class _Grounder:
         """Whether a check is of nobody's being there: of anybody's, with its branches changed over by the flow."""
         if task.type != "check_state" or task.value("object") not in (None, "one", "no one"):
             return False
-        return _NOBODY.search(self._clause(task)) is not None
+        return is_of_nobody(self._clause(task))
 
     def _clause(self, task: Task) -> str:
-        """The words around a verb, from the last task or mark before it to the next one after it."""
-        text, spans = self.instruction.text, [other.span for other in self.instruction.tasks if other.id != task.id]
-        start = max([span.end for span in spans if span.end <= task.span.start], default=0)
-        end = min([span.start for span in spans if span.start >= task.span.end], default=len(text))
-        before, after = text[start : task.span.start], text[task.span.end : end]
-        return f"{re.split(_MARKS, before)[-1]} {re.split(_MARKS, after)[0]}"
+        return clause_around(self.instruction.text, task.span, [other.span for other in self.instruction.tasks])
 
     def _has_presence_verb(self, task: Task) -> bool:
         """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""
         form = task.span.of(self.instruction.text).lower()
         is_verb = any(lemma in self.domain.lexicon.presence_verbs for lemma in lemmas(form))
-        return is_verb or _THERE.search(self._clause(task)) is not None
+        return is_verb or asks_presence(self._clause(task))
 
     def _says_state(self, task: Task) -> bool:
         """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
@@ -23,7 +23,7 @@ _REPEATING = {
 def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, domain: Domain) -> Iterator[Missing]:
     """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults), of
     all tasks but later mentions."""
-    mentions = flow.mentions()
+    mentions, verbs = flow.mentions(), [task.span for task in tasks]
     for task in tasks:
         if task.id in mentions:
             continue
@@ -33,8 +33,9 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             given.add("recipient")
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
             given.add("state")
-        if task.type == "check_state" and _is_of_nobody(observed, task):
-            given.add("object")
+        if task.type == "check_state":
+            clause = clause_around(observed.document.text, task.span, verbs)
+            given |= {"object"} if is_of_nobody(clause) else {"state"} if asks_presence(clause) else set()
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
             given.add("goal")
@@ -79,25 +80,10 @@ def _says_state(observed: Observed, task: Task) -> bool:
     i = observed.document.indices(task.span).start
     token = observed.document.tokens[i]
     if task.type == "check_state":
-        return token.lemma not in _CHECKING or any(word in _THERE for word in _clause(observed, i))
+        return token.lemma not in _CHECKING
     particle = observed.gazetteer.particle(observed.document, i)
     return particle is not None or token.lemma not in _GENERIC
 
 
-def _is_of_nobody(observed: Observed, task: Task) -> bool:
-    """Whether a check is of nobody's being there ("if nobody is in the kitchen"), so that it is of anybody's."""
-    words = _clause(observed, observed.document.indices(task.span).start)
-    return "nobody" in words or "no-one" in words or ("no", "one") in pairwise(words)
-
-
-def _clause(observed: Observed, i: int) -> list[str]:
-    """The words around a token, from the mark before it to the one after it."""
-    tokens = observed.document.tokens
-    first = next((k + 1 for k in range(i - 1, -1, -1) if tokens[k].text in _END), 0)
-    last = next((k for k in range(i + 1, len(tokens)) if tokens[k].text in _END), len(tokens))
-    return [token.lower for token in tokens[first:last]]
-
-
-_THERE = frozenset(("there", "theres"))
 _CHECKING = frozenset("check see be look verify make find confirm inspect".split())
 _GENERIC = frozenset("turn switch set make put change get have leave keep adjust flip".split())

@@ -1,4 +1,4 @@
-"""Facts of English that settle the type or the place of a task, or where a phrase ends, whatever a model finds."""
+"""Facts of English that hold whatever a model finds likelier."""
 
 from __future__ import annotations
 

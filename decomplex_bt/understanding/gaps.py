@@ -109,7 +109,7 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
     if task.type == "bringing" and not said & {"recipient", "goal"}:
         yield Gap(task, "goal", position, "")
     for group in ontology.task_types[task.type].required:
-        if group[0] == "goal" and observed.gazetteer.ending_type(document, position) is not None:
+        if group[0] == "goal" and observed.gazetteer.ending_type(document, position) == task.type:
             continue
         if group[0] in ("object", "goal") and not said & set(group):
             yield Gap(task, group[0], position, "", is_required=group[0] == "object")

@@ -137,25 +137,23 @@ class Interpreter:
 
     def _tasks_of(self, document: Document, reading: Reading, belief: Belief) -> list[Task]:
         certainty = self._calibration.of
-        taken = {task.token for task in reading.tasks}.union(*(argument.tokens for argument in reading.arguments))
         return [
             Task(
                 number,
                 task.type,
                 document.span(task.token, task.token),
-                without_rivals(
-                    [
-                        _argument(document, argument, certainty("argument", belief.arguments[argument]), taken)
-                        for argument in answered(
-                            document, task.token, [a for a in reading.arguments if a.owner == task.token]
-                        )
-                    ]
-                ),
+                self._arguments_of(document, reading, belief, task.token),
                 certainty("task", belief.tasks[task.token]),
                 certainty("dependency", belief.dependencies[task.token]),
             )
             for number, task in enumerate(reading.tasks, start=1)
         ]
+
+    def _arguments_of(self, document: Document, reading: Reading, belief: Belief, verb: int) -> tuple[Argument, ...]:
+        taken = {task.token for task in reading.tasks}.union(*(argument.tokens for argument in reading.arguments))
+        own = answered(document, verb, [argument for argument in reading.arguments if argument.owner == verb])
+        chances = [self._calibration.of("argument", belief.arguments[argument]) for argument in own]
+        return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
 
 
 def check_text(text: str) -> None:

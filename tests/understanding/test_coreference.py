@@ -20,7 +20,7 @@ from decomplex_bt.understanding.affinity import Context
 from decomplex_bt.understanding.coreference import ReferenceModel, train_references
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import gap_of, spellings
+from decomplex_bt.understanding.gaps import gap_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.phrases import candidates_of, noun_chunks
 
@@ -121,3 +121,12 @@ def test_relations_in_the_flow():
     assert context.relation(4, 5) == "same"
     assert context.relation(1, 2) == "first"
     assert context.relation(3, 6) == "inner"
+
+
+def test_a_goal_is_open_unless_the_verb_says_it_for_this_type():
+    ontology = load_domain("household").ontology
+    gazetteer = Gazetteer({}, {}, frozenset(), ending={"return": "motion", "discard": "placing"})
+    for verb, open_types in (("return", ["goal"]), ("discard", [])):
+        doc = document(f"{verb}/VB", "it/PRP")
+        task = Task(1, "placing", doc.span(0, 0), (argument(doc, "object", 1, 1),))
+        assert [gap.type for gap in unsaid_gaps(Observed(doc, gazetteer), task, ontology)] == open_types
