@@ -1,0 +1,184 @@
+"""Referents: what the noun phrases of an instruction may mean in a house, one after the other.
+
+Conservative: nothing is guessed from words that merely look alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.planning.abilities import holds_things
+from decomplex_bt.planning.ground_task import Referent
+from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_phrases, split_preposition
+
+Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
+
+
+class Referents:
+    """The referents of phrases in the order of the text: rooms named on the way tell ambiguous places apart, and a
+    definite phrase takes up an earlier one.
+
+    Raises `UnknownWordError` for what names nothing here, `ImpossibleGoalError` for what cannot be what it has to be.
+    """
+
+    def __init__(self, domain: Domain) -> None:
+        self._domain, self._house = domain, domain.house
+        self._rooms_meant: tuple[str, ...] = ()  # of the place named last, where its words leave no doubt
+        self._mentioned: dict[Key, Referent] = {}
+
+    def where(self, phrase: NounPhrase) -> Referent:
+        """Where something is looked for: on or in a place, beside a thing or with a person."""
+        referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
+        if phrase.preposition in self._domain.lexicon.beside:
+            near = [place for name in referent.candidates for place in (name, *self._beside(name))]
+            return replace(referent, candidates=tuple(dict.fromkeys(place for place in near if self.can_hold(place))))
+        if not all(self.is_thing(name) for name in referent.candidates) or phrase.preposition not in (
+            "in",
+            "inside",
+            "into",
+        ):
+            return referent
+        raise ImpossibleGoalError(f"nothing can lie in {phrase.text!r} here")
+
+    def goal_place(self, words: str) -> Referent:
+        """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
+        phrase = read_phrases(words, self._domain)[0]
+        referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
+        is_beside = phrase.preposition in self._domain.lexicon.beside
+        if is_beside:
+            near = [place for name in referent.candidates for place in self._beside(name)]
+            return replace(referent, candidates=tuple(dict.fromkeys(near)))
+        fit = self.narrowed(referent, self.can_hold)
+        if fit is None or all(self.is_thing(name) for name in fit.candidates):
+            raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
+        return fit
+
+    def place(self, words: str, *, people: bool = False) -> Referent:
+        """Where the robot goes: a room, a place, a door, a person or what lies there."""
+        phrase = read_phrases(words, self._domain)[0]
+        return self.referent(phrase, lambda name: people or not self.is_person(name), "be gone to", is_place=True)
+
+    def elsewhere(self, words: str) -> Referent:
+        """Anywhere but the room that is left, the rooms next to it first.
+
+        What there is one of in every room ("the rug") is the likeliest of them.
+        """
+        places = self.place(words).candidates
+        left = {self.room(name) for name in places}
+        if left.issuperset(self._house.rooms):
+            left = {self.room(places[0])}
+        next_to = [room for d in self._house.doorways.values() if left & set(d.rooms) for room in d.rooms]
+        rooms = tuple(room for room in dict.fromkeys([*next_to, *self._house.rooms]) if room not in left)
+        return Referent(f"out of {split_preposition(words, self._domain)[1]}", rooms)
+
+    def person(self, words: str, ability: str) -> Referent:
+        phrases = read_phrases(words, self._domain)
+        referents = [self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases]
+        if len(referents) == 1:
+            return referents[0]
+        names = tuple(dict.fromkeys(name for referent in referents for name in referent.candidates))
+        return Referent(" and ".join(referent.phrase for referent in referents), names, is_all=True)
+
+    def referent(
+        self,
+        phrase: NounPhrase,
+        fits: Callable[[str], bool],
+        ability: str,
+        *,
+        rooms: frozenset[str] = frozenset(),
+        is_place: bool,
+    ) -> Referent:
+        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does."""
+        entities = tuple(name for name in phrase.entities if fits(name))
+        is_plural = not entities
+        names = entities or tuple(name for name in phrase.plurals if fits(name))
+        if not names and phrase.is_all and phrase.plurals == tuple(self._house.things):
+            names = tuple(name for name in self._house.places() if fits(name))  # "turn everything off"
+        if not names:
+            first = (*phrase.entities, *phrase.plurals)[0]
+            raise ImpossibleGoalError(
+                f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
+            )
+        is_all = phrase.is_all or (is_plural and phrase.is_definite)
+        names = self._in_context(names, rooms, is_all)
+        if phrase.count > len(names):
+            raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
+        if is_place or all(self.is_fixed(name) for name in names):
+            self._remember(names)
+        text = split_preposition(phrase.text, self._domain)[1]
+        # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
+        where = () if len(names) == 1 and text.split()[0] in DEFINITE else phrase.wanted
+        referent = Referent(text, names, is_all and len(names) > 1, phrase.count, where)
+        return self._same(referent) if phrase.is_definite else self._first(referent)
+
+    def _first(self, referent: Referent) -> Referent:
+        self._mentioned.setdefault(_key(referent), referent)
+        return referent
+
+    def _same(self, referent: Referent) -> Referent:
+        """The referent that a definite phrase takes up again ("a pen ... the pen"), or itself."""
+        first = self._mentioned.setdefault(_key(referent), referent)
+        return first if first.is_all == referent.is_all else referent
+
+    def _in_context(self, names: tuple[str, ...], rooms: frozenset[str], is_all: bool) -> tuple[str, ...]:
+        """Of fixed candidates those in the rooms that are said, else in the room in question, if there are any."""
+        if len(names) == 1 or not all(self.is_fixed(name) for name in names):
+            return names
+        for wanted in (rooms, () if is_all else self._rooms_meant):
+            there = tuple(name for name in names if set(wanted) & set(self._rooms(name)))
+            if there:
+                return there
+        return names
+
+    def _remember(self, names: tuple[str, ...]) -> None:
+        rooms = tuple(sorted({room for name in names for room in self._rooms(name)}))
+        if len(rooms) == 1:
+            self._rooms_meant = rooms
+
+    def _rooms(self, name: str) -> tuple[str, ...]:
+        doorway = self._house.doorways.get(name)
+        if doorway is not None:
+            return doorway.rooms
+        room = self.room(name)
+        return (room,) if room is not None else ()
+
+    def room(self, name: str) -> str | None:
+        return self._domain.room_of(name)
+
+    def _beside(self, name: str) -> tuple[str, ...]:
+        """Where something lies that is beside, under or behind this: on what it is part of, else on the floor there."""
+        if self.is_thing(name) or self.is_person(name) or name in self._house.rooms:
+            return (name,)
+        piece = self._house.furniture.get(name)
+        if piece is not None and piece.part_of is not None and holds_things(piece.part_of, self._domain):
+            return (piece.part_of,)
+        return tuple(self._house.floor_of(room) for room in self._rooms(name))
+
+    def narrowed(self, referent: Referent, fits: Callable[[str], bool]) -> Referent | None:
+        names = tuple(name for name in referent.candidates if fits(name))
+        return replace(referent, candidates=names) if names else None
+
+    def can_hold(self, name: str) -> bool:
+        return (
+            name in self._house.rooms or self.is_person(name) or self.is_thing(name) or holds_things(name, self._domain)
+        )
+
+    def is_thing(self, name: str) -> bool:
+        return name in self._house.things
+
+    def is_person(self, name: str) -> bool:
+        return name in self._house.people
+
+    def is_fixed(self, name: str) -> bool:
+        return not self.is_thing(name) and not self.is_person(name)
+
+    def may_move(self, referents: Sequence[Referent]) -> bool:
+        """Whether any of what they may mean is a thing or a person, which need not be where it was."""
+        return any(not self.is_fixed(name) for referent in referents for name in referent.candidates)
+
+
+def _key(referent: Referent) -> Key:
+    return referent.candidates, referent.where

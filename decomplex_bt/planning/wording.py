@@ -1,0 +1,71 @@
+"""Wording: what a task's verb and the words around it say that is in no argument."""
+
+from __future__ import annotations
+
+import re
+
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody
+from decomplex_bt.domain.lexicon import VerbSense
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.verbs import lemmas, sense_of
+from decomplex_bt.instruction import Instruction, Task
+from decomplex_bt.planning.phrases import read_state, split_preposition
+
+_PARTICLES = re.compile(r"[a-z']+")
+
+
+class Wording:
+    """The words of one instruction, as a domain's lexicon understands them."""
+
+    def __init__(self, instruction: Instruction, domain: Domain) -> None:
+        self._instruction, self._domain = instruction, domain
+
+    def sense(self, task: Task) -> VerbSense | None:
+        """What the verb, with its particle, implies ("turn … on", "heat", "throw … away"), as a verb of this type."""
+        sense = sense_of(task.span.of(self._instruction.text), self._particles(task), self._domain.lexicon)
+        return None if sense is None or task.type not in sense.tasks else sense
+
+    def says_out(self, task: Task) -> bool:
+        """Whether a thing is only to go out, wherever that is ("take the trash out")."""
+        return "out" in self._particles(task) or task.value("goal") in ("out", "outside")
+
+    def is_of_nobody(self, task: Task) -> bool:
+        """Whether a check is of nobody's being there: of anybody's, with its branches changed over by the flow."""
+        if task.type != "check_state" or task.value("object") not in (None, "one", "no one"):
+            return False
+        return is_of_nobody(self._clause(task))
+
+    def has_presence_verb(self, task: Task) -> bool:
+        """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""
+        form = task.span.of(self._instruction.text).lower()
+        is_verb = any(lemma in self._domain.lexicon.presence_verbs for lemma in lemmas(form))
+        return is_verb or asks_presence(self._clause(task))
+
+    def says_state(self, task: Task) -> bool:
+        """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""
+        word = task.span.of(self._instruction.text)
+        is_state = read_state(word, self._domain.kinds.state_pairs, self._domain) is not None
+        return is_state or self.is_presence(word) or self.has_presence_verb(task)
+
+    def is_presence(self, words: str) -> bool:
+        _, rest = split_preposition(words, self._domain)
+        return (
+            words.lower().strip() in self._domain.lexicon.presence_words or rest in self._domain.lexicon.presence_words
+        )
+
+    def _particles(self, task: Task) -> list[str]:
+        """The words behind the verb, up to the next task or the end of the sentence, that are in no argument."""
+        text = self._instruction.text
+        stops = [other.span.start for other in self._instruction.tasks if other.span.start > task.span.start]
+        end = min([*stops, len(text)])
+        spans = [a.span for other in self._instruction.tasks for a in other.arguments if a.span is not None]
+        free: list[str] = []
+        for match in _PARTICLES.finditer(text.lower(), task.span.end, end):
+            if any(mark in text[task.span.end : match.start()] for mark in ".;!?"):
+                break
+            if not any(span.start <= match.start() < span.end for span in spans):
+                free.append(match[0])
+        return free
+
+    def _clause(self, task: Task) -> str:
+        return clause_around(self._instruction.text, task.span, [other.span for other in self._instruction.tasks])
