@@ -156,10 +156,10 @@ class _Grounder:
     def _check_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         words, where = task.value("state"), task.value("location")
         if where is not None and self.wording.is_presence(where):
-            where, words = None, words or where
+            where, words = None, words or (None if self.wording.is_state(task) else where)
         asks_presence = words is None or self.wording.is_presence(words)
-        if words is None and where is None and not self.wording.has_presence_verb(task):
-            # a verbless condition is marked on its state: "oven on?"
+        if words is None and (where is None or self.wording.is_state(task)) and not self.wording.has_presence_verb(task):
+            # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
             words = task.span.of(self.instruction.text)
             asks_presence = self.wording.is_presence(words)
         places = self._places(task, "location", "source") if where is not None else ()

@@ -43,9 +43,13 @@ class Wording:
 
     def says_state(self, task: Task) -> bool:
         """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""
+        is_presence = self.is_presence(task.span.of(self._instruction.text))
+        return is_presence or self.is_state(task) or self.has_presence_verb(task)
+
+    def is_state(self, task: Task) -> bool:
+        """Whether the word that carries a check is one of state ("oven on?")."""
         word = task.span.of(self._instruction.text)
-        is_state = read_state(word, self._domain.kinds.state_pairs, self._domain) is not None
-        return is_state or self.is_presence(word) or self.has_presence_verb(task)
+        return read_state(word, self._domain.kinds.state_pairs, self._domain) is not None
 
     def is_presence(self, words: str) -> bool:
         _, rest = split_preposition(words, self._domain)

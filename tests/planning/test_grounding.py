@@ -120,6 +120,8 @@ def test_a_change_of_state_has_objects_and_a_value(text: str, expected: tuple[tu
             "here",
         ),
         ("[Oven](1:object) [on](1:check_state)?", ("oven",), (), "on"),
+        ("[Heater](1:object) still [on](1:check_state) [in the bathroom](1:location)?", ("heater",), (), "on"),
+        ("[heater](1:object) [on](1:check_state) [in here](1:location)", ("heater",), (), "on"),
         (
             "[Check](1:check_state) whether [the window](1:object) [in the kitchen](1:location) is [shut](1:state)",
             ("kitchen_window",),

@@ -223,7 +223,7 @@ def test_somebody_is_followed_to_a_room() -> None:
 
 
 def test_who_is_out_cannot_be_told() -> None:
-    (told,) = run("[Tell](1:informing) [my mother](1:recipient) [hello](1:message)", world())
+    (told,) = run("[Tell](1:informing) [my mother](1:recipient) [hello](1:message)", world({"relative": None}))
     assert (told.status, told.truth) == (FAILED, False)
 
 
