@@ -13,6 +13,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
+from decomplex_bt.planning.exclusions import excluded_phrase, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.phrases import read_phrases, read_state
 from decomplex_bt.planning.referents import Referents
@@ -61,6 +62,7 @@ class _Grounder:
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
+        task, left_out = without_exclusion(self.instruction, task)
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
@@ -74,7 +76,7 @@ class _Grounder:
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
-        return grounded
+        return grounded if left_out is None else self._less(grounded, task, left_out)
 
     def mention(self, task: Task) -> GroundTask:
         """A task that speaks of another again and is not executed: without what it says where that is not enough for a
@@ -158,7 +160,11 @@ class _Grounder:
         if where is not None and self.wording.is_presence(where):
             where, words = None, words or (None if self.wording.is_state(task) else where)
         asks_presence = words is None or self.wording.is_presence(words)
-        if words is None and (where is None or self.wording.is_state(task)) and not self.wording.has_presence_verb(task):
+        if (
+            words is None
+            and (where is None or self.wording.is_state(task))
+            and not self.wording.has_presence_verb(task)
+        ):
             # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
             words = task.span.of(self.instruction.text)
             asks_presence = self.wording.is_presence(words)
@@ -321,6 +327,23 @@ class _Grounder:
                     inner.append(self.referents.where(phrase.place))
         self._refuse_everything(task, objects, inner)
         return tuple(objects), tuple(inner)
+
+    def _less(self, grounded: GroundTask, task: Task, left_out: str) -> GroundTask:
+        """The grounded task without the objects that are left out."""
+        noun = read_phrases(task.values("object")[0], self.domain)[0].noun
+        words = excluded_phrase(left_out, noun, self.domain.lexicon.prepositions)
+        phrases = read_phrases(words, self.domain)
+        if any(phrase.wanted or phrase.place for phrase in phrases) and self.referents.may_move(grounded.objects):
+            raise ImpossibleGoalError(
+                f"which ones {left_out!r} leaves out cannot be known beforehand; say them by name"
+            )
+        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals)}
+        objects = tuple(self.referents.narrowed(o, lambda name: name not in names) for o in grounded.objects)
+        if None in objects:
+            raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
+        return replace(
+            grounded, objects=tuple(replace(o, is_all=o.is_all and len(o.candidates) > 1) for o in objects if o)
+        )
 
     def _refuse_everything(self, task: Task, objects: list[Referent], inner: list[Referent]) -> None:
         for referent in objects:

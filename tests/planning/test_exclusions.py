@@ -1,0 +1,63 @@
+"""What is left out of all that a phrase names."""
+
+import pytest
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.planning.grounding import ground
+
+DOMAIN = load_domain("household")
+WINDOWS = {"kitchen_window", "living_room_window", "bedroom_window"}
+CLOSE = "[Close](1:change_state) "
+
+
+def candidates(text: str, count: int = 1) -> set[str]:
+    flow = list(range(1, count + 1))
+    return set(ground(read_markup(text, DOMAIN.ontology, flow=flow), DOMAIN).tasks[0].objects[0].candidates)
+
+
+@pytest.mark.parametrize(
+    ("text", "left_out"),
+    [
+        (CLOSE + "[all the windows](1:object) except the bedroom one.", {"bedroom_window"}),
+        (CLOSE + "[all the windows](1:object), apart from the one in the bedroom.", {"bedroom_window"}),
+        (CLOSE + "[all the windows except the one](1:object) [in the bedroom](1:location).", {"bedroom_window"}),
+        (CLOSE + "[every window](1:object) but not the kitchen window.", {"kitchen_window"}),
+        (CLOSE + "[every window](1:object) except [in the kitchen](1:location).", {"kitchen_window"}),
+        (
+            CLOSE + "[the windows](1:object) except the kitchen one and the bedroom one",
+            {"kitchen_window", "bedroom_window"},
+        ),
+    ],
+)
+def test_what_is_left_out_is_not_meant(text: str, left_out: set[str]) -> None:
+    assert candidates(text) == WINDOWS - left_out
+
+
+def test_what_comes_after_an_exclusion_is_still_said() -> None:
+    text = (
+        "[Bring](1:bringing) [all the pens except the red one](1:object) [to Anna](1:recipient) and "
+        "[close](2:change_state) [the front door](2:object)."
+    )
+    grounded = ground(read_markup(text, DOMAIN.ontology, flow=[1, 2]), DOMAIN).tasks[0]
+    assert grounded.objects[0].candidates == ("pen_1",)
+    assert not grounded.objects[0].is_all
+    assert grounded.recipient is not None
+    assert grounded.recipient.candidates == ("anna",)
+
+
+@pytest.mark.parametrize("which", ["the dirty ones", "the one on the couch"])
+def test_what_nobody_can_know_beforehand_is_refused(which: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match="cannot be known beforehand"):
+        candidates(f"[Bring](1:bringing) [me](1:recipient) [all the mugs](1:object) except {which}.")
+
+
+def test_leaving_out_everything_is_refused() -> None:
+    with pytest.raises(ImpossibleGoalError, match="leaves nothing"):
+        candidates(CLOSE + "[the front door](1:object) except the front door.")
+
+
+def test_a_condition_is_no_exclusion() -> None:
+    text = CLOSE + "[the windows](1:object), but not if [the heater](2:object) [is](2:check_state) [on](2:state)."
+    assert candidates(text, 2) == WINDOWS
