@@ -203,7 +203,7 @@ class Monitor:
         followers, is_settled = [], False
         if self._is_false(task, reading, is_condition):
             untold = replace(reading, untold=(*reading.untold, task.number))
-            return None, [self._settle(untold, node, False, reading.bindings)]
+            return None, [self._settle(untold, node, task.is_denied, reading.bindings)]
         evidence = self._evidence(reading)
         for outcome in outcomes(task, reading.bindings, evidence, is_condition=is_condition):
             key = (outcome.truth, tuple(candidates(referent, outcome.bindings) for referent in task.referents()))
@@ -215,7 +215,8 @@ class Monitor:
         return (None if is_settled else reading), followers
 
     def _is_false(self, task: GroundTask, reading: Reading, is_condition: bool) -> bool:
-        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found.
+        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found (which is
+        what one that is denied asks for).
 
         Whether something is in the house at all has an answer, no, as a plain step too.
         """

@@ -7,7 +7,7 @@ phrases mean from there on.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 
@@ -163,10 +163,13 @@ def _searching(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
 def _check_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
     if task.state is not None and task.state != HERE:
         yield from _values(task, bindings, evidence)
-    elif task.places:
-        yield from _presence(task, bindings, evidence)
+        return
+    if task.places:
+        found = _presence(task, bindings, evidence)
     else:
-        yield from _done(_choose(task.objects, bindings, evidence.was_seen))
+        found = _done(_choose(task.objects, bindings, evidence.was_seen))
+    for outcome in found:
+        yield replace(outcome, truth=outcome.truth != task.is_denied)
 
 
 def _looked(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:

@@ -30,7 +30,8 @@ PLACE_X, PLACE_Y, ONE, NEAR, FAR, ELSEWHERE = range(6)
 distance from the origin; and from `ELSEWHERE` on, one for each room but the first of a scene, whether it lies in
 another."""
 FARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
-"""What is asked of each point: too far to be looked over, not left or right of the field of view, within range; then, for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
+"""What is asked of each point: too far to be looked over, not left or right of the field of view, within range; then,
+for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
 VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 MOST_LAYOUTS = 256
 """Layouts kept at once, for each house."""

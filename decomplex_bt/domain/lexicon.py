@@ -28,9 +28,10 @@ class Lexicon(Record):
     """`words.yaml`: verbs in groups of one sense, colours, and the small words around nouns.
 
     `all_words` ask for all of a kind; `anybody_words`, `everybody_words` for people of the house; `here_words` for
-    the place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something
-    is there. `prepositions` lead a phrase, those in `beside` mean near or under a thing; `determiners` do not say
-    which one is meant; `measures` count ("a slice of bread"); `parts` stand for the whole ("the fridge door").
+    the place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something is
+    there, `absence_words` and, of people, `absence_verbs` that it is not. `prepositions` lead a phrase, those in
+    `beside` mean near or under a thing; `determiners` do not say which one is meant; `measures` count ("a slice of
+    bread"); `parts` stand for the whole ("the fridge door").
     """
 
     format: int
@@ -43,6 +44,8 @@ class Lexicon(Record):
     here_words: tuple[str, ...] = ()
     presence_words: tuple[str, ...] = ()
     presence_verbs: tuple[str, ...] = ()
+    absence_words: tuple[str, ...] = ()
+    absence_verbs: tuple[str, ...] = ()
     prepositions: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     determiners: tuple[str, ...] = ()

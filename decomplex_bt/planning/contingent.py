@@ -124,7 +124,7 @@ def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: boo
     """Makes a condition true or false in an assumed world, as far as that is possible."""
     if task.type == "searching" or task.state == HERE:
         for referent in task.objects:
-            _assume_presence(world, belief, task, referent, holds)
+            _assume_presence(world, belief, task, referent, holds != task.is_denied)
     elif task.type == "check_state":
         pair = world.domain.kinds.pair_of(task.state or "")
         value = task.state if holds else world.domain.kinds.opposite(task.state or "")

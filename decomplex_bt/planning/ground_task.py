@@ -45,7 +45,8 @@ class GroundTask:
     particular, motion, informing). `places`: where the objects are looked for or taken from (source, location),
     each candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it
     ends (place, room, person, or thing beside which it ends). `recipient`: who gets or hears it. `state`: the value
-    wanted or checked ("on", "hot", ...), `HERE` for a check of presence. `message`: what is said. `span`: the verb
+    wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
+    are *not* there ("if Anna is out"). `message`: what is said. `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -58,6 +59,7 @@ class GroundTask:
     goal: Referent | None = None
     recipient: Referent | None = None
     state: str | None = None
+    is_denied: bool = False
     message: str | None = None
 
     def referents(self) -> tuple[Referent, ...]:
@@ -70,7 +72,7 @@ class GroundTask:
         parts += [f"at {referent}" for referent in self.places]
         parts += [f"goal {self.goal}"] if self.goal else []
         parts += [f"to {self.recipient}"] if self.recipient else []
-        parts += [f"state {self.state}"] if self.state else []
+        parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
         return "; ".join(parts)
 

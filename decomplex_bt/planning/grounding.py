@@ -169,6 +169,9 @@ class _Grounder:
             words = task.span.of(self.instruction.text)
             asks_presence = self.wording.is_presence(words)
         places = self._places(task, "location", "source") if where is not None else ()
+        if self._asks_absence(task, words):
+            objects, inner = self._objects(task, lambda name: True, "be looked for")
+            return self._presence(replace(bare, objects=objects, places=inner, state=HERE, is_denied=True), task)
         if asks_presence:
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
@@ -176,6 +179,15 @@ class _Grounder:
         _, value = self._value_of(objects, words, state, task)
         there = places + inner if self.referents.may_move(objects) else ()
         return replace(bare, objects=objects, places=there, state=value)
+
+    def _asks_absence(self, task: Task, words: str | None) -> bool:
+        """Whether a check asks whether somebody or something is not there; a light that is out is off."""
+        names = {n for said in task.values("object") for p in read_phrases(said, self.domain) for n in p.entities}
+        if self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text)):
+            return bool(names) and all(map(self.referents.is_person, names))
+        if words is None or not self.wording.is_absence(words):
+            return False
+        return not any(read_state(words, self._states(name), self.domain) for name in names)
 
     def _presence(self, grounded: GroundTask, task: Task) -> GroundTask:
         for referent in grounded.objects:

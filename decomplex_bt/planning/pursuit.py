@@ -19,6 +19,8 @@ see at once that a thing has turned up on the way, or that the goal holds alread
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundTask
 from decomplex_bt.planning.handling import Handling
@@ -63,6 +65,12 @@ class _Pursuer(Handling):
     def _check_state(self) -> Pursuit:
         if self.task.state != HERE:
             return self._check_value()
+        presence = self._check_presence()
+        if self.task.is_denied and presence.status is PursuitStatus.DONE and presence.truth is not None:
+            return replace(presence, truth=not presence.truth)
+        return presence
+
+    def _check_presence(self) -> Pursuit:
         found = self._found(lambda name: self._was_seen(name) and self._is_there(name))
         if found is not None:
             return self._done(found)

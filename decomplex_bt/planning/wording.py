@@ -57,6 +57,14 @@ class Wording:
             words.lower().strip() in self._domain.lexicon.presence_words or rest in self._domain.lexicon.presence_words
         )
 
+    def is_absence(self, words: str) -> bool:
+        return words.lower().strip() in self._domain.lexicon.absence_words
+
+    def has_absence_verb(self, task: Task) -> bool:
+        """Whether a check asks by its verb whether somebody is gone ("if Anna has left")."""
+        form = task.span.of(self._instruction.text).lower()
+        return any(lemma in self._domain.lexicon.absence_verbs for lemma in lemmas(form))
+
     def _particles(self, task: Task) -> list[str]:
         """The words behind the verb, up to the next task or the end of the sentence, that are in no argument."""
         text = self._instruction.text

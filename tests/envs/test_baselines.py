@@ -66,6 +66,25 @@ def test_the_oracle_knows_what_is_nowhere_without_looking(env):
     assert lengths["oracle"] < lengths["tree"]
 
 
+@pytest.mark.parametrize("room", [None, "study"])
+@pytest.mark.parametrize("name", ["tree", "oracle"])
+def test_who_is_out_is_found_out(env, name, room):
+    asked = read_markup(
+        "If [Anna](1:object) [is](1:check_state) [out](1:state), [close](2:change_state) [the curtains](2:object) "
+        "[in the bedroom](2:location), else [tell](3:informing) [her](3:recipient=Anna) [hello](3:message).",
+        DOMAIN.ontology,
+        flow=[{"if": 1, "then": [2], "else": [3]}],
+    )
+    observation, info = env.reset(seed=5, options={"instruction": asked, "people": {"anna": room}, "balance": 0.0})
+    policy = env.unwrapped.policy(name, reading=asked)
+    policy.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(policy.act(observation))
+    assert info["is_success"], (info, policy.failures)
+    assert info["branches"][0]["truth"] == (room is None)
+
+
 def test_idle_gives_up_at_once(env):
     info, actions, _ = run(env, "idle")
     assert not info["is_success"]

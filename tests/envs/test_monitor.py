@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from decomplex_bt.envs.doubles import DOMAIN, Episode, HandWorld, referent, task
@@ -301,6 +303,17 @@ def test_a_person_who_is_out_is_not_here():
     assert home.truths == [(1, None, None)]
     home.see("anna")
     assert home.truths == [(1, True, "then")]
+
+
+def test_a_check_of_absence_holds_where_somebody_is_out():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    check = replace(task(1, "check_state", "anna", state=HERE), is_denied=True)
+    tasks = check, task(2, "change_state", "tv", state="off"), task(3, "informing", recipient="anna")
+    assert Episode(HandWorld(), flow, *tasks).truths == [(1, True, "then")]
+    home = Episode(HandWorld({"anna": "study"}), flow, *tasks)
+    assert home.truths == [(1, None, None)]
+    home.see("anna")
+    assert home.truths == [(1, False, "else")]
 
 
 TV_FLOW = [{"if": 1, "else": [2]}]

@@ -276,3 +276,25 @@ def test_to_come_is_to_come_here_unless_words_say_where(text: str, goal: str) ->
     task = first(f"[Come](1:motion) {text}.")
     assert task.goal is not None
     assert task.goal.candidates == (goal,)
+
+
+@pytest.mark.parametrize(
+    ("text", "is_denied"),
+    [
+        ("if [Anna](1:object) [is](1:check_state) [out](1:state)", True),
+        ("if [the guest](1:object) has already [left](1:check_state)", True),
+        ("if [my mother](1:object)['s](1:check_state) [away](1:state)", True),
+        ("if [the milk](1:object) [is](1:check_state) [gone](1:state)", True),
+        ("if [Anna](1:object) [is](1:check_state) [in](1:state)", False),
+        ("if there is [any milk](1:object) [left](1:check_state)", False),
+        ("if [Tom](1:object) [is](1:check_state) [back](1:state)", False),
+    ],
+)
+def test_a_check_may_ask_for_absence(text: str, is_denied: bool) -> None:
+    task = first(text)
+    assert (task.state, task.is_denied) == ("here", is_denied)
+
+
+def test_a_light_that_is_out_is_off() -> None:
+    task = first("if [the kitchen light](1:object) [is](1:check_state) [out](1:state)")
+    assert (task.state, task.is_denied) == ("off", False)

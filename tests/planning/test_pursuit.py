@@ -199,6 +199,15 @@ def test_whether_somebody_is_home_is_found_out_room_by_room(room: str | None, tr
     assert (checked.status, checked.truth) == (DONE, truth)
 
 
+@pytest.mark.parametrize(("room", "truth"), [("study", False), (None, True)])
+@pytest.mark.parametrize(
+    "check", ["[Is](1:check_state) [Anna](1:object) [out](1:state)?", "has [Anna](1:object) [left](1:check_state)?"]
+)
+def test_whether_somebody_is_out_is_the_opposite_of_their_being_home(check: str, room: str | None, truth: bool) -> None:
+    (checked,) = run(check, world({"anna": room}))
+    assert (checked.status, checked.truth) == (DONE, truth)
+
+
 def test_somebody_is_told_where_they_are() -> None:
     inside = world({"anna": "bedroom"})
     (told,) = run("[Tell](1:informing) [Anna](1:recipient) [that dinner is ready](1:message)", inside)
