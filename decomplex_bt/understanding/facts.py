@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Container, Sequence
 from dataclasses import replace
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import Document, Token
@@ -37,6 +37,8 @@ _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
 _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
+_CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
+_AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
@@ -65,6 +67,17 @@ def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) 
     return [a for a in arguments if of[a.tokens.start] not in (asking if a.type in own else dropped)]
 
 
+def retracted(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a task without those that are taken back ("the knife, no, wait, the fork")."""
+    in_order = sorted(arguments, key=lambda argument: argument.tokens.start)
+    taken_back = {
+        id(argument)
+        for argument, after in pairwise(in_order)
+        if argument.type == after.type and _is_taken_back(document.tokens[argument.tokens.stop : after.tokens.start])
+    }
+    return [argument for argument in arguments if id(argument) not in taken_back]
+
+
 def completed(document: Document, tokens: range, taken: Container[int]) -> range:
     """The tokens of an argument; where they end in an article or the like, with the words up to its noun as well, as
     far as those are not `taken`. The "rid" of "get rid of it" belongs to the verb."""
@@ -75,6 +88,11 @@ def completed(document: Document, tokens: range, taken: Container[int]) -> range
         while stop < len(document) and stop not in taken and document.tokens[stop].pos in _NOUN_PARTS:
             stop += 1
     return range(start, stop)
+
+
+def _is_taken_back(between: Sequence[Token]) -> bool:
+    words = [token.lower for token in between if token.text[0].isalnum()]
+    return not _CORRECTING.isdisjoint(words) and _AROUND_CORRECTIONS.issuperset(words)
 
 
 def _place(document: Document, at: int) -> int:

@@ -18,7 +18,7 @@ from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Cali
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.facts import answered, completed
+from decomplex_bt.understanding.facts import answered, completed, retracted
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
@@ -152,6 +152,7 @@ class Interpreter:
     def _arguments_of(self, document: Document, reading: Reading, belief: Belief, verb: int) -> tuple[Argument, ...]:
         taken = {task.token for task in reading.tasks}.union(*(argument.tokens for argument in reading.arguments))
         own = answered(document, verb, [argument for argument in reading.arguments if argument.owner == verb])
+        own = retracted(document, own)
         chances = [self._calibration.of("argument", belief.arguments[argument]) for argument in own]
         return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
 

@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.facts import answered, completed, corrected
+from decomplex_bt.understanding.facts import answered, completed, corrected, retracted
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
@@ -140,3 +140,24 @@ def test_what_a_question_asks_for_is_not_what_the_answer_brings(thing: str, kept
     expected = [found for name, found in (("there", there), ("bring", brought)) if name in kept]
     assert answered(said, 3, [asked, there, brought]) == expected
     assert answered(said, 3, [asked, there]) == [asked, there]
+
+
+@pytest.mark.parametrize(
+    ("words", "is_taken_back"),
+    [
+        ("bring the knife , no , wait , the fork", True),
+        ("bring the knife no sorry the fork", True),
+        ("bring the knife , I mean the fork", True),
+        ("bring the knife or rather the fork", True),
+        ("bring the knife and the fork", False),
+        ("bring the knife , the fork", False),
+        ("bring the knife but no the fork", False),
+    ],
+)
+def test_what_is_taken_back_is_not_meant(words: str, is_taken_back: bool) -> None:
+    said = document(*(f"{word}/NN/dep/0" for word in words.split()))
+    last = len(said)
+    knife, fork = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(last - 2, last)))
+    assert retracted(said, [knife, fork]) == ([fork] if is_taken_back else [knife, fork])
+    elsewhere = FoundArgument("goal", 0, knife.tokens, 0.9)
+    assert retracted(said, [elsewhere, fork]) == [elsewhere, fork]
