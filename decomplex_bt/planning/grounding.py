@@ -171,7 +171,7 @@ class _Grounder:
         places = self._places(task, "location", "source") if where is not None else ()
         if self._asks_absence(task, words):
             objects, inner = self._objects(task, lambda name: True, "be looked for")
-            return self._presence(replace(bare, objects=objects, places=inner, state=HERE, is_denied=True), task)
+            return self._absence(replace(bare, objects=objects, places=inner, state=HERE, is_denied=True), task)
         if asks_presence:
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
@@ -180,14 +180,26 @@ class _Grounder:
         there = places + inner if self.referents.may_move(objects) else ()
         return replace(bare, objects=objects, places=there, state=value)
 
+    def _absence(self, grounded: GroundTask, task: Task) -> GroundTask:
+        """A check of presence that is denied: all are out where not one is here."""
+        anybody = self.domain.lexicon.anybody_words
+        if any(referent.phrase in anybody for referent in grounded.objects):
+            raise ImpossibleGoalError(
+                f"whether {task.value('object')!r} of several is out is no question here; say who"
+            )
+        objects = tuple(replace(referent, is_all=False) for referent in grounded.objects)
+        return self._presence(replace(grounded, objects=objects), task)
+
     def _asks_absence(self, task: Task, words: str | None) -> bool:
         """Whether a check asks whether somebody or something is not there; a light that is out is off."""
-        names = {n for said in task.values("object") for p in read_phrases(said, self.domain) for n in p.entities}
-        if self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text)):
-            return bool(names) and all(map(self.referents.is_person, names))
-        if words is None or not self.wording.is_absence(words):
+        is_verb = self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text))
+        is_word = words is not None and self.wording.is_absence(words)
+        if not is_verb and not is_word:
             return False
-        return not any(read_state(words, self._states(name), self.domain) for name in names)
+        names = {n for said in task.values("object") for p in read_phrases(said, self.domain) for n in p.entities}
+        if is_verb:
+            return bool(names) and all(map(self.referents.is_person, names))
+        return not any(read_state(words or "", self._states(name), self.domain) for name in names)
 
     def _presence(self, grounded: GroundTask, task: Task) -> GroundTask:
         for referent in grounded.objects:
@@ -332,9 +344,16 @@ class _Grounder:
     ) -> tuple[tuple[Referent, ...], tuple[Referent, ...]]:
         """The referents of the object arguments that fit, and of the places inside their phrases."""
         objects, inner = [], []
-        for words in task.values("object"):
-            for phrase in read_phrases(words, self.domain):
-                objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
+        for argument in task.arguments:
+            if argument.type != "object":
+                continue
+            said = argument.span.of(self.instruction.text) if argument.span is not None else ""
+            is_pronoun = not rooms and said.lower() != argument.value.lower()
+            for phrase in read_phrases(argument.value, self.domain):
+                referent = self.referents.referent(
+                    phrase, fits, ability, rooms=frozenset(rooms), is_place=False, is_pronoun=is_pronoun
+                )
+                objects.append(referent)
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
         self._refuse_everything(task, objects, inner)

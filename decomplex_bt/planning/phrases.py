@@ -12,7 +12,8 @@ from decomplex_bt.errors import UnknownWordError
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
-_CHOICE = re.compile(r"\s+or\s+")
+_CHOICE = re.compile(r"\s+n?or\s+")
+_EITHER = re.compile(r"^n?either\s+(?!of\b)")
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
@@ -110,9 +111,7 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
 
 def _read_choice(part: str, preposition: str, domain: Domain, later: NounPhrase | None, text: str) -> NounPhrase:
     """One part of a coordination; with "or" whatever any of its alternatives names."""
-    alternatives = [
-        _read_part(choice, preposition, domain, later) for choice in _CHOICE.split(part.removeprefix("either "))
-    ]
+    alternatives = [_read_part(choice, preposition, domain, later) for choice in _CHOICE.split(_EITHER.sub("", part))]
     if None in alternatives:
         raise _unknown(part or text, domain)
     first, *others = [phrase for phrase in alternatives if phrase is not None]

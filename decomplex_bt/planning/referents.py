@@ -14,6 +14,7 @@ from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_phrases, split_preposition
 
+TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
 Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
 
 
@@ -28,6 +29,8 @@ class Referents:
         self._domain, self._house = domain, domain.house
         self._rooms_meant: tuple[str, ...] = ()  # of the place named last, where its words leave no doubt
         self._mentioned: dict[Key, Referent] = {}
+        self._named: dict[str, Referent] = {}  # by its words, the last one
+        self._container: str | None = None  # with a door of its own, where it was named last of all places
 
     def where(self, phrase: NounPhrase) -> Referent:
         """Where something is looked for: on or in a place, beside a thing or with a person."""
@@ -47,11 +50,11 @@ class Referents:
         """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
         phrase = read_phrases(words, self._domain)[0]
         referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
-        is_beside = phrase.preposition in self._domain.lexicon.beside
-        if is_beside:
+        fit = self.narrowed(referent, self.can_hold)
+        is_near = fit is None and phrase.preposition in TO  # "to the front door": nothing can be put on it
+        if is_near or phrase.preposition in self._domain.lexicon.beside:
             near = [place for name in referent.candidates for place in self._beside(name)]
             return replace(referent, candidates=tuple(dict.fromkeys(near)))
-        fit = self.narrowed(referent, self.can_hold)
         if fit is None or all(self.is_thing(name) for name in fit.candidates):
             raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
         return fit
@@ -90,8 +93,18 @@ class Referents:
         *,
         rooms: frozenset[str] = frozenset(),
         is_place: bool,
+        is_pronoun: bool = False,
     ) -> Referent:
-        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does."""
+        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does.
+
+        `is_pronoun`: whether the phrase stands for a pronoun, which means what the same words meant before, wherever
+        the robot has been sent meanwhile.
+        """
+        words = split_preposition(phrase.text, self._domain)[1]
+        if is_pronoun and (before := self._named.get(words)) is not None and all(map(fits, before.candidates)):
+            return before
+        if self._container is not None and phrase.noun in self._domain.lexicon.parts and len(words.split()) < 3:
+            phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
         entities = tuple(name for name in phrase.entities if fits(name))
         is_plural = not entities
         names = entities or tuple(name for name in phrase.plurals if fits(name))
@@ -108,11 +121,12 @@ class Referents:
             raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
         if is_place or all(self.is_fixed(name) for name in names):
             self._remember(names)
-        text = split_preposition(phrase.text, self._domain)[1]
         # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
-        where = () if len(names) == 1 and text.split()[0] in DEFINITE else phrase.wanted
-        referent = Referent(text, names, is_all and len(names) > 1, phrase.count, where)
-        return self._same(referent) if phrase.is_definite else self._first(referent)
+        where = () if len(names) == 1 and words.split()[0] in DEFINITE else phrase.wanted
+        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where)
+        referent = self._same(referent) if phrase.is_definite else self._first(referent)
+        self._named[words] = referent
+        return referent
 
     def _first(self, referent: Referent) -> Referent:
         self._mentioned.setdefault(_key(referent), referent)
@@ -137,6 +151,8 @@ class Referents:
         rooms = tuple(sorted({room for name in names for room in self._rooms(name)}))
         if len(rooms) == 1:
             self._rooms_meant = rooms
+        only = names[0] if len(names) == 1 and names[0] in self._house.furniture else None
+        self._container = only if only is not None and self._domain.kind(only).has_door else None
 
     def _rooms(self, name: str) -> tuple[str, ...]:
         doorway = self._house.doorways.get(name)

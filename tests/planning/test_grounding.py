@@ -298,3 +298,44 @@ def test_a_check_may_ask_for_absence(text: str, is_denied: bool) -> None:
 def test_a_light_that_is_out_is_off() -> None:
     task = first("if [the kitchen light](1:object) [is](1:check_state) [out](1:state)")
     assert (task.state, task.is_denied) == ("off", False)
+
+
+def test_all_are_out_where_not_one_is_here() -> None:
+    task = first("if [everybody](1:object) [is](1:check_state) [out](1:state)")
+    assert task.is_denied
+    assert not task.objects[0].is_all
+    with pytest.raises(ImpossibleGoalError, match="say who"):
+        first("if [anybody](1:object) [is](1:check_state) [out](1:state)")
+
+
+WINDOW = (
+    "[Open](1:change_state) [the window](1:object) [in the kitchen](1:location), "
+    "[go](2:motion) [to the bedroom](2:goal) and "
+)
+
+
+def test_a_pronoun_means_what_it_meant_wherever_the_robot_has_been_since() -> None:
+    text = WINDOW + "then [close](3:change_state) [it](3:object=the window)."
+    assert grounded(text, 3).tasks[2].objects[0].candidates == ("kitchen_window",)
+    text = WINDOW + "[close](3:change_state) [the window](3:object)."
+    assert grounded(text, 3).tasks[2].objects[0].candidates == ("bedroom_window",)
+
+
+def test_the_door_is_that_of_the_container_named_last() -> None:
+    fridge = "[Open](1:change_state) [the fridge](1:object), "
+    text = fridge + "[take](2:taking) out [the milk](2:object) and [close](3:change_state) [the door](3:object)."
+    assert grounded(text, 3).tasks[2].objects[0].candidates == ("fridge",)
+    text = fridge + "[go](2:motion) [to the bedroom](2:goal) and [close](3:change_state) [the door](3:object)."
+    assert grounded(text, 3).tasks[2].objects[0].candidates == ("bedroom_door",)
+
+
+@pytest.mark.parametrize("place", ["to the front door", "by the front door"])
+def test_what_is_brought_to_what_holds_nothing_is_laid_beside_it(place: str) -> None:
+    task = first(f"[Take](1:bringing) [the bag](1:object) [{place}](1:goal)")
+    assert task.goal is not None
+    assert task.goal.candidates == ("hallway_floor",)
+
+
+def test_neither_nor_names_both() -> None:
+    task = first("[Is](1:check_state) [the phone](1:object) [neither on the desk nor on the couch](1:location)?")
+    assert [place.candidates for place in task.places] == [("desk", "couch")]
