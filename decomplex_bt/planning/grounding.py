@@ -159,20 +159,15 @@ class _Grounder:
         words, where = task.value("state"), task.value("location")
         if where is not None and self.wording.is_presence(where):
             where, words = None, words or (None if self.wording.is_state(task) else where)
-        asks_presence = words is None or self.wording.is_presence(words)
-        if (
-            words is None
-            and (where is None or self.wording.is_state(task))
-            and not self.wording.has_presence_verb(task)
-        ):
+        is_bare = words is None and (where is None or self.wording.is_state(task))
+        if is_bare and not self.wording.has_presence_verb(task):
             # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
             words = task.span.of(self.instruction.text)
-            asks_presence = self.wording.is_presence(words)
         places = self._places(task, "location", "source") if where is not None else ()
         if self._asks_absence(task, words):
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._absence(replace(bare, objects=objects, places=inner, state=HERE, is_denied=True), task)
-        if asks_presence:
+        if words is None or (self.wording.is_presence(words) and not self._is_state_of_objects(task, words)):
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
         objects, inner = self._stateful(task, places, words, state)
@@ -192,14 +187,17 @@ class _Grounder:
 
     def _asks_absence(self, task: Task, words: str | None) -> bool:
         """Whether a check asks whether somebody or something is not there; a light that is out is off."""
-        is_verb = self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text))
-        is_word = words is not None and self.wording.is_absence(words)
-        if not is_verb and not is_word:
-            return False
-        names = {n for said in task.values("object") for p in read_phrases(said, self.domain) for n in p.entities}
-        if is_verb:
-            return bool(names) and all(map(self.referents.is_person, names))
-        return not any(read_state(words or "", self._states(name), self.domain) for name in names)
+        if self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text)):
+            return all(map(self.referents.is_person, self._named(task)))
+        return words is not None and self.wording.is_absence(words) and not self._is_state_of_objects(task, words)
+
+    def _is_state_of_objects(self, task: Task, words: str) -> bool:
+        """Whether words that may say presence or absence are a state that an object can be in."""
+        return any(read_state(words, self._states(name), self.domain) for name in self._named(task))
+
+    def _named(self, task: Task) -> list[str]:
+        """What the words of its objects name as they stand."""
+        return [n for said in task.values("object") for p in read_phrases(said, self.domain) for n in p.entities]
 
     def _presence(self, grounded: GroundTask, task: Task) -> GroundTask:
         for referent in grounded.objects:
@@ -280,7 +278,7 @@ class _Grounder:
             return False
         if not self.wording.says_out(task):
             return False
-        names = [n for words in task.values("object") for p in read_phrases(words, self.domain) for n in p.entities]
+        names = self._named(task)
         return bool(names) and all(
             self.referents.is_fixed(name) and self._can_become(name, FILL, EMPTY) for name in names
         )

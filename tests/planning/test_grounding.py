@@ -119,6 +119,8 @@ def test_a_change_of_state_has_objects_and_a_value(text: str, expected: tuple[tu
             ("bathroom_shelf", "bookshelf"),
             "here",
         ),
+        ("if there [is](1:check_state) [any juice](1:object) [going](1:state)", ("juice",), (), "here"),
+        ("if [the tv](1:object) [is](1:check_state) [going](1:state)", ("tv",), (), "on"),
         ("[Oven](1:object) [on](1:check_state)?", ("oven",), (), "on"),
         ("[Heater](1:object) still [on](1:check_state) [in the bathroom](1:location)?", ("heater",), (), "on"),
         ("[heater](1:object) [on](1:check_state) [in here](1:location)", ("heater",), (), "on"),
