@@ -146,7 +146,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
         return [*_predicate_options(context, gap), Option(None, "", "", tuple(_none_features(context, gap)))]
     options: list[Option] = []
     document = context.observed.document
-    own = _modifier(document, gap.tokens)
+    own = _modifier(context.observed, gap.tokens)
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in context.pool:
         if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
@@ -170,7 +170,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             features = tuple(_features(context, gap, candidate, side, rank, kind, kind_rank))
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
-            contrast = f"{own}.{_modifier(document, _named(candidate))}" if gap.tokens else ""
+            contrast = f"{own}.{_modifier(context.observed, _named(candidate))}" if gap.tokens else ""
             for text, way in spellings(document, gap, candidate):
                 more = (
                     f"way:{way}.{gap.form}",
@@ -371,19 +371,14 @@ def _named(candidate: Candidate) -> range:
     return range(candidate.tokens.start, candidate.head + 1) if not candidate.mention else range(0)
 
 
-def _modifier(document: Document, tokens: range) -> str:
+def _modifier(observed: Observed, tokens: range) -> str:
     """What stands before the last word of a phrase: a colour, another adjective, a number, a noun, or none of these."""
     if len(tokens) < 2:
         return "none"
-    token = document.tokens[tokens.stop - 2]
-    if token.lower in _COLOURS:
+    token = observed.document.tokens[tokens.stop - 2]
+    if token.lower in observed.gazetteer.colours:
         return "colour"
     return {"ADJ": "adjective", "NUM": "number", "NOUN": "noun", "PROPN": "noun"}.get(token.pos, "none")
-
-
-_COLOURS = frozenset(
-    "red blue green yellow white black brown grey gray pink purple orange navy silver gold golden beige".split()
-)
 
 
 def _kind(context: Context, candidate: Candidate) -> str:

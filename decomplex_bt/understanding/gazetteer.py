@@ -15,7 +15,7 @@ class Gazetteer:
     """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing",
     "furniture", "room", ...); `states`: words of state; `changeable`: head word to the state pairs its things have;
     `pairs`: word of state to its state pair; `ending`: verbs as in `verbs` to the task type that ends where the verb
-    itself says ("throw away", "come back")."""
+    itself says ("throw away", "come back"); `colours`: words of colour."""
 
     verbs: Mapping[str, tuple[str, ...]]
     nouns: Mapping[str, str]
@@ -23,6 +23,7 @@ class Gazetteer:
     changeable: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     pairs: Mapping[str, str] = field(default_factory=dict)
     ending: Mapping[str, str] = field(default_factory=dict)
+    colours: frozenset[str] = frozenset()
 
     @classmethod
     def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:
@@ -48,6 +49,7 @@ class Gazetteer:
             {word: tuple(sorted(names)) for word, names in changeable.items()},
             pairs,
             {verb: sense.tasks[0] for verb, sense in lexicon.verbs.items() if sense.goal is not None},
+            frozenset(lexicon.colours),
         )
 
     def senses(self, document: Document, i: int) -> tuple[str, ...]:

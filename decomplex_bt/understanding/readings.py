@@ -24,13 +24,14 @@ from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Marked
 from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
+from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.prohibitions import forbidden
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
     "uncued_condition", "cued_task", "missing_argument", "idle_sentence", "idle_verb", "stranded_else",
-    "bare_task", "checks", "idle_condition", "nested", "late_branch",
+    "bare_task", "checks", "idle_condition", "nested", "late_branch", "other_object", "other_state",
 )  # fmt: skip
 """What a reading is judged by: the log probabilities of the stages, then counts; see `_features`."""
 
@@ -250,7 +251,20 @@ def _features(observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, 
         float(len(conditions) - sum(len(node.tasks) for node, _ in branching)),
         float(sum(place != "top" for _, place in branching)),
         float(sum(arc.attachment[:2] in ("<2", "<3", ">2") for arc in flow.arcs)),
+        float(sum(_differ(observed, tasks, node.tasks, "object") for node, _ in branching)),
+        float(sum(_differ(observed, tasks, node.tasks, "state") for node, _ in branching)),
     )
+
+
+def _differ(observed: Observed, tasks: Sequence[MarkedTask], mentions: Sequence[int], kind: str) -> bool:
+    """Whether mentions of one condition name different things, or states that are no opposites."""
+    document, named = observed.document, set()
+    for number in mentions:
+        for argument, tokens in tasks[number - 1].arguments:
+            if argument == kind and not is_pronoun(document, tokens):
+                word = document.tokens[tokens.stop - 1]
+                named.add(observed.gazetteer.pairs.get(word.lower, word.lemma) if kind == "state" else word.lemma)
+    return len(named) > 1
 
 
 _OPENING = frozenset(("if", "only_if", "unless"))

@@ -33,6 +33,7 @@ from decomplex_bt.understanding.readings import (
     readings_of,
     train_readings,
 )
+from decomplex_bt.understanding.recombination.copies import recombined
 from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
@@ -121,10 +122,10 @@ def train_models(
     """Trains every model but the encoder on these examples into `folder`; gives the number of flows that no labels can
     say, and what `TrainingReport` tells of the voices held out."""
     data = _corpus(examples, domain, parser, progress)
-    left_out = _train_stages(folder, data, progress)
+    left_out = _train_stages(folder, data, _recombinations(data.plain, domain, parser), progress)
     progress("references")
     train_references(folder / REFERENCES_FILE, data.plain, domain.ontology)
-    return left_out, _train_choice(folder, list(_held_out_readings(data, domain, progress)))
+    return left_out, _train_choice(folder, list(_held_out_readings(data, domain, parser, progress)))
 
 
 def train_with_encoder(
@@ -138,6 +139,7 @@ def train_with_encoder(
 ) -> tuple[int, Mapping[str, tuple[int, int]]]:
     """Trains the encoder and the flow network into `folder`; the voices in `for_choice` only teach the choice among
     readings and its confidence. Gives what `train_models` does."""
+    from decomplex_bt.understanding.encoder.fitting import Lessons
     from decomplex_bt.understanding.encoder.flow_training import train_flow_network
     from decomplex_bt.understanding.encoder.model import EncoderModel
     from decomplex_bt.understanding.encoder.referents import train_share
@@ -147,15 +149,16 @@ def train_with_encoder(
     data = _corpus(examples, domain, parser, progress)
     learnt = data.only([voice not in for_choice for voice in data.voices])
     kept = data.only([voice in for_choice for voice in data.voices])
-    disturbed = list(_disturbed(learnt.plain, domain, parser))
-    copies = [*chain.from_iterable(learnt.noised), *learnt.filled, *disturbed]
-    train_encoder(folder, learnt.plain, copies, domain.ontology, progress=progress)
-    copies = [*learnt.for_flow()[len(learnt.plain) :], *disturbed]
-    train_flow_network(folder, learnt.plain, copies, domain.ontology, progress=progress)
+    disturbed = _disturbed(learnt.plain, domain, parser)
+    recombinations = _recombinations(learnt.plain, domain, parser)
+    noised = [*chain.from_iterable(learnt.noised), *learnt.filled, *disturbed]
+    train_encoder(folder, Lessons(learnt.plain, noised, recombinations), domain.ontology, progress=progress)
+    noised = [*learnt.for_flow()[len(learnt.plain) :], *disturbed]
+    train_flow_network(folder, Lessons(learnt.plain, noised, recombinations), domain.ontology, progress=progress)
     model = EncoderModel(folder)
     with tempfile.TemporaryDirectory() as scratch:  # models that, like the encoder, never saw the voices kept back
         progress("flow")
-        left_out = train_flow(Path(scratch), learnt.for_flow())
+        left_out = train_flow(Path(scratch), [*learnt.for_flow(), *recombinations])
         progress("readings")
         stages = encoder_stages(folder, model, FlowModel(Path(scratch)), domain.ontology)
         held_out = _train_choice(folder, list(_held(kept, stages, domain)))
@@ -172,6 +175,14 @@ def _disturbed(
     """A copy of every instruction for each of `DISTURBED`."""
     rng = np.random.default_rng(0)
     copies = [DISTURBANCES[name](instruction, rng) for name in DISTURBED for _, instruction in pairs]
+    return observe(copies, parser, Gazetteer.of(domain.lexicon, domain.kinds))
+
+
+def _recombinations(
+    pairs: Sequence[tuple[Observed, Instruction]], domain: Domain, parser: Parser
+) -> list[tuple[Observed, Instruction]]:
+    """Recombined copies, of nothing but these instructions."""
+    copies = recombined(pairs, np.random.default_rng(0))
     return observe(copies, parser, Gazetteer.of(domain.lexicon, domain.kinds))
 
 
@@ -263,23 +274,27 @@ class Corpus:
         )
 
 
-def _train_stages(folder: Path, data: Corpus, progress: Progress) -> int:
+def _train_stages(
+    folder: Path, data: Corpus, recombinations: Sequence[tuple[Observed, Instruction]], progress: Progress
+) -> int:
+    """Trains the CRFs, that of the flow on recombined copies, too; gives the number of flows that no labels can say."""
     with_noise = [*data.plain, *chain.from_iterable(data.noised)]
     progress("tasks")
     train_tasks(folder / "tasks.crf", with_noise)
     progress("arguments")
     train_arguments(folder / "arguments.crf", with_noise)
     progress("flow")
-    return train_flow(folder, data.for_flow())
+    return train_flow(folder, [*data.for_flow(), *recombinations])
 
 
-def _held_out_readings(data: Corpus, domain: Domain, progress: Progress) -> Iterator[Held]:
+def _held_out_readings(data: Corpus, domain: Domain, parser: Parser, progress: Progress) -> Iterator[Held]:
     """Every instruction with its readings by stages that never saw its voice."""
     held_out = _folds(data.voices)
     for fold in range(max(held_out) + 1):
         progress(f"readings {fold + 1}/{max(held_out) + 1}")
         with tempfile.TemporaryDirectory() as scratch:
-            _train_stages(Path(scratch), data.only([f != fold for f in held_out]), lambda stage: None)
+            others = data.only([f != fold for f in held_out])
+            _train_stages(Path(scratch), others, _recombinations(others.plain, domain, parser), lambda stage: None)
             yield from _held(data.only([f == fold for f in held_out]), load_stages(Path(scratch)), domain)
 
 

@@ -1,4 +1,4 @@
-"""Fitting a network on a pretrained encoder: the pace of learning, batches of samples of like length."""
+"""Fitting a network on a pretrained encoder: what it learns from, the pace, batches of samples of like length."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import math
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeVar
+from itertools import chain
+from typing import Any, Generic, Protocol, TypeVar
 
 from decomplex_bt.understanding.encoder.pieces import Pieced
 
@@ -25,21 +26,33 @@ class HasPieces(Protocol):
 S = TypeVar("S", bound=HasPieces)
 
 
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Lessons(Generic[T]):
+    """What a network learns from: examples as they are, noised copies of them, and recombined ones."""
+
+    plain: Sequence[T]
+    noised: Sequence[T]
+    recombined: Sequence[T]
+
+
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """How a network learns. `copies`: how many noised copies an epoch sees for each plain sample; the rates are the
-    highest ones, of the pretrained encoder and of all else."""
+    """How a network learns. `noised`, `recombined`: how many of these copies an epoch sees for each plain example; the
+    rates are the highest ones, of the pretrained encoder and of all else."""
 
     epochs: int
-    copies: float
+    noised: float
+    recombined: float
     encoder_rate: float
     heads_rate: float
 
 
 def fit(
     network: Any,
-    samples: Sequence[S],
-    copies: Sequence[S],
+    lessons: Lessons[S],
     loss_of: Callable[[Any, Sequence[S]], Any],
     pace: Pace,
     rng: random.Random,
@@ -55,15 +68,19 @@ def fit(
         weight_decay=0.01,
         fused=True,
     )
-    extra = min(len(copies), int(pace.copies * len(samples)))
-    steps = pace.epochs * math.ceil((len(samples) + extra) / BATCH + 1)
+    copies = [
+        (found, min(len(found), int(share * len(lessons.plain))))
+        for found, share in ((lessons.noised, pace.noised), (lessons.recombined, pace.recombined))
+    ]
+    steps = pace.epochs * math.ceil((len(lessons.plain) + sum(count for _, count in copies)) / BATCH + 1)
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
     )
     network.train()
     for epoch in range(pace.epochs):
         total = 0.0
-        batches = _batches([*samples, *rng.sample(list(copies), extra)], rng)
+        drawn = chain.from_iterable(rng.sample(list(found), count) for found, count in copies)
+        batches = _batches([*lessons.plain, *drawn], rng)
         for batch in batches:
             loss = loss_of(network, batch)
             optimizer.zero_grad()

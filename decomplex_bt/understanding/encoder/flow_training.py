@@ -6,6 +6,7 @@ import json
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -16,15 +17,15 @@ from decomplex_bt.understanding.clauses import MarkedTask, clauses_of, wordings_
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.derivation import arcs_of
 from decomplex_bt.understanding.encoder.export import export
-from decomplex_bt.understanding.encoder.fitting import Pace, fit, padded
+from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded
 from decomplex_bt.understanding.encoder.flows import JUDGE_FILE, LABELS_FILE, NETWORK_FILE, pieces_of
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
-PACE = Pace(epochs=6, copies=0.5, encoder_rate=1e-4, heads_rate=5e-4)
+PACE = Pace(epochs=6, noised=0.5, recombined=0.25, encoder_rate=1e-4, heads_rate=5e-4)
 
-Pairs = Sequence[tuple[Observed, Instruction]]
+Pair = tuple[Observed, Instruction]
 Learnable = tuple[Observed, tuple[MarkedTask, ...], tuple[Arc, ...]]
 """An instruction, its tasks, and the labels that say its flow."""
 
@@ -41,8 +42,7 @@ class FlowSample:
 
 def train_flow_network(
     folder: Path,
-    plain: Pairs,
-    noised: Pairs,
+    lessons: Lessons[Pair],
     ontology: Ontology,
     *,
     pace: Pace = PACE,
@@ -57,20 +57,20 @@ def train_flow_network(
     encoder, pretrained = begin(seed)
     from decomplex_bt.understanding.encoder.flow_network import FlowNetwork, FlowSizes
 
-    learnt, disturbed = _learnable(plain), _learnable(noised)
-    attachments = tuple(sorted({arc.attachment for _, _, arcs in (*learnt, *disturbed) for arc in arcs}))
+    found = [_learnable(pairs) for pairs in (lessons.plain, lessons.noised, lessons.recombined)]
+    attachments = tuple(sorted({arc.attachment for _, _, arcs in chain.from_iterable(found) for arc in arcs}))
     names = (ROLES, attachments, ORDERS)
     pieces, types = Pieces(pretrained / "tokenizer.json"), sorted(ontology.task_types)
-    samples, copies = (_samples(found, pieces, types, names) for found in (learnt, disturbed))
+    samples = Lessons(*(_samples(each, pieces, types, names) for each in found))
     sizes = FlowSizes(encoder.config.hidden_size, *map(len, names))
     network = FlowNetwork(encoder, sizes)
-    fit(network, samples, copies, _loss, pace, random.Random(seed), progress)
+    fit(network, samples, _loss, pace, random.Random(seed), progress)
     _export(network, folder)
     labels = {"roles": ROLES, "attachments": attachments, "orders": ORDERS}
     (folder / LABELS_FILE).write_text(json.dumps(labels) + "\n", encoding="utf-8")
 
 
-def _learnable(pairs: Pairs) -> list[Learnable]:
+def _learnable(pairs: Sequence[Pair]) -> list[Learnable]:
     """The instructions with an order to learn, whose flow the labels can say."""
     found = []
     for observed, instruction in pairs:

@@ -19,18 +19,18 @@ from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.coreference import choices_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.export import export
-from decomplex_bt.understanding.encoder.fitting import Pace, fit, padded
+from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded
 from decomplex_bt.understanding.encoder.labels import argument_labels, task_labels
 from decomplex_bt.understanding.encoder.model import ENCODER_FILE, HEADS_FILE, PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieced, Pieces
 from decomplex_bt.understanding.encoder.pretrained import begin
 from decomplex_bt.understanding.features import Observed
 
-PACE = Pace(epochs=6, copies=0.6, encoder_rate=1e-4, heads_rate=1e-3)
+PACE = Pace(epochs=6, noised=0.6, recombined=0.2, encoder_rate=1e-4, heads_rate=1e-3)
 LABEL_WEIGHT = 0.5
 """How much the loss of argument labels and owners counts beside that of tasks."""
 
-Pairs = Sequence[tuple[Observed, Instruction]]
+Pair = tuple[Observed, Instruction]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +50,7 @@ class Sample:
 
 def train_encoder(
     folder: Path,
-    plain: Pairs,
-    noised: Pairs,
+    lessons: Lessons[Pair],
     ontology: Ontology,
     *,
     pace: Pace = PACE,
@@ -67,15 +66,18 @@ def train_encoder(
     from decomplex_bt.understanding.encoder.network import Network, Sizes
 
     coder = Coder(Pieces(pretrained / "tokenizer.json"), ontology)
-    samples = [coder.sample(*pair, with_references=True) for pair in plain]
-    copies = [coder.sample(*pair) for pair in noised]
+    samples = Lessons(
+        [coder.sample(*pair, with_references=True) for pair in lessons.plain],
+        [coder.sample(*pair) for pair in lessons.noised],
+        [coder.sample(*pair) for pair in lessons.recombined],
+    )
     sizes = Sizes(
         encoder=encoder.config.hidden_size,
         task_labels=len(coder.task_labels),
         argument_labels=len(coder.argument_labels),
     )
     network = Network(encoder, sizes)
-    fit(network, samples, copies, _loss, pace, random.Random(seed), progress)
+    fit(network, samples, _loss, pace, random.Random(seed), progress)
     _export(network.encoder, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
     weights = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}

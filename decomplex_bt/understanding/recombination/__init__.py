@@ -1,0 +1,1 @@
+"""Recombination: annotated instructions told in other words, for networks to learn from."""
