@@ -116,8 +116,14 @@ class OraclePolicy(TreePolicy):
             session.belief.update(session.embodiment.perceive(see_all(self._env, observation)))
         for _ in range(_LOOKS):  # what was seen through walls is out of sight again
             session.belief.update(session.embodiment.perceive(dict(observation)))
-        for step in _refused(self._env.domain, self._env.truth()):
+        refused = _refused(self._env.domain, self._env.truth())
+        for step in refused:
             session.belief.failed(step, "broken")
+        for task in self.agent.grounded.tasks:  # of two lamps that may be meant, the one that can be switched on
+            for referent in task.objects if task.type == "change_state" and task.state == "on" else ():
+                able = tuple(n for n in referent.candidates if GroundAction("switch-on", (n,)) not in refused)
+                if able and not referent.is_all:
+                    session.bindings = {**session.bindings, referent: able}
 
 
 class RandomPolicy:

@@ -181,6 +181,10 @@ class Handling(Looking):
         place = self._standing_for(name)
         return place is not None and self.belief.visited(place) >= self.since
 
+    def _is_at(self, name: str) -> bool:
+        """Whether the robot is at a place or person now."""
+        return self._standing_for(name) in self.belief.near
+
     def _with_people(
         self, referents: Sequence[Referent], goal_of: Callable[[str], tuple[Atom, ...]], is_done: Callable[[str], bool]
     ) -> Pursuit:

@@ -110,12 +110,16 @@ class _Pursuer(Handling):
 
         def has_come(person: str) -> bool:
             if rooms:
-                is_there = self.belief.room in rooms and self.belief.place_of(person) in rooms
+                is_there = self.belief.room in rooms and self.belief.place_of(person) == self.belief.room
                 return is_there or any(self._was_noted("followed", person, room) for room in rooms)
             return self._was_noted("accompanied", person)
 
         found = self._found(has_come)
         if found is not None:
+            goals = self._meant(self.task.goal) if self.task.goal else []
+            if goals and not any(name in rooms or self._is_at(name) for name in goals):
+                assert self.task.goal is not None
+                return self._go(self.task.goal, goals)  # people are led to rooms; the robot goes on to the place in it
             return self._done(found)
         roles = {"goal": rooms[0]} if rooms else {}
         return self._with_people(self.task.objects, lambda who: self._goal({"object": who, **roles}), has_come)

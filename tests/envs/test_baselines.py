@@ -85,6 +85,25 @@ def test_who_is_out_is_found_out(env, name, room):
     assert info["branches"][0]["truth"] == (room is None)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_of_two_lamps_the_oracle_takes_the_one_that_works(env, seed):
+    asked = read_markup(
+        "If [the lamp](1:object) [is](1:check_state) [off](1:state), [switch](2:change_state) [it](2:object=the lamp) "
+        "[on](2:state).",
+        DOMAIN.ontology,
+        flow=[{"if": 1, "then": [2]}],
+    )
+    states = {"living_room_lamp": "off", "bedroom_lamp": "off"}
+    options = {"instruction": asked, "broken": ["bedroom_lamp"], "states": states, "noise": False}
+    observation, info = env.reset(seed=seed, options=options)
+    policy = env.unwrapped.policy("oracle", reading=asked)
+    policy.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(policy.act(observation))
+    assert info["is_success"], (info, policy.failures)
+
+
 def test_idle_gives_up_at_once(env):
     info, actions, _ = run(env, "idle")
     assert not info["is_success"]

@@ -179,7 +179,7 @@ def test_options_that_cannot_be_used_are_refused(options, says):
 
 @pytest.mark.parametrize(
     "options",
-    [{"house_seed": 1}, {"instruction": "Sing."}, {"instruction": TV, "placement": {"pan": "tv"}}],
+    [{"house_seed": 1}, {"instruction": "Lovely weather today."}, {"instruction": TV, "placement": {"pan": "tv"}}],
     ids=str,
 )
 def test_a_refused_reset_changes_nothing(options):
@@ -316,7 +316,7 @@ def test_vector_environments_take_an_instruction_each():
     envs.step(envs.action_space.sample())
     with pytest.raises(InputError, match="list of 2"):
         envs.reset(options={"instructions": [GO]})
-    for refused in ([TV, "Sing."], [TV, " "]):
+    for refused in ([TV, "Lovely weather today."], [TV, " "]):
         with pytest.raises(InputError):
             envs.reset(options={"instructions": refused})
         assert list(envs.reset(seed=2)[1]["instruction"]) == [GO.text, TV.text]

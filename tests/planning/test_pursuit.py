@@ -231,6 +231,22 @@ def test_somebody_is_followed_to_a_room() -> None:
     assert (inside.room, inside.places["anna"]) == ("kitchen", "kitchen")
 
 
+def test_who_is_followed_to_a_piece_of_furniture_is_led_to_its_room_and_the_robot_goes_up_to_it() -> None:
+    inside = world({"anna": "study"})
+    (followed,) = run("[Walk](1:following) [Anna](1:object) [to the armchair](1:goal)", inside)
+    assert followed.status is DONE
+    assert inside.places["anna"] == "living_room"
+    assert names(inside)[-1].startswith("(move")
+    assert "armchair" in names(inside)[-1]
+
+
+def test_who_may_be_followed_to_any_room_is_in_the_same_one() -> None:
+    inside = world({"anna": "study"})
+    (followed,) = run("[Follow](1:following) [Anna](1:object) [to her room](1:goal)", inside)
+    assert followed.status is DONE
+    assert inside.room == inside.places["anna"]
+
+
 def test_who_is_out_cannot_be_told() -> None:
     (told,) = run("[Tell](1:informing) [my mother](1:recipient) [hello](1:message)", world({"relative": None}))
     assert (told.status, told.truth) == (FAILED, False)
