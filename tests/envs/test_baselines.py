@@ -85,17 +85,16 @@ def test_who_is_out_is_found_out(env, name, room):
     assert info["branches"][0]["truth"] == (room is None)
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_of_two_lamps_the_oracle_takes_the_one_that_works(env, seed):
+def test_of_two_lamps_the_oracle_takes_the_one_that_works(env):
     asked = read_markup(
-        "If [the lamp](1:object) [is](1:check_state) [off](1:state), [switch](2:change_state) [it](2:object=the lamp) "
-        "[on](2:state).",
+        "[Tell](1:informing) [Anna](1:recipient) [hello](1:message), and if [the lamp](2:object) [is](2:check_state) "
+        "[off](2:state), [switch](3:change_state) [it](3:object=the lamp) [on](3:state).",
         DOMAIN.ontology,
-        flow=[{"if": 1, "then": [2]}],
+        flow=[1, {"if": 2, "then": [3]}],
     )
     states = {"living_room_lamp": "off", "bedroom_lamp": "off"}
-    options = {"instruction": asked, "broken": ["bedroom_lamp"], "states": states, "noise": False}
-    observation, info = env.reset(seed=seed, options=options)
+    options = {"instruction": asked, "broken": ["bedroom_lamp"], "states": states, "people": {"anna": "bedroom"}}
+    observation, info = env.reset(seed=2, options={**options, "noise": False, "balance": 0.0})
     policy = env.unwrapped.policy("oracle", reading=asked)
     policy.reset(observation, info)
     terminated = truncated = False
