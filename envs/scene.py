@@ -29,9 +29,9 @@ PLACE_X, PLACE_Y, ONE, NEAR, FAR, ELSEWHERE = range(6)
 """The features of a point: x, y, one; from how far it can be looked over and seen, both squared and less its squared
 distance from the origin; and from `ELSEWHERE` on, one for each room but the first of a scene, whether it lies in
 another."""
-FARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
-"""What is asked of each point: too far to be looked over, not left or right of the field of view, within range; then,
-for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
+NEARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
+"""What is asked of each point: near enough to be looked over, not left or right of the field of view, within range;
+then, for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
 VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 MOST_LAYOUTS = 256
 """Layouts kept at once, for each house."""
@@ -212,9 +212,8 @@ class Scene:
 
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
-    ) -> tuple[Bools, Bools, Bools]:
-        """For each point whether it is in view; for each segment whether any of its points is, and whether one is not,
-        or not from near enough to be looked over.
+    ) -> tuple[Bools, Bools]:
+        """For each point whether it is in view, and whether it is so from near enough to be looked over.
 
         `half_angle` [rad]: half of the field of view. `beyond`: the wedges into the other rooms.
         """
@@ -222,7 +221,8 @@ class Scene:
         square = -x * x - y * y
         begin, end = heading - half_angle, heading + half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
-        varying = [-2 * x, -2 * y, -square, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, 2 * x, 2 * y, square]
+        near = (2 * x, 2 * y, square)
+        varying = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             varying += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
@@ -238,12 +238,8 @@ class Scene:
             first = RIGHTMOST
             np.logical_or(is_within[LEFTMOST], is_within[RIGHTMOST], out=is_within[RIGHTMOST])
         asked = is_within[first:] if has_one_way else [*is_within[first:RANGE], *self._through(is_within, beyond)]
-        seen = np.empty((2, self.features.shape[1]), dtype=np.bool_)
-        in_view, is_missed = seen
-        np.logical_and.reduce(asked, out=in_view)
-        np.less_equal(in_view, is_within[FARNESS], out=is_missed)  # of truths: in view only if too far
-        any_seen, any_missed = np.logical_or.reduceat(seen, self.starts, axis=1)
-        return in_view, any_seen, any_missed
+        in_view = np.logical_and.reduce(asked)
+        return in_view, is_within[NEARNESS] & in_view
 
     def _through(self, is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:
         """What must hold of a point in view, where more than one way leads into a room: any of its wedges will do."""
@@ -258,7 +254,7 @@ class Scene:
         questions = self._questions.get(ways)
         if questions is None:
             self._questions[ways] = questions = np.zeros((RANGE + 1 + 2 * len(ways), len(self.features)))
-            questions[FARNESS, NEAR], questions[RANGE, FAR] = -1.0, 1.0
+            questions[NEARNESS, NEAR] = questions[RANGE, FAR] = 1.0
             for wedge, room in enumerate(ways):
                 right = RANGE + 1 + 2 * wedge
                 questions[right : right + 2, ELSEWHERE + self.rooms.index(room) - 1] = 1.0

@@ -117,15 +117,15 @@ class Sensor:
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
         scene = self._scene_of((room, *dict.fromkeys([other for other, _ in beyond])))
         layout = scene.layout
-        in_view, seen, missed = scene.view(eye, world.robot_heading, self._half_angle, beyond)
+        in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
         visible = self.visible = np.zeros(len(self.visible), dtype=bool)
-        visible[scene.rows] = seen
+        visible[scene.rows] = seen = np.logical_or.reduceat(in_view, scene.starts)
         for segment, row in layout.twins:
             if seen[segment]:
                 visible[row] = True
         visible[-1] = True
         is_full = np.zeros(self._places, dtype=bool)
-        is_full[layout.holding_rows] = ~missed[layout.holding]
+        is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, scene.starts)[layout.holding]
         is_full &= self._is_open
         inspected = is_full
         for before in self._full_before:

@@ -116,7 +116,7 @@ def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
         rooms = (room, *dict.fromkeys(other for other, _ in beyond))
         two_ways += len(beyond) >= len(rooms)
         scene = Scene(samples, rooms, nobody * len(rooms), np.empty(0), np.empty((0, 2)))
-        in_view, *_ = scene.view(complex(x, y), heading, radians(100), beyond)
+        in_view, _ = scene.view(complex(x, y), heading, radians(100), beyond)
         for index, seen in enumerate(in_view):
             px, py = scene.features[[PLACE_X, PLACE_Y], index].tolist()
             if any(_off(jamb, (x, y), (px, py)) < 0.12 for jamb in jambs):
