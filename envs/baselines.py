@@ -119,11 +119,11 @@ class OraclePolicy(TreePolicy):
         refused = _refused(self._env.domain, self._env.truth())
         for step in refused:
             session.belief.failed(step, "broken")
-        for task in self.agent.grounded.tasks:  # of two lamps that may be meant, the one that can be switched on
-            for referent in task.objects if task.type == "change_state" and task.state == "on" else ():
-                able = tuple(n for n in referent.candidates if GroundAction("switch-on", (n,)) not in refused)
-                if able and not referent.is_all:
-                    session.bindings = {**session.bindings, referent: able}
+        switched = [t for t in self.agent.grounded.tasks if t.type == "change_state" and t.state == "on"]
+        for referent in (referent for task in switched for referent in task.objects if not referent.is_all):
+            able = tuple(n for n in referent.candidates if GroundAction("switch-on", (n,)) not in refused)
+            if able:  # of two lamps that may be meant, the one that can be switched on
+                session.bindings = {**session.bindings, referent: able}
 
 
 class RandomPolicy:

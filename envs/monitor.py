@@ -201,7 +201,7 @@ class Monitor:
         task = self.instruction.task(node.task)
         is_condition = isinstance(node, If)
         followers, is_settled = [], False
-        if self._is_false(task, reading, is_condition):
+        if self._is_beyond_hope(task, reading, is_condition):
             untold = replace(reading, untold=(*reading.untold, task.number))
             return None, [self._settle(untold, node, task.is_denied, reading.bindings)]
         evidence = self._evidence(reading)
@@ -214,9 +214,9 @@ class Monitor:
             is_settled |= outcome.is_final
         return (None if is_settled else reading), followers
 
-    def _is_false(self, task: GroundTask, reading: Reading, is_condition: bool) -> bool:
-        """Whether a condition fails for what the world is: what cannot be done, or is nowhere to be found (which is
-        what one that is denied asks for).
+    def _is_beyond_hope(self, task: GroundTask, reading: Reading, is_condition: bool) -> bool:
+        """Whether the world itself settles a condition: what cannot be done or is nowhere to be found is false, and
+        true where that is what it asks (`GroundTask.is_denied`).
 
         Whether something is in the house at all has an answer, no, as a plain step too.
         """

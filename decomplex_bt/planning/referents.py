@@ -103,7 +103,7 @@ class Referents:
         words = split_preposition(phrase.text, self._domain)[1]
         if is_pronoun and (before := self._named.get(words)) is not None and all(map(fits, before.candidates)):
             return before
-        if self._container is not None and phrase.noun in self._domain.lexicon.parts and len(words.split()) < 3:
+        if self._container is not None and self._is_bare_part(phrase, words):
             phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
         entities = tuple(name for name in phrase.entities if fits(name))
         is_plural = not entities
@@ -127,6 +127,11 @@ class Referents:
         referent = self._same(referent) if phrase.is_definite else self._first(referent)
         self._named[words] = referent
         return referent
+
+    def _is_bare_part(self, phrase: NounPhrase, words: str) -> bool:
+        """Whether it is of a door or lid and does not say of which ("the door", but not "the kitchen door")."""
+        lexicon = self._domain.lexicon
+        return phrase.noun in lexicon.parts and all(w in lexicon.determiners for w in words.split() if w != phrase.noun)
 
     def _first(self, referent: Referent) -> Referent:
         self._mentioned.setdefault(_key(referent), referent)

@@ -77,9 +77,9 @@ def train(
 
     `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder instead, on the
     voices of "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`;
-    an hour and a half on one core. The test voices are never read. Nothing is written unless all models were trained.
-    The same corpus and libraries give the same files. Raises `DataFileError`, and `TrainerMissingError` where the extra
-    `train` is not installed.
+    an hour and three quarters on one core. The test voices are never read. Nothing is written unless all models were
+    trained. The same corpus and libraries give the same files. Raises `DataFileError`, and `TrainerMissingError` where
+    the extra `train` is not installed.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
     corpus = corpus or loaded.folder / "corpus"

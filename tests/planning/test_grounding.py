@@ -327,6 +327,8 @@ def test_the_door_is_that_of_the_container_named_last() -> None:
     fridge = "[Open](1:change_state) [the fridge](1:object), "
     text = fridge + "[take](2:taking) out [the milk](2:object) and [close](3:change_state) [the door](3:object)."
     assert grounded(text, 3).tasks[2].objects[0].candidates == ("fridge",)
+    text = "[Open](1:change_state) [the fridge](1:object) and [close](2:change_state) [bathroom door](2:object)."
+    assert grounded(text, 2).tasks[1].objects[0].candidates == ("bathroom_door",)
     text = fridge + "[go](2:motion) [to the bedroom](2:goal) and [close](3:change_state) [the door](3:object)."
     assert grounded(text, 3).tasks[2].objects[0].candidates == ("bedroom_door",)
 

@@ -144,5 +144,5 @@ def test_copies_of_the_corpus_fit_their_texts(parser: Parser) -> None:
     assert len(copies) > len(pairs) / 3
     for copy in copies:
         check(copy)
-        assert len({copy.text for copy in copies}) == len(copies)
+    assert len({copy.text for copy in copies}) == len(copies)
     assert copies == recombined(pairs, np.random.default_rng(0))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,7 +41,7 @@ class Condition:
         """Whether its clause is not negated, so that "unless" may come before it."""
         return _NEGATED.search(self.clause.text) is None
 
-    def node(self, holds: Tree, fails: Tree = ()) -> dict[str, Any]:  # type: ignore[assignment]
+    def node(self, holds: Sequence[Any], fails: Sequence[Any] = ()) -> dict[str, Any]:
         """The node of the flow with these branches: where it holds as stated, and otherwise."""
         sides = {self.side: list(holds), "else" if self.side == "then" else "then": list(fails)}
         return {"if": self.test} | {side: branch for side, branch in sides.items() if branch}

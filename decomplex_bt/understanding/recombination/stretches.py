@@ -128,7 +128,7 @@ def composed(telling: Telling) -> Instruction | None:
 def leaves_of(tree: Tree) -> list[Any]:
     """The tasks of a tree, in order; those under `same` again."""
     found: list[Any] = []
-    _mapped(tree, lambda leaf: found.append(leaf) or leaf)  # type: ignore[func-returns-value]
+    _mapped(tree, found.append)
     return found
 
 
