@@ -41,6 +41,8 @@ THRESHOLD = 0.15
 """[m] So near to a room's border nobody stops: it would not be clear which room they are in."""
 ENTRY = 0.6
 """[m] So far off a free cell the robot may be to drive from there."""
+ENTRY_SLACK = 0.12
+"""[m] Free cells that much farther off than the nearest are as good for setting out."""
 _FIELDS_KEPT = 256
 _COUNTED = np.arange(2000, dtype=float)
 
@@ -263,13 +265,21 @@ class Floorplan:
         return free
 
     def _entry(self, start: Point, free: Mask, distance: NDArray) -> int | None:
-        """The cell at which a way from `start` begins: the nearest free one that leads to the goal, if near."""
+        """The cell at which a way from `start` begins: a free one that leads to the goal, if near.
+
+        Of those about as near as the nearest the one with the shortest way on: who stands a little too close to a wall
+        does not turn back to set out.
+        """
         rows, columns = window = self._window((*start, *start), ENTRY)
         off = np.hypot(self._x[columns] - start[0], self._y[rows, None] - start[1])
         shape = self.rows, self.columns
-        off[~(free.reshape(shape)[window] & np.isfinite(distance.reshape(shape)[window]))] = math.inf
+        left = distance.reshape(shape)[window]
+        off[~(free.reshape(shape)[window] & np.isfinite(left))] = math.inf
         if not off.size or off.min() > ENTRY:
             return None
+        nearest = off.min()
+        if nearest > RESOLUTION:
+            off = np.where(off <= nearest + ENTRY_SLACK, off + left, math.inf)
         row, column = divmod(int(off.argmin()), off.shape[1])
         return (row + rows.start) * self.columns + column + columns.start
 

@@ -108,7 +108,8 @@ def _cells_behind(body: HouseholdEmbodiment, person: str) -> Cells:
 
 
 def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Script:
-    """Goes where a person out of sight must be: on towards their goal, else to where they were last and beyond."""
+    """Goes where a person out of sight must be: on towards their goal, else to where they were last, then through the
+    doorways about, the nearest to there first."""
     senses, plan = body.senses, body.floorplan
     position = senses.position(person)
     if goal is not None and senses.room != goal:
@@ -116,9 +117,11 @@ def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Scrip
         return
     spots = [] if position is None else [plan.cells_around(*position, nearest=0.0, farthest=0.4, room=None)]
     if position is not None:
-        doorways = body.house.doorways
-        nearest = min(doorways, key=lambda name: (plan.distance_to(name, *position), name))
-        spots += [plan.cells_at(nearest, room=room) for room in doorways[nearest].rooms]
+        doorways, left_from = body.house.doorways, senses.room_of_person(person)
+        by_distance = sorted(doorways, key=lambda name: (plan.distance_to(name, *position), name))
+        spots += [plan.cells_at(by_distance[0], room=room) for room in doorways[by_distance[0]].rooms]
+        others = [name for name in by_distance[1:] if left_from in doorways[name].rooms]
+        spots += [plan.cells_at(name, room=room) for name in others for room in doorways[name].rooms if room != left_from]
     for spot in spots:
         if spot.size:
             yield from drive_to(body, spot, lambda: senses.is_seen(person), towards=person, besides=person)

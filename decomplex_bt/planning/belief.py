@@ -17,6 +17,10 @@ MAX_ATTEMPTS = 4
 """Failures of one step after which it is not tried again."""
 FINAL_REASONS = ("broken", "not possible", "not_possible")
 """Words in a step's reason of failure that make trying it again pointless."""
+GONE_REASONS = ("not there any more", "have lost")
+"""Words in a step's reason of failure that say that whoever it is about is not where they were."""
+STRAYED = 0.01
+"""How likely a person who has gone is in a room where they are not expected."""
 NEVER = -1
 ROBOT = "robot"
 
@@ -131,7 +135,13 @@ class Belief:
         self.revision += 1
 
     def failed(self, step: GroundAction, reason: str) -> None:
-        """Notes that a step failed; tried too often, or failed for good, it is in no later plan."""
+        """Notes that a step failed; tried too often, or failed for good, it is in no later plan.
+
+        Where a person is who was not found there is not known any more. (Of a thing, looks at its place tell.)
+        """
+        if any(word in reason for word in GONE_REASONS):
+            for person in self.domain.house.people.keys() & set(step.objects):
+                self._place.pop(person, None)
         self._attempts[step] += 1
         if self._attempts[step] >= MAX_ATTEMPTS or any(word in reason for word in FINAL_REASONS):
             self._blocked[step] = reason
@@ -222,14 +232,19 @@ class Belief:
         """Where a thing or person may be, with weights, likeliest first: where it is known to be, alone, or the prior's
         places that have not been inspected without finding it. Empty when nothing is left.
 
-        Of what was seen and is there no longer, somebody has moved it since: looks before that sight say nothing.
+        Of what was seen and is there no longer, somebody has moved it since: looks before that sight say nothing. A
+        person who was seen and has gone may be in any room.
         """
         known = self._place.get(name)
         if known is not None:
             place = self.domain.house.floor_of(known) if known in self.domain.house.rooms else known
             return ((place, 1.0),)
         seen = max(self.seen(name), 0)
-        return tuple(e for e in self.prior.places.get(name, ()) if self._inspected.get(e[0], NEVER) < seen)
+        places = self.prior.places.get(name, ())
+        if name in self.domain.house.people and self.seen(name) != NEVER:
+            expected = {place for place, _ in places}
+            places = (*places, *((floor, STRAYED) for floor in self._floors.values() if floor not in expected))
+        return tuple(e for e in places if self._inspected.get(e[0], NEVER) < seen)
 
     def blocked(self) -> Mapping[GroundAction, str]:
         """Steps that are not tried again, with the reason."""

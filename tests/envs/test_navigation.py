@@ -114,3 +114,11 @@ def test_a_robot_that_cannot_move_says_so():
 def test_no_way_is_a_problem_and_no_exception():
     course = Driver(plan(), np.empty(0, np.int32), LIMITS).steer(Pose(1.0, 4.6, 0.0))
     assert course.problem == "no way there"
+
+
+def test_who_stands_too_close_to_a_wall_does_not_turn_back_to_set_out():
+    # beside the bedroom's door, a little nearer to the wall than the plan's margin
+    start, door = (3.67, 3.64), plan().cells_at("bedroom_door", room="hallway")
+    assert not plan().free[plan().cells_around(*start, nearest=0.0, farthest=0.03, room=None)].size
+    way = plan().way(start, door)
+    assert way.points[0][0] < start[0] - 0.05

@@ -8,8 +8,10 @@ from decomplex_bt.behaviour.embodiment import SkillStatus
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.approach import SkillError, drive_to
+from decomplex_bt.envs.following import _look_for
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.looking import turn_round
 from decomplex_bt.planning.pddl import GroundAction
 
 DOMAIN = load_domain("household")
@@ -38,6 +40,12 @@ class Try:
             self.actions.append(tick.action)
             self.observation, *_ = self.env.step(tick.action)
         raise AssertionError(f"{step} did not end")
+
+    def run(self, script):
+        """Carries out a script to its end."""
+        for action in script:
+            self.observation, *_ = self.env.step(action)
+            self.body.perceive(self.observation)
 
     def go(self, place, room):
         """Drives to a place from wherever the robot is; doors stand open."""
@@ -186,6 +194,30 @@ def test_a_person_is_followed_to_a_room():
     assert t.do("follow anna study kitchen", max_steps=1500).status is SkillStatus.SUCCESS
     assert t.body.senses.room == "kitchen"
     assert t.body.senses.room_of_person("anna") == "kitchen"
+
+
+@pytest.mark.parametrize("room", ["bathroom", "study", "living_room"])
+def test_a_leader_who_has_gone_through_another_door_is_found_again(room):
+    t = attempt(people={"anna": "hallway", "tom": None, "guest": None, "relative": None})
+    t.go("hallway_floor", "hallway")
+    t.do("inspect hallway_floor")
+    t.do("move x anna hallway")
+    left, bottom, right, top = t.env.domain.house.rooms[room].rect
+    put(t, "anna", ((left + right) / 2, (bottom + top) / 2))
+    t.run(turn_round(t.body))
+    assert t.body.senses.room_of_person("anna") == "hallway"
+    t.run(_look_for(t.body, "anna", None))
+    assert t.body.senses.is_seen("anna")
+    assert t.body.senses.room_of_person("anna") == room
+
+
+def put(t, person, spot):
+    """Sets a person down somewhere else, as if they had walked there."""
+    world = t.env.world
+    row = world.geometry.row[person]
+    world.start_walking(row).position = spot
+    t.run([t.body.rest()])
+    world.stop_walking(row)
 
 
 def test_somebody_never_seen_is_nowhere_to_drive_to():

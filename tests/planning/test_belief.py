@@ -86,6 +86,22 @@ def test_steps_that_fail_too_often_or_for_good_are_blocked() -> None:
     assert set(belief.blocked()) == {pick, switch}
 
 
+def test_a_person_who_is_not_where_they_were_may_be_in_any_room_not_looked_into_since() -> None:
+    belief = look(Belief(DOMAIN), Percept(room="study", places={"anna": "hallway", "pen_1": "desk"}))
+    belief.failed(GroundAction("move", ("hallway_floor", "anna", "hallway")), "anna is not there any more")
+    belief.failed(GroundAction("pick", ("pen_1", "desk")), "the pen 1 is not there any more")
+    assert belief.place_of("anna") is None
+    assert belief.place_of("pen_1") == "desk"
+    assert {place for place, _ in belief.likely_places("anna")} == {f"{room}_floor" for room in DOMAIN.house.rooms}
+    look(belief, Percept(room="bathroom", inspected=frozenset({"bathroom_floor"})), times=2)
+    assert "bathroom_floor" not in dict(belief.likely_places("anna"))
+
+
+def test_a_person_never_seen_is_where_the_house_says() -> None:
+    belief = look(Belief(DOMAIN), EMPTY)
+    assert {place for place, _ in belief.likely_places("guest")} == {"living_room_floor", "kitchen_floor", "hallway_floor"}
+
+
 def test_giving_up_counts_for_the_task_that_did() -> None:
     belief = look(Belief(DOMAIN), EMPTY)
     goal = (Atom("inspected", ("desk",)),)
