@@ -43,7 +43,7 @@ class SensingConfig:
     range: float = 5.0
     inside_range: float = 2.0
     field_of_view: float = 200.0
-    every: int = 4
+    every: int = 5
     memory: float = 15.0
     looks: int = 2
 

@@ -7,7 +7,6 @@ from math import hypot
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.hands import interact
@@ -68,7 +67,7 @@ class Episode:
             start,
             config=config.world,
             noise=generators.noise,
-            whims=generators.whims,
+            whims=lambda: generators.whims.random(),
             stage=home.stage,
         )
         self.sensor = Sensor(self.world, config.sensing)
@@ -76,7 +75,7 @@ class Episode:
         self.sensor.look()
         self._judged_arrangement = self.world.arrangement
         self.verdict: Verdict = judge.begin(self.world, self.sensor)
-        self._meddler = self._make_meddler(options.meddling, generators.meddling)
+        self._meddler = self._make_meddler(options.meddling, generators)
         self._move: Move | None = None
         self._held_version = -1
         self._is_table_full = len(self.sensor.table) == self._rows
@@ -91,10 +90,12 @@ class Episode:
         if options.missed_detection is not None:
             self.sensor.missed_detection = options.missed_detection
 
-    def _make_meddler(self, rate: float, rng: Generator) -> Meddler | None:
+    def _make_meddler(self, rate: float, generators: Generators) -> Meddler | None:
         if rate == 0.0:
             return None
-        return Meddler(self.world, rng, rate=rate, mentioned=self.judge.mentioned, allows=self.judge.allows)
+        return Meddler(
+            self.world, generators.meddling, rate=rate, mentioned=self.judge.mentioned, allows=self.judge.allows
+        )
 
     # -- a step -------------------------------------------------------------------------------------------------------
 

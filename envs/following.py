@@ -121,7 +121,9 @@ def _look_for(body: HouseholdEmbodiment, person: str, goal: str | None) -> Scrip
         by_distance = sorted(doorways, key=lambda name: (plan.distance_to(name, *position), name))
         spots += [plan.cells_at(by_distance[0], room=room) for room in doorways[by_distance[0]].rooms]
         others = [name for name in by_distance[1:] if left_from in doorways[name].rooms]
-        spots += [plan.cells_at(name, room=room) for name in others for room in doorways[name].rooms if room != left_from]
+        spots += [
+            plan.cells_at(name, room=room) for name in others for room in doorways[name].rooms if room != left_from
+        ]
     for spot in spots:
         if spot.size:
             yield from drive_to(body, spot, lambda: senses.is_seen(person), towards=person, besides=person)

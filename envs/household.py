@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import gymnasium as gym
 import numpy as np
-from numpy.random import Generator
 
 from decomplex_bt.envs.config import HouseholdConfig
 from decomplex_bt.errors import InputError
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.home import Home
     from decomplex_bt.envs.judge import Judge
     from decomplex_bt.envs.options import Options, Request
+    from decomplex_bt.envs.randomness import Generators
     from decomplex_bt.envs.rendering.camera import Camera
     from decomplex_bt.envs.rendering.scene import Scene
     from decomplex_bt.envs.setting import Setting
@@ -79,7 +79,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
     temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs),
-    place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every fourth step, and in any step
+    place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every fifth step, and in any step
     in which something was changed; between looks the table stays. A floor counts as inspected when
     each part of it was in view within the last 15 s; things seen on it in that time are then reported where they were.
 
@@ -423,7 +423,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         generators = draw_generators(self.np_random)
         if options.request is not None:
             self._request, self._judge = options.request, None
-        request, judge = self._ask(replayed or self._request, generators.asking)
+        request, judge = self._ask(replayed or self._request, generators)
         start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
         self._settle_in(before)
         if self._episode is not None:
@@ -436,12 +436,12 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._film()
         return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
 
-    def _ask(self, request: Request | None, rng: Generator) -> tuple[Request, Judge]:
+    def _ask(self, request: Request | None, generators: Generators) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
         from decomplex_bt.envs.opening import draw_asked, judge_for
 
         if request is None:
-            return draw_asked(self._home.base, self.domain, rng)
+            return draw_asked(self._home.base, self.domain, generators.asking)
         if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
             return request, judge_for(request, self.domain)
         if self._judge is None:

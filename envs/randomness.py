@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.random import PCG64, Generator
@@ -11,19 +12,8 @@ from numpy.typing import NDArray
 
 WORDS = 4
 """Of 64 bits, that a PCG64 begins with: two for its state, two for its increment."""
-
-
-class Generators(NamedTuple):
-    """`base`: how the world begins. `mixing`: what the balance and the options change of it. `asking`: which
-    instruction. `noise`: slips and misses. `whims`: where people go who may go wherever they like. `meddling`: what
-    somebody else moves."""
-
-    base: Generator
-    mixing: Generator
-    asking: Generator
-    noise: Generator
-    whims: Generator
-    meddling: Generator
+COUNT = 6
+"""Of generators."""
 
 
 class _Words(ISeedSequence):
@@ -37,11 +27,33 @@ class _Words(ISeedSequence):
         return self._words
 
 
+def _generator(number: int) -> cached_property[Generator]:
+    """The generator of this number, as an attribute."""
+
+    def make(generators: Generators) -> Generator:
+        # numpy takes any ISeedSequence, which its type stubs do not know
+        return Generator(PCG64(_Words(generators._words[number])))  # type: ignore[arg-type]
+
+    return cached_property(make)
+
+
+class Generators:
+    """`base`: how the world begins. `mixing`: what the balance and the options change of it. `asking`: which
+    instruction. `noise`: slips and misses. `whims`: where people go who may go wherever they like. `meddling`: what
+    somebody else moves. Each is made when it is first asked for: most episodes need three."""
+
+    def __init__(self, words: NDArray[np.uint64]) -> None:
+        self._words = words
+
+    base = _generator(0)
+    mixing = _generator(1)
+    asking = _generator(2)
+    noise = _generator(3)
+    whims = _generator(4)
+    meddling = _generator(5)
+
+
 def draw_generators(rng: Generator) -> Generators:
     """Those of the next episode of an environment, whose own generator `rng` is."""
-    count = len(Generators._fields)
-    words = rng.bit_generator.random_raw(count * WORDS).reshape(
-        count, WORDS
-    )  # what `integers` gives, six times as fast
-    # numpy takes any ISeedSequence, which its type stubs do not know
-    return Generators(*(Generator(PCG64(_Words(row))) for row in words))  # type: ignore[arg-type]
+    # what `integers` gives, six times as fast
+    return Generators(rng.bit_generator.random_raw(COUNT * WORDS).reshape(COUNT, WORDS))

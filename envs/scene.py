@@ -1,8 +1,8 @@
 """The scene: points that stand for what is in the rooms in sight, and which of them can be seen from where.
 
-Everything is asked of all points at once, as the signs of one product of matrices: being within a distance, in the
-field of view, or in the wedge that a doorway leaves, is linear in the features of a point (its coordinates, the squared
-distances from which it can be seen and looked over less its own from the origin, and which room it is not in).
+Everything is asked of all points at once: being within a distance, in the field of view, or in the wedge that a doorway
+leaves, is a linear function of where a point is that is not below a threshold. The thresholds take in what does not
+change with where the eye is: from how far a point can be seen and looked over, and in which room it is.
 """
 
 from __future__ import annotations
@@ -25,14 +25,11 @@ NEVER = -1e6  # [m²] in place of a squared distance: not even from right there
 ANYWAY = 1e6  # what lies elsewhere is in a wedge by, or nearly by, twice the area of a triangle in the house [m²]
 SLACK = -1e-9
 """What counts as not negative: what the robot carries lies at its very eye, on the border of everything."""
-PLACE_X, PLACE_Y, ONE, NEAR, FAR, ELSEWHERE = range(6)
-"""The features of a point: x, y, one; from how far it can be looked over and seen, both squared and less its squared
-distance from the origin; and from `ELSEWHERE` on, one for each room but the first of a scene, whether it lies in
-another."""
-NEARNESS, LEFTMOST, RIGHTMOST, RANGE = range(4)
+PLACE_X, PLACE_Y, ONE = range(3)
+"""The coordinates of a point."""
+NEARNESS, LEFTMOST, RIGHTMOST, RANGE, WEDGES = range(5)
 """What is asked of each point: near enough to be looked over, not left or right of the field of view, within range;
 then, for each wedge, not right and not left of it. What lies in another room is in each wedge, as far as asked."""
-VARYING = slice(PLACE_X, ONE + 1)  # the features whose part in a question changes with where the eye is
 MOST_LAYOUTS = 256
 """Layouts kept at once, for each house."""
 
@@ -41,20 +38,23 @@ Floats = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 
-class RoomSamples(NamedTuple):
-    """The points of the fixed places of one room. `features` `(5, n)`; segment `i` is the place `rows[i]`, its points
-    begin at `starts[i]`. `holding`: the segments of what can be looked over. `floor`: the points of the floor. `doors`:
-    of each segment that is a door it and its row, and the room that it leads to. `size`, `width`: how many points and
-    segments."""
+class Block(NamedTuple):
+    """Some places of one room: `rows`, the number of points of each (`sizes`), and of each point `points` `(3, n)`,
+    `near` and `far`, the squares of the distances from which it can be looked over and seen [m²]."""
 
-    features: Floats
     rows: Rows
-    starts: Rows
-    holding: Rows
-    floor: slice
+    sizes: Rows
+    points: Floats
+    near: Floats
+    far: Floats
+
+
+class RoomSamples(NamedTuple):
+    """The points of the fixed places of one room: of what nothing lies on or in, of what something may, of the floor.
+    `doors`: of each of the first that is a door its number there and its row, and the room that it leads to."""
+
+    blocks: tuple[Block, Block, Block]
     doors: tuple[tuple[int, int, int], ...]
-    size: int
-    width: int
 
 
 class Samples:
@@ -85,48 +85,60 @@ class Samples:
             self._lay_out(room, segments, np.array(full), leads) for room, segments in enumerate(of_room)
         )
         self._layouts: dict[tuple[int, ...], Layout] = {}
-        sizes = [room.floor.stop - room.floor.start for room in self.rooms]
+        sizes = [room.blocks[-1].points.shape[1] for room in self.rooms]
         self.floor_starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
         self.floor_count = sum(sizes)
-        self.numbers = np.arange(sum(room.features.shape[1] for room in self.rooms) + len(geometry.names))
+        most = sum(block.points.shape[1] for room in self.rooms for block in room.blocks)
+        self.numbers = np.arange(most + len(geometry.names))
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
         ]
 
-    def layout(self, rooms: tuple[int, ...]) -> Layout:
-        """The fixed places of these rooms."""
-        layout = self._layouts.get(rooms)
+    def layout(self, ways: tuple[int, ...]) -> Layout:
+        """The fixed places in sight from a room, the first of `ways`, with wedges into the others."""
+        layout = self._layouts.get(ways)
         if layout is None:
             if len(self._layouts) >= MOST_LAYOUTS:
                 self._layouts.clear()
-            self._layouts[rooms] = layout = self._together(rooms)
+            self._layouts[ways] = layout = self._together(ways)
         return layout
 
-    def _together(self, rooms: tuple[int, ...]) -> Layout:
-        of_rooms = [self.rooms[room] for room in rooms]
-        points = np.cumsum([0, *(room.size for room in of_rooms)]).tolist()
-        segments = np.cumsum([0, *(room.width for room in of_rooms)]).tolist()
-        elsewhere = np.full((len(rooms) - 1, points[-1]), ANYWAY)
-        twins: list[tuple[int, int]] = []
-        floor_points, floor_numbers = [], []
-        for index, (room, of_room) in enumerate(zip(rooms, of_rooms, strict=True)):
-            if index:
-                elsewhere[index - 1, points[index] : points[index + 1]] = 0.0
-            later = rooms[index + 1 :]
-            twins += [(segments[index] + segment, row) for segment, row, to in of_room.doors if to in later]
-            floor_points.append(self.numbers[of_room.floor] + points[index])
-            floor_numbers.append(self.numbers[self.floors[room]])
-        rows = np.concatenate([room.rows for room in of_rooms])
-        holding = np.concatenate([room.holding + first for room, first in zip(of_rooms, segments, strict=False)])
+    def _together(self, ways: tuple[int, ...]) -> Layout:
+        rooms = tuple(dict.fromkeys(ways))
+        kinds = list(zip(*(self.rooms[room].blocks for room in rooms), strict=True))
+        blocks = [block for kind in kinds for block in kind]
+        sizes = np.concatenate([block.sizes for block in blocks])
+        rows = np.concatenate([block.rows for block in blocks])
+        starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
+        first_holding, first_floor = (
+            sum(len(block.rows) for kind in kinds[:count] for block in kind) for count in (1, 2)
+        )
+        room_of = np.repeat(rooms * len(kinds), [block.points.shape[1] for block in blocks])
+        thresholds = np.full((WEDGES + 2 * (len(ways) - 1), len(room_of)), SLACK)
+        thresholds[NEARNESS] -= np.concatenate([block.near for block in blocks])
+        thresholds[RANGE] -= np.concatenate([block.far for block in blocks])
+        for wedge, room in enumerate(ways[1:]):
+            right = WEDGES + 2 * wedge
+            thresholds[right : right + 2] -= np.where(room_of == room, 0.0, ANYWAY)
+        before = np.cumsum([0, *(len(block.rows) for block in kinds[0])]).tolist()
         return Layout(
-            features=np.vstack((np.hstack([room.features for room in of_rooms]), elsewhere)),
+            rooms=rooms,
+            wedge_rooms=np.repeat(np.array(ways[1:], dtype=np.int64), 2)[:, None],
+            points=np.hstack([block.points for block in blocks]),
+            thresholds=thresholds,
             rows=rows,
-            starts=np.concatenate([room.starts + first for room, first in zip(of_rooms, points, strict=False)]),
-            twins=twins,
-            holding=holding,
-            holding_rows=rows[holding],
-            floor_points=np.concatenate(floor_points),
-            floor_numbers=np.concatenate(floor_numbers),
+            starts=starts,
+            twins=[
+                (before[index] + number, row)
+                for index, room in enumerate(rooms)
+                for number, row, to in self.rooms[room].doors
+                if to in rooms[index + 1 :]
+            ],
+            holding_rows=rows[first_holding:],
+            holding_starts=starts[first_holding:] - starts[first_holding],
+            holding_points=slice(int(starts[first_holding]), len(room_of)),
+            floor_points=slice(int(starts[first_floor]), len(room_of)),
+            floor_numbers=np.concatenate([self.numbers[self.floors[room]] for room in rooms]),
         )
 
     def _lay_out(
@@ -136,100 +148,100 @@ class Samples:
         full: Floats,
         leads: Mapping[int, Sequence[int]],
     ) -> RoomSamples:
-        rows = np.array([place for place, _ in segments])
-        counts = [len(points) for _, points in segments]
-        starts = np.concatenate(([0], np.cumsum(counts)[:-1])).astype(np.int64)
-        features = _features(np.array([point for _, points in segments for point in points]))
-        features[FAR] += self.reach**2
-        features[NEAR] += np.repeat(full[rows], counts)
-        floor = int(np.flatnonzero(self.is_floor[rows])[0])
+        def block(segments: Sequence[tuple[int, list[tuple[float, float]]]]) -> Block:
+            rows = np.array([place for place, _ in segments], dtype=np.int64)
+            sizes = np.array([len(points) for _, points in segments], dtype=np.int64)
+            points = np.ones((3, int(sizes.sum())))
+            points[: PLACE_Y + 1] = np.array([point for _, points in segments for point in points]).reshape(-1, 2).T
+            square = points[PLACE_X] ** 2 + points[PLACE_Y] ** 2
+            return Block(rows, sizes, points, np.repeat(full[rows], sizes) - square, self.reach**2 - square)
+
+        bare = [segment for segment in segments if full[segment[0]] < 0]
+        doors = [(number, row) for number, (row, _) in enumerate(bare) if row in leads]
         return RoomSamples(
-            features=features,
-            rows=rows,
-            starts=starts,
-            holding=np.flatnonzero(full[rows] > 0),
-            floor=slice(int(starts[floor]), int(starts[floor]) + counts[floor]),
-            doors=tuple(
-                (segment, row, sum(leads[row]) - room) for segment, (row, _) in enumerate(segments) if row in leads
+            blocks=(
+                block(bare),
+                block([s for s in segments if full[s[0]] >= 0 and not self.is_floor[s[0]]]),
+                block([segment for segment in segments if self.is_floor[segment[0]]]),
             ),
-            size=sum(counts),
-            width=len(rows),
+            doors=tuple((number, row, sum(leads[row]) - room) for number, row in doors),
         )
 
 
 class Layout(NamedTuple):
-    """The fixed places of some rooms, the robot's own first. `features` `(5 + rooms - 1, n)`. Segment `i` is the entity
-    `rows[i]`, its points begin at `starts[i]`. `twins`: segments of what stands in two of the rooms, a door, besides
-    its last one, with its row. `holding`: the segments of what can be looked over, `holding_rows` their rows.
-    `floor_points`: which points are a floor's, `floor_numbers`: which of all floors' points they are."""
+    """The fixed places of some rooms, the robot's own first. `wedge_rooms` `(2 * wedges, 1)`: of each edge of a wedge
+    the room it leads into. `points` `(3, n)`. Segment `i` is the entity `rows[i]`,
+    its points begin at `starts[i]`. `thresholds`: of each question and each point what the answer must not be below.
+    `twins`: segments of what stands in two of the rooms, a door, besides its last one, with its row. `holding_rows`:
+    of what can be looked over; it has the `holding_points`, among which each begins at `holding_starts`.
+    `floor_points`: those of floors, `floor_numbers`: which of all floors' points they are."""
 
-    features: Floats
+    rooms: tuple[int, ...]
+    wedge_rooms: Rows
+    points: Floats
+    thresholds: Floats
     rows: Rows
     starts: Rows
     twins: list[tuple[int, int]]
-    holding: Rows
     holding_rows: Rows
-    floor_points: Rows
+    holding_starts: Rows
+    holding_points: slice
+    floor_points: slice
     floor_numbers: Rows
 
 
 class Scene:
-    """What is in some rooms, the first of which is the robot's: fixed places, then the things and people there now.
+    """What is in the rooms in sight: fixed places, then the things and people there now.
 
-    `layout` has the fixed ones; `rows`, `starts` and `features` go on with the things and people, a point each. They
-    are handed over for each room (`movable`, their rows), with the squares of the distances from which each can be
-    seen. `moved_at` is the caller's note of when they were brought in line last.
+    `ways`: the robot's room, then the rooms that wedges lead into, one twice where two do. `layout` has the fixed
+    places; `rows`, `starts` and `points` go on with the things and people (`movable`, their rows), a point each, in
+    `room` of each; `limits` are the distances from which each can be seen [m]. `moved_at` is the caller's note of when
+    they were brought in line last.
     """
 
     def __init__(
-        self, samples: Samples, rooms: tuple[int, ...], movable: Sequence[Rows], limits: Floats, position: Floats
+        self, samples: Samples, ways: tuple[int, ...], movable: Rows, room: Rows, limits: Floats, position: Floats
     ) -> None:
-        self.rooms = rooms
         self.moved_at = -1
-        self.layout = layout = samples.layout(rooms)
-        self.movable = np.concatenate(movable)
-        self.rows = np.concatenate((layout.rows, self.movable))
-        fixed, moving = layout.features.shape[1], len(self.movable)
-        self.starts = np.concatenate((layout.starts, samples.numbers[fixed : fixed + moving]))
-        self.features = features = np.empty((len(layout.features), fixed + moving))
-        features[:, :fixed] = layout.features
-        self._points = features[:, fixed:]
-        self._points[ONE], self._points[NEAR], self._points[ELSEWHERE:] = 1.0, NEVER, ANYWAY
-        begin = len(movable[0])
-        for index, of_room in enumerate(movable[1:]):
-            self._points[ELSEWHERE + index, begin : begin + len(of_room)] = 0.0
-            begin += len(of_room)
-        self._limits = limits
-        self._questions: dict[tuple[int, ...], Floats] = {}
-        self._by_room = self._ask(rooms[1:])
+        self.layout = layout = samples.layout(ways)
+        self.movable, self._limits = movable, SLACK - limits * limits
+        self.rows = np.concatenate((layout.rows, movable))
+        fixed = layout.points.shape[1]
+        count = fixed + len(movable)
+        self.starts = np.concatenate((layout.starts, samples.numbers[fixed:count]))
+        self.points = np.empty((3, count))
+        self.points[:, :fixed] = layout.points
+        self.points[ONE, fixed:] = 1.0
+        self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
+        thresholds[:, :fixed] = layout.thresholds
+        thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
+        np.copyto(thresholds[WEDGES:, fixed:], np.where(layout.wedge_rooms == room, SLACK, SLACK - ANYWAY))
+        self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
+        self._is_one_way = len(ways) == len(layout.rooms)
         self.move(position)
 
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
         if self.movable.size:
-            x, y = self._points[PLACE_X : PLACE_Y + 1] = position[self.movable].T
-            np.subtract(self._limits, x * x + y * y, out=self._points[FAR])
+            self._moving[...] = at = position[self.movable].T
+            np.add(self._limits, (at * at).sum(axis=0), out=self._ranges)
 
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
     ) -> tuple[Bools, Bools]:
-        """For each point whether it is in view, and whether it is so from near enough to be looked over.
+        """For each point whether it is in view; of those that can be looked over, also whether from near enough.
 
         `half_angle` [rad]: half of the field of view. `beyond`: the wedges into the other rooms.
         """
         x, y = eye.real, eye.imag
-        square = -x * x - y * y
         begin, end = heading - half_angle, heading + half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
-        near = (2 * x, 2 * y, square)
-        varying = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
+        near = (2 * x, 2 * y, -x * x - y * y)
+        asked = [near, (-ry, rx, ry * x - rx * y), (ly, -lx, lx * y - ly * x), near]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
-            varying += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
-        has_one_way = len(beyond) == len(self.rooms) - 1
-        questions = self._by_room if has_one_way else self._ask(tuple([room for room, _ in beyond]))
-        questions[:, VARYING] = np.array(varying).reshape(-1, 3)
-        is_within = np.dot(questions, self.features) >= SLACK
+            asked += (-ry, rx, ry * x - rx * y), (ly, -lx, lx * y - ly * x)
+        is_within = np.dot(np.array(asked), self.points) >= self._thresholds
         if half_angle >= pi:
             first = RANGE
         elif half_angle < pi / 2:
@@ -237,43 +249,27 @@ class Scene:
         else:
             first = RIGHTMOST
             np.logical_or(is_within[LEFTMOST], is_within[RIGHTMOST], out=is_within[RIGHTMOST])
-        asked = is_within[first:] if has_one_way else [*is_within[first:RANGE], *self._through(is_within, beyond)]
-        in_view = np.logical_and.reduce(asked)
-        return in_view, is_within[NEARNESS] & in_view
+        through = (
+            is_within[first:] if self._is_one_way else [*is_within[first:WEDGES], *self._through(is_within, beyond)]
+        )
+        in_view = np.logical_and.reduce(through)
+        holding = self.layout.holding_points
+        return in_view, is_within[NEARNESS, holding] & in_view[holding]
 
-    def _through(self, is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:
+    @staticmethod
+    def _through(is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:
         """What must hold of a point in view, where more than one way leads into a room: any of its wedges will do."""
         ways: dict[int, list[Bools]] = {}
         for wedge, (room, _) in enumerate(beyond):
-            right = RANGE + 1 + 2 * wedge
+            right = WEDGES + 2 * wedge
             ways.setdefault(room, []).append(is_within[right] & is_within[right + 1])
-        return [is_within[RANGE], *(np.logical_or.reduce(through) for through in ways.values())]
-
-    def _ask(self, ways: tuple[int, ...]) -> Floats:
-        """What is asked of each point with wedges into these rooms: `(4 + 2 * ways, features)`, to be filled in."""
-        questions = self._questions.get(ways)
-        if questions is None:
-            self._questions[ways] = questions = np.zeros((RANGE + 1 + 2 * len(ways), len(self.features)))
-            questions[NEARNESS, NEAR] = questions[RANGE, FAR] = 1.0
-            for wedge, room in enumerate(ways):
-                right = RANGE + 1 + 2 * wedge
-                questions[right : right + 2, ELSEWHERE + self.rooms.index(room) - 1] = 1.0
-        return questions
+        return [np.logical_or.reduce(through) for through in ways.values()]
 
 
 @lru_cache(maxsize=8)
 def samples_of(geometry: Geometry, reach: float, inside_reach: float) -> Samples:
     """The samples of a house, for one who sees so far; shared by all episodes in it."""
     return Samples(geometry, reach, inside_reach)
-
-
-def _features(points: Floats) -> Floats:
-    """`(5, n)`, of `(n, 2)` points; the limits are still to be added."""
-    features = np.zeros((ELSEWHERE, len(points)))
-    x, y = features[PLACE_X : PLACE_Y + 1] = points.T
-    features[ONE] = 1.0
-    features[NEAR] = features[FAR] = -(x * x + y * y)
-    return features
 
 
 def _points(geometry: Geometry, place: int) -> Iterator[tuple[int, list[tuple[float, float]]]]:

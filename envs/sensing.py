@@ -56,6 +56,7 @@ class Sensor:
         self._version = self._arrangement = self._stirs = -1
         self._looked_at = -config.every
         self._scenes: dict[tuple[int, ...], Scene] = {}
+        self._rooms = np.empty(0, dtype=np.int64)
         self._shown = b""
         self.table = self._known
         self.visible = np.zeros(len(geometry.names), dtype=bool)
@@ -70,7 +71,7 @@ class Sensor:
         if is_changed:
             self._take_changes()
         if is_changed or world.arrangement != self._arrangement:
-            self._note_seeable()
+            self._note_seeable(is_changed)
             self._shown = b""
         is_stirred = world.stirs != self._stirs
         self._version, self._arrangement, self._stirs = world.version, world.arrangement, world.stirs
@@ -96,12 +97,16 @@ class Sensor:
         self._floors_at = at[self._on_floors]
         self._elsewhere = (~is_on_floor).nonzero()[0] + self._places
 
-    def _note_seeable(self) -> None:
-        """Notes which things and people can be seen at all, and the rooms they are in."""
+    def _note_seeable(self, is_changed: bool) -> None:
+        """Notes which things and people can be seen at all, and the rooms they are in.
+
+        Where only the robot has come into another room, the scenes stay as they are.
+        """
         world, user = self.world, self.world.geometry.user_row
         self._seeable = (self._limit >= 0).nonzero()[0] + self._places
-        self._rooms = world.room[self._seeable]
-        self._scenes.clear()
+        before, self._rooms = self._rooms, world.room[self._seeable]
+        if is_changed or not np.array_equal(self._rooms, before):
+            self._scenes.clear()
         position = world.position
         # What lies on a floor may be reported where it was seen last, everything else only where it is.
         self._truth[self._elsewhere, X : Y + 1] = position[self._elsewhere]
@@ -115,7 +120,7 @@ class Sensor:
         world, now = self.world, self.world.seconds
         eye, room = complex(*world.robot), world.robot_room
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
-        scene = self._scene_of((room, *dict.fromkeys([other for other, _ in beyond])))
+        scene = self._scene_of((room, *[other for other, _ in beyond]))
         layout = scene.layout
         in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
         visible = self.visible = np.zeros(len(self.visible), dtype=bool)
@@ -125,7 +130,7 @@ class Sensor:
                 visible[row] = True
         visible[-1] = True
         is_full = np.zeros(self._places, dtype=bool)
-        is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, scene.starts)[layout.holding]
+        is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, layout.holding_starts)
         is_full &= self._is_open
         inspected = is_full
         for before in self._full_before:
@@ -136,15 +141,24 @@ class Sensor:
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
         np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
 
-    def _scene_of(self, rooms: tuple[int, ...]) -> Scene:
-        """The scene of these rooms, the robot's own first, with everything where it is now."""
-        scene = self._scenes.get(rooms)
+    def _scene_of(self, ways: tuple[int, ...]) -> Scene:
+        """The scene of the robot's room and those that wedges lead into, with everything where it is now."""
+        scene = self._scenes.get(ways)
         if scene is None:
             if len(self._scenes) >= MOST_SCENES:
                 self._scenes.clear()
-            movable = [self._seeable[self._rooms == room] for room in rooms]
-            limits = self._limit[np.concatenate(movable) - self._places] ** 2
-            self._scenes[rooms] = scene = Scene(self._samples, rooms, movable, limits, self.world.position)
+            is_in_sight = np.zeros(len(self.world.geometry.rooms), dtype=np.bool_)
+            is_in_sight[list(ways)] = True
+            here = is_in_sight[self._rooms].nonzero()[0]
+            movable = self._seeable[here]
+            self._scenes[ways] = scene = Scene(
+                self._samples,
+                ways,
+                movable,
+                self._rooms[here],
+                self._limit[movable - self._places],
+                self.world.position,
+            )
             scene.moved_at = self._stirs
         if scene.moved_at != self._stirs:
             scene.moved_at = self._stirs

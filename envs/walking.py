@@ -65,7 +65,7 @@ def ask_to_lead(world: World, goal: int) -> Lead:
     person = min(near, key=lambda row: hypot(world.position[row, 0] - x, world.position[row, 1] - y))
     if goal == geometry.robot_row:
         others = [room for room in range(len(geometry.rooms)) if room != world.room[person]]
-        goal = int(geometry.floor_row[others[int(world.whims.random() * len(others))]]) if others else goal
+        goal = int(geometry.floor_row[others[int(world.whims() * len(others))]]) if others else goal
     if goal >= geometry.place_count:
         return Lead(Result.NOT_POSSIBLE, person)
     if _is_there(world, person, goal):

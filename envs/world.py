@@ -5,7 +5,7 @@ SI units; world frame with the origin bottom left; headings in radians, counter-
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from math import cos, pi, sin
@@ -61,7 +61,8 @@ class World:
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
     changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
     `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
-    that are closed. `noise` is for slips and misses, `whims` for where people go who may go wherever they like.
+    that are closed. `noise` is for slips and misses, `whims` gives numbers in [0, 1) for
+    where people go who may go wherever they like.
     `stage`: the fixed shapes to use, which leave the world they were in before; None: this world gets its own.
     """
 
@@ -76,7 +77,7 @@ class World:
         *,
         config: WorldConfig,
         noise: Generator,
-        whims: Generator,
+        whims: Callable[[], float],
         stage: Stage | None = None,
     ) -> None:
         self.geometry, self.prior, self.spots, self.config = geometry, prior, spots, config

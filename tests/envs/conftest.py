@@ -68,7 +68,7 @@ def trial() -> Callable[..., Trial]:
             draw.start,
             config=WorldConfig(),
             noise=rng,
-            whims=rng,
+            whims=rng.random,
         )
         world.grasp_slip = 0.0
         sensor = Sensor(world, SensingConfig())

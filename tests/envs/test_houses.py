@@ -49,7 +49,7 @@ def truth_of(domain, seed=0):
         draw.start,
         config=WorldConfig(),
         noise=rng,
-        whims=rng,
+        whims=rng.random,
     )
     return WorldTruth(world, Sensor(world, SensingConfig()))
 

@@ -106,7 +106,7 @@ def test_a_missed_detection_is_made_up_for_by_the_next_look(trial):
     t = trial(at=(2.2, 6.2), facing=(2.2, 9.0), placement={"apple": "kitchen_table"})
     t.sensor.missed_detection = 1.0
     t.sensor._tracked[:] = False
-    t.drive(0.0, steps=4)
+    t.drive(0.0, steps=SensingConfig().every)
     assert not t.sees("apple")
     t.sensor.missed_detection = 0.5
     t.drive(0.0, steps=60)

@@ -99,7 +99,11 @@ def test_a_person_who_is_not_where_they_were_may_be_in_any_room_not_looked_into_
 
 def test_a_person_never_seen_is_where_the_house_says() -> None:
     belief = look(Belief(DOMAIN), EMPTY)
-    assert {place for place, _ in belief.likely_places("guest")} == {"living_room_floor", "kitchen_floor", "hallway_floor"}
+    assert {place for place, _ in belief.likely_places("guest")} == {
+        "living_room_floor",
+        "kitchen_floor",
+        "hallway_floor",
+    }
 
 
 def test_giving_up_counts_for_the_task_that_did() -> None:
