@@ -237,11 +237,11 @@ class Scene:
         begin, end = heading - half_angle, heading + half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
         near = (2 * x, 2 * y, -x * x - y * y)
-        asked = [near, (-ry, rx, ry * x - rx * y), (ly, -lx, lx * y - ly * x), near]
+        asked = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
-            asked += (-ry, rx, ry * x - rx * y), (ly, -lx, lx * y - ly * x)
-        is_within = np.dot(np.array(asked), self.points) >= self._thresholds
+            asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
+        is_within = np.array(asked).reshape(-1, 3).dot(self.points) >= self._thresholds
         if half_angle >= pi:
             first = RANGE
         elif half_angle < pi / 2:

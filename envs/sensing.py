@@ -199,7 +199,9 @@ class Sensor:
         if is_stirred or shown != self._shown:
             self.table = np.where(self.visible[:, None], truth, self._known)
         self.table[: self._places, INSPECTED] = self.inspected
-        self.table[-1, X : HEADING + 1] = *world.robot, world.robot_heading
+        robot = self.table[-1]
+        robot[X], robot[Y] = world.robot
+        robot[HEADING] = world.robot_heading
 
 
 @lru_cache(maxsize=8)
