@@ -151,6 +151,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     for candidate in context.pool:
         if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
             continue
+        if gap.word in _ELSEWHERE and _is_absent(context, gap, candidate):
+            continue
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
@@ -171,7 +173,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
             contrast = f"{own}.{_modifier(context.observed, _named(candidate))}" if gap.tokens else ""
-            for text, way in spellings(document, gap, candidate):
+            for text, way in _worded(context.observed, gap, candidate, contrast):
                 more = (
                     f"way:{way}.{gap.form}",
                     f"way:{way}.{word}.{determiner}",
@@ -184,6 +186,33 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     return options
 
 
+def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what there is none of where the gap's task is done: "if there is no steam, turn it off".
+    It may still be looked for."""
+    before = candidate.tokens.start - 1
+    if before < 0 or context.observed.document.tokens[before].lower != "no" or gap.task.type == "searching":
+        return False
+    return context.relation(candidate.owner, gap.task.id).startswith("condition.else")
+
+
+def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -> Iterator[tuple[str, str]]:
+    """The spellings of a candidate for a gap, none of which says what the gap's words rule out: "another" is not the
+    thing itself, and "the black one" no grey hoodie."""
+    tokens = observed.document.tokens
+    worded = list(spellings(observed.document, gap, candidate))
+    certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
+    if gap.word == "another" and certain:
+        yield from ((worded[0][0] if way == "same" else text, way) for text, way in worded)
+        return
+    colour = tokens[candidate.head - 1] if contrast == "colour.colour" else None
+    if colour is None or colour.lower == tokens[gap.tokens.stop - 2].lower:
+        yield from worded
+        return
+    noun = next((text for text, way in worded if way == "modified.head"), worded[0][0])
+    yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
+
+
+_CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _TOGETHER = frozenset("both them they those these either".split())

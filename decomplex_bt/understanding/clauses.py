@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from decomplex_bt.understanding.arcs import Wording
 from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS
+from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.phrases import head_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +28,8 @@ class Clause:
     `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there to
     the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
     `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
-    is a pronoun.
+    is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
+    whether it asks for nothing but where something is.
     """
 
     task: MarkedTask
@@ -41,9 +44,27 @@ class Clause:
     objects: tuple[str, ...]
     nouns: frozenset[str]
     has_pronoun: bool
+    number: str = ""
+    asks_where: bool = False
+
+    def is_of_another(self, first: Clause) -> bool:
+        """Whether its words say that it is no mention of an earlier condition: it tests a state, and that of many
+        things where the other is about one (or the other way round), or of what the other asks the place of."""
+        own = {kind for kind, _ in self.task.arguments}
+        if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
+            return False
+        if self.wording.state in _PRESENT or set(self.objects) & set(first.objects):
+            return False
+        is_of_others = bool(self.number and first.number) and self.number != first.number
+        return is_of_others or (first.asks_where and "location" not in own)
 
 
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
+_NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
+_BEING = frozenset(("be", "'s", "'re", "s"))
+_JOINING = frozenset(("and", "or", "of", "&"))
+_PRESENT = frozenset("gone up empty out missing in away clear here there home back left".split())
+"""States that tell whether somebody or something is where they were looked for."""
 _REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
 
 
@@ -109,7 +130,25 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         has_pronoun=any(
             document.tokens[indices[-1]].lower in _REFERRING for _, indices in tasks[k].arguments if len(indices)
         ),
+        number=next((_number(document, indices) for kind, indices in tasks[k].arguments if kind == "object"), ""),
+        asks_where=_asks_where(document, tasks[k], behind),
     )
+
+
+def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> bool:
+    kinds = {kind for kind, _ in task.arguments}
+    is_asked = document.tokens[task.token].lemma in _BEING or not {"whether", "if"}.isdisjoint(behind)
+    return task.type == "check_state" and "location" in kinds and "state" not in kinds and is_asked
+
+
+def _number(document: Document, indices: range) -> str:
+    tokens = [document.tokens[j] for j in indices]
+    if len(tokens) == 1 and tokens[0].lower in _NUMBERS:
+        return _NUMBERS[tokens[0].lower]
+    head = document.tokens[head_of(document, indices)]
+    if head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
+        return ""
+    return {"NN": "one", "NNS": "many"}.get(head.tag, "")
 
 
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]

@@ -20,7 +20,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.affinity import Context, Option, options_of
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import PREDICATE, REFERRING, Gap, gap_of, unsaid_gaps
+from decomplex_bt.understanding.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
 
@@ -65,7 +65,8 @@ class ReferenceModel:
                 if gap is not None:
                     option, probability = self._best(context, gap, hints)
                     if option.candidate is not None:
-                        argument = replace(argument, value=option.text, confidence=argument.confidence * probability)
+                        value = filled(observed.document, argument, gap, option.text)
+                        argument = replace(argument, value=value, confidence=argument.confidence * probability)
                         context.mention(gap, option)
                 arguments.append(argument)
             implied = []

@@ -103,8 +103,9 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
 
 
 def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
-    """The roles, with one fact of English made certain: "if it is not there either" speaks of the search before it,
-    which is thereby a condition, however the model reads it."""
+    """The roles, with two facts of English made certain: "if it is not there either" speaks of the search before it,
+    which is thereby a condition, however the model reads it; and a check whose words are of another matter than all
+    conditions before it is no mention of one, but a condition of its own."""
     mended = list(roles)
     for k in range(2, len(clauses)):
         clause = clauses[k]
@@ -113,6 +114,10 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
             continue
         if mended[k - 1] == "task" and any(role in CONDITION_ROLES for role in mended[: k - 1]):
             mended[k - 1], mended[k] = "condition", "mention"
+    for k, clause in enumerate(clauses):
+        firsts = [clauses[j] for j in range(k) if mended[j] == "condition"]
+        if mended[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
+            mended[k] = "condition"
     return tuple(mended)
 
 

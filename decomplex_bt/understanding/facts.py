@@ -9,6 +9,7 @@ from itertools import pairwise, zip_longest
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.idioms import idiomatic
 from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -32,6 +33,15 @@ _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
     "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
 )
+_ASKING = frozenset("check see verify confirm look find".split())
+_CLAUSE_ENDS = _ENDS | frozenset((",", ":", "and", "or", "but"))
+_OF_REPORTS = frozenset(("message", "recipient", "manner"))
+_STILL = frozenset("still it started starts starting getting gets turned really so very only outside".split())
+_WEATHER = frozenset(
+    "raining rains rained snowing snows snowed hailing hails pouring pours drizzling bucketing chucking teeming "
+    "lashing thundering sunny windy foggy stormy monday tuesday wednesday thursday friday saturday sunday "
+    "weekend".split()
+)
 _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
@@ -52,8 +62,59 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
-        found.append(task)
-    return tuple(found)
+        if not _is_reported_state(document, task, found):
+            found.append(task)
+    return _with_idioms(document, found, types)
+
+
+def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
+    """The tasks with those that are idioms, and without the participle behind one of these ("might be switched")."""
+    idioms = {
+        i: type for i, type in idiomatic(document, {task.token: task.type for task in tasks}).items() if type in types
+    }
+    behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
+    kept = [task for task in tasks if task.token not in behind | idioms.keys()]
+    added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
+    return tuple(sorted([*kept, *added], key=lambda task: task.token))
+
+
+def _is_reported_state(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:
+    """Whether a participle is how a check asks that something is ("check that the heater's switched on")."""
+    tokens, at = document.tokens, task.token
+    if task.type == "check_state" or tokens[at].tag != "VBN" or not before or before[-1].type != "check_state":
+        return False
+    check = before[-1].token
+    between = tokens[check + 1 : at]
+    return (
+        tokens[check].lemma in _ASKING
+        and bool(between)
+        and (between[-1].lower in _BE or (between[-1].lower in _MANNERS and between[-2:][0].lower in _BE))
+        and not any(token.lower in _CLAUSE_ENDS for token in between)
+    )
+
+
+def reported(arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a verb of informing: what stands right behind its message is part of it."""
+    found: list[FoundArgument] = []
+    for argument in sorted(arguments, key=lambda a: a.tokens.start):
+        before = found[-1] if found else None
+        if argument.type not in _OF_REPORTS and before and before.type == "message" and _adjoin(before, argument):
+            found[-1] = replace(before, tokens=range(before.tokens.start, argument.tokens.stop))
+        else:
+            found.append(argument)
+    return found
+
+
+def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining")."""
+    said = [token for token in document.tokens[verb : verb + 5] if token.lower not in _BETWEEN | _STILL]
+    if not any(token.lower in _WEATHER for token in said[:3]):
+        return list(arguments)
+    return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
+
+
+def _adjoin(one: FoundArgument, other: FoundArgument) -> bool:
+    return one.tokens.stop == other.tokens.start
 
 
 def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
@@ -104,7 +165,7 @@ def _place(document: Document, at: int) -> int:
     if tokens[at].lower not in _IS_OR_HAS:
         return at
     participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
-    if participle is None or participle.tag not in ("VBN", "VBD"):
+    if participle is None or participle.tag not in ("VBN", "VBD", "JJ", "NN", "VBP", "VB"):
         return at
     is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
     return participle.i if is_perfect else at

@@ -29,7 +29,10 @@ _LEADING = frozenset(
     "the that this these those other others another a an each both either of same all whole thing lot former latter "
     "place machine inside where".split()
 )
+_DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
+_SINGLE = frozenset("it them him her this that these those".split())
+_AND = frozenset(("and", "&"))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
 
@@ -59,6 +62,9 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     inner = stripped(document, tokens)
     if not inner:
         return None
+    joined = _joined(document, inner)
+    if joined is not None:
+        return Gap(task, argument.type, joined, document.tokens[joined].lower, "joined", "", range(joined, joined + 1))
     form = _form(document, inner)
     if form is None:
         return None
@@ -67,6 +73,27 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_of(document, inner)]
     word = "'s" if form == "own" and head.lower not in _OWN else head.lower
     return Gap(task, argument.type, inner.start, word, form, preposition, inner)
+
+
+def _joined(document: Document, tokens: range) -> int | None:
+    """Where the pronoun stands in "it and the charger" or "the charger and it"; None in other words."""
+    words = [document.tokens[i].lower for i in tokens]
+    if len(words) < 3:
+        return None
+    if words[0] in _SINGLE and words[1] in _AND:
+        return tokens.start
+    return tokens.stop - 1 if words[-1] in _SINGLE and words[-2] in _AND else None
+
+
+def filled(document: Document, argument: Argument, gap: Gap, text: str) -> str:
+    """An argument's value where its gap is filled with a text: that, or the argument's words with it in their place."""
+    if gap.form != "joined" or argument.span is None:
+        return text
+    tokens = stripped(document, document.indices(argument.span))
+    before, after = range(tokens.start, gap.tokens.start), range(gap.tokens.stop, tokens.stop)
+    return " ".join(
+        [*([_text(document, before)] if before else ()), text, *([_text(document, after)] if after else ())]
+    )
 
 
 def _form(document: Document, tokens: range) -> str | None:
@@ -139,9 +166,9 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         is_plural = False if gap.word == "another" else True if gap.form == "count" else None
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "counted"
         yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
-    modifiers = [document.tokens[i] for i in gap.tokens if i < head_of(document, gap.tokens)]
-    if gap.form == "one" and modifiers:
-        words = " ".join(token.text for token in modifiers)
+    modifiers = range(gap.tokens.start, head_of(document, gap.tokens)) if gap.tokens else range(0)
+    if gap.form == "one" and any(document.tokens[i].lower not in _DEMONSTRATIVES for i in modifiers):
+        words = _text(document, modifiers)
         is_plural = gap.word == "ones"
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "modified"
         bare = bare_of(document, candidate, is_plural=is_plural)

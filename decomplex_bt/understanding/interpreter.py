@@ -18,11 +18,12 @@ from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Cali
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.facts import answered, completed, retracted
+from decomplex_bt.understanding.facts import answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
+from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
@@ -142,18 +143,25 @@ class Interpreter:
                 number,
                 task.type,
                 document.span(task.token, task.token),
-                self._arguments_of(document, reading, belief, task.token),
+                self._arguments_of(document, reading, belief, task),
                 certainty("task", belief.tasks[task.token]),
                 certainty("dependency", belief.dependencies[task.token]),
             )
             for number, task in enumerate(reading.tasks, start=1)
         ]
 
-    def _arguments_of(self, document: Document, reading: Reading, belief: Belief, verb: int) -> tuple[Argument, ...]:
+    def _arguments_of(
+        self, document: Document, reading: Reading, belief: Belief, of: FoundTask
+    ) -> tuple[Argument, ...]:
         taken = {task.token for task in reading.tasks}.union(*(argument.tokens for argument in reading.arguments))
-        own = answered(document, verb, [argument for argument in reading.arguments if argument.owner == verb])
-        own = retracted(document, own)
-        chances = [self._calibration.of("argument", belief.arguments[argument]) for argument in own]
+        own = [argument for argument in reading.arguments if argument.owner == of.token]
+        chance = {argument.tokens.start: belief.arguments[argument] for argument in own}
+        own = retracted(document, answered(document, of.token, own))
+        if of.type == "informing":
+            own = reported(own)
+        elif of.type == "check_state":
+            own = naming(document, of.token, own)
+        chances = [self._calibration.of("argument", chance[argument.tokens.start]) for argument in own]
         return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
 
 

@@ -27,6 +27,7 @@ from decomplex_bt.understanding.gaps import Gap
 from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.prohibitions import forbidden
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
+from decomplex_bt.understanding.withdrawals import withdrawn
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -120,7 +121,7 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
 
 def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology) -> Iterator[FoundTasks]:
     """The task sets without what is forbidden and with what is settled by facts; each set once, the likelier one."""
-    tokens = forbidden(observed)
+    tokens = withdrawn(observed).union(forbidden(observed))
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         tasks = tuple(task for task in found.tasks if task.token not in tokens)

@@ -16,7 +16,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.affinity import Context
+from decomplex_bt.understanding.affinity import Context, options_of
 from decomplex_bt.understanding.coreference import ReferenceModel, train_references
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
@@ -130,3 +130,38 @@ def test_a_goal_is_open_unless_the_verb_says_it_for_this_type():
         doc = document(f"{verb}/VB", "it/PRP")
         task = Task(1, "placing", doc.span(0, 0), (argument(doc, "object", 1, 1),))
         assert [gap.type for gap in unsaid_gaps(Observed(doc, gazetteer), task, ontology)] == open_types
+
+
+def test_one_of_another_colour_and_another_are_not_the_thing_itself():
+    doc = document("take/VB", "my/PRP$", "grey/JJ", "hoodie/NN", "and/CC", "bring/VB", "the/DT", "black/JJ", "one/NN")
+    gazetteer = Gazetteer({}, {}, frozenset(), colours=frozenset(("grey", "black")))
+    tasks = (
+        Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, 3),)),
+        Task(2, "bringing", doc.span(5, 5), (argument(doc, "object", 6, 8),)),
+    )
+    context = Context(Observed(doc, gazetteer), tasks, Flow.from_json([1, 2]))
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    texts = {option.text for option in options_of(context, gap)}
+    assert "the black hoodie" in texts
+    assert "my grey hoodie" not in texts
+
+
+def test_that_one_is_the_thing_itself_and_a_name_keeps_its_s():
+    doc = document("take/VB", "the/DT", "torch/NN", "and/CC", "bring/VB", "that/DT", "one/NN")
+    task = Task(1, "bringing", doc.span(4, 4), (argument(doc, "object", 5, 6),))
+    gap = gap_of(doc, task, task.arguments[0])
+    torch = next(c for c in candidates_of(Observed(doc, GAZETTEER), (task,)) if c.text == "the torch")
+    assert {text for text, _ in spellings(doc, gap, torch)} == {"the torch", "a torch", "one torch"}
+
+
+def test_a_pronoun_that_is_joined_to_a_thing_is_filled_in_its_place(tmp_path):
+    ontology = load_domain("household").ontology
+    train_references(tmp_path / "r.json", [fetched(t, "it") for t in ("cup", "pen", "book", "plate")], ontology)
+    doc = document("take/VB", "the/DT", "vase/NN", "and/CC", "bring/VB", "it/PRP", "and/CC", "the/DT", "mop/NN")
+    tasks = (
+        Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, 2),)),
+        Task(2, "bringing", doc.span(4, 4), (argument(doc, "object", 5, 8),)),
+    )
+    model = ReferenceModel(tmp_path / "r.json", ontology)
+    found = model.resolve(Observed(doc, GAZETTEER), tasks, Flow.from_json([1, 2]))
+    assert found[1].values("object") == ("the vase and the mop",)

@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.facts import answered, completed, corrected, retracted
+from decomplex_bt.understanding.facts import answered, completed, corrected, naming, reported, retracted
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
@@ -161,3 +161,26 @@ def test_what_is_taken_back_is_not_meant(words: str, is_taken_back: bool) -> Non
     assert retracted(said, [knife, fork]) == ([fork] if is_taken_back else [knife, fork])
     elsewhere = FoundArgument("goal", 0, knife.tokens, 0.9)
     assert retracted(said, [elsewhere, fork]) == [elsewhere, fork]
+
+
+def test_what_a_check_asks_of_a_participle_is_no_task_of_its_own() -> None:
+    words = "check/VB that/IN the/DT heater/NN 's/VBZ switched/VBN on/RP"
+    assert found(words, (0, "check_state"), (5, "change_state")) == [(0, "check_state")]
+    told = "check/VB the/DT heater/NN and/CC get/VB it/PRP 's/VBZ switched/VBN on/RP"
+    assert found(told, (0, "check_state"), (7, "change_state")) == [(0, "check_state"), (7, "change_state")]
+
+
+def test_a_place_behind_a_message_is_part_of_it() -> None:
+    message, place = FoundArgument("message", 0, range(2, 5), 0.9), FoundArgument("location", 0, range(5, 8), 0.8)
+    (whole,) = reported([place, message])
+    assert (whole.type, whole.tokens) == ("message", range(2, 8))
+    apart = FoundArgument("location", 0, range(6, 8), 0.8)
+    assert reported([message, apart]) == [message, apart]
+    whom = FoundArgument("recipient", 0, range(5, 7), 0.8)
+    assert reported([message, whom]) == [message, whom]
+
+
+def test_the_it_of_weather_names_nothing() -> None:
+    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
+    assert naming(document("if", "it", "'s", "still", "raining"), 2, it) == []
+    assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it

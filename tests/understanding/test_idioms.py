@@ -1,0 +1,73 @@
+"""Turns of phrase that are tasks, and their neighbours that are none."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from documents import document
+
+from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.idioms import idiomatic
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+def found(parser: Parser, text: str, *tasks: str) -> list[tuple[str, str]]:
+    """The words that are idioms, with their types; `tasks`: the words that are tasks already."""
+    read: Document = parser.parse(text)
+    taken = {token.i: "check_state" for token in read.tokens if token.text in tasks}
+    return [(read.tokens[i].text, kind) for i, kind in sorted(idiomatic(read, taken).items())]
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("The attic might be locked. In that case, fetch the key.", "be"),
+        ("My neighbour may have gone out. If so, leave the parcel on the step.", "gone"),
+        ("The tank could be empty; in which case fill it.", "be"),
+    ],
+)
+def test_what_may_be_is_a_check_where_it_is_taken_up(parser: Parser, text: str, word: str) -> None:
+    assert found(parser, text) == [(word, "check_state")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The attic might be locked. Bring me the key.",
+        "You might want to close the door. In that case, tell me.",
+        "If the tank is empty, fill it. In that case it may overflow.",
+        "Could you close the door? If so, tell me.",
+        "It may be that the attic is locked. In that case, fetch the key.",
+    ],
+)
+def test_what_may_be_is_none_where_nothing_hangs_on_it(parser: Parser, text: str) -> None:
+    assert found(parser, text) == []
+
+
+def test_the_weather_of_should_it_is_a_check(parser: Parser) -> None:
+    assert found(parser, "Should it rain, bring in the cushions.") == [("rain", "check_state")]
+
+
+def test_what_is_asked_in_between_is_what_is_taken_up(parser: Parser) -> None:
+    assert found(parser, "Nan might be asleep. Is she in the armchair? If so, close the blinds.") == []
+    assert found(parser, "Nan might be asleep is she in bed if so tell me", "is") == []
+
+
+def test_to_have_a_look_is_to_search() -> None:
+    said = document("have/VB/ROOT/0", "a/DT/det/2", "look/NN/dobj/0", "in/IN/prep/0", "the/DT/det/5", "shed/NN/pobj/3")
+    assert idiomatic(said, {}) == {0: "searching"}
+    assert idiomatic(said, {2: "searching"}) == {}
+
+
+def test_to_have_a_look_whether_something_is_so_is_left_to_the_models(parser: Parser) -> None:
+    assert found(parser, "Have a quick look in the shed.") == [("Have", "searching")]
+    assert found(parser, "Have a look, is the gate open?") == []
+    assert found(parser, "Bring it here so that I can have a look.") == []
