@@ -182,15 +182,18 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    options.append(Option(None, "", "", tuple(_none_features(context, gap))))
+    words = {document.tokens[i].lower for i in gap.tokens}
+    if not (options and words == {"that", "one"}):  # which always is one that was named
+        options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 
 
 def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what there is none of where the gap's task is done: "if there is no steam, turn it off".
     It may still be looked for."""
-    before = candidate.tokens.start - 1
-    if before < 0 or context.observed.document.tokens[before].lower != "no" or gap.task.type == "searching":
+    start = candidate.tokens.start
+    words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
+    if "no" not in words or gap.task.type == "searching":
         return False
     return context.relation(candidate.owner, gap.task.id).startswith("condition.else")
 
@@ -201,7 +204,12 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     tokens = observed.document.tokens
     worded = list(spellings(observed.document, gap, candidate))
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
-    if gap.word == "another" and certain:
+    is_measure = (  # "a glass of it" is no bottle
+        gap.form == "part"
+        and tokens[gap.tokens.start].pos in ("DET", "NUM")
+        and tokens[gap.tokens.stop - 3].pos == "NOUN"
+    )
+    if is_measure or (gap.word == "another" and certain):
         yield from ((worded[0][0] if way == "same" else text, way) for text, way in worded)
         return
     colour = tokens[candidate.head - 1] if contrast == "colour.colour" else None

@@ -15,6 +15,7 @@ _TAKEN_UP = (
 _LOOKING = frozenset("look peek glance gander peep rummage".split())
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))
+_NOMINAL = frozenset("NOUN PROPN PRON DET ADJ NUM PART".split())
 _WEATHER = frozenset("rain snow hail drizzle pour".split())
 
 
@@ -79,3 +80,23 @@ def _stated(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         if not any(verb + 1 < j < taken_up and kind in _ASKING for j, kind in tasks.items()):
             found.add(verb)
     return frozenset(found)
+
+
+def predicated(document: Document, check: int) -> dict[str, range]:
+    """What the words of a check that may be so say of it: the `object`, the words before its verb, and the `state`
+    behind a "be" ("the attic door might be locked"); nothing for any other check."""
+    tokens, sentences = document.tokens, document.sentences
+    may = next((j for j in range(check - 1, max(-1, check - 4), -1) if tokens[j].lower in _MAY), None)
+    if may is None or tokens[check].lower != "be":
+        return {}
+    found = {}
+    state = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
+    if state is not None and state.tag in ("JJ", "VBN", "VBG"):
+        after = tokens[state.i + 1] if state.i + 1 < len(tokens) else None
+        found["state"] = range(state.i, state.i + 1 + (after is not None and after.dep == "prt"))
+    start = may
+    while start and tokens[start - 1].pos in _NOMINAL and sentences[start - 1] == sentences[may]:
+        start -= 1
+    if start < may:
+        found["object"] = range(start, may)
+    return found

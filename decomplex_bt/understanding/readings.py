@@ -24,6 +24,7 @@ from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Marked
 from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
+from decomplex_bt.understanding.idioms import predicated
 from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.prohibitions import forbidden
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
@@ -167,7 +168,7 @@ PENALTY = 0.5
 
 def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontology) -> Iterator[Reading]:
     types = {task.token: task.type for task in found.tasks}
-    arguments = stages.arguments.find_all(observed, types)
+    arguments = _said(observed, types, stages.arguments.find_all(observed, types))
     marked = [
         MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments.arguments if a.owner == t.token))
         for t in found.tasks
@@ -177,6 +178,23 @@ def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontol
         logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
         features = (*logs, *_features(observed, marked, flow, counts))
         yield Reading(found.tasks, arguments.arguments, flow.flow, features)
+
+
+def _said(observed: Observed, tasks: Mapping[int, str], found: FoundArguments) -> FoundArguments:
+    """The arguments without those that are taken back, and with what idioms say beyond them."""
+    gone = withdrawn(observed)
+    kept = [argument for argument in found.arguments if argument.tokens.start not in gone]
+    said = {i for argument in kept for i in argument.tokens}
+    for token, kind in tasks.items():
+        own = {argument.type for argument in kept if argument.owner == token}
+        for name, tokens in predicated(observed.document, token).items() if kind == "check_state" else ():
+            if name not in own and said.isdisjoint(tokens):
+                kept.append(FoundArgument(name, token, tokens, IDIOMATIC))
+    return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
+
+
+IDIOMATIC = 0.9
+"""The confidence of an argument that an idiom tells."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -165,3 +165,30 @@ def test_a_pronoun_that_is_joined_to_a_thing_is_filled_in_its_place(tmp_path):
     model = ReferenceModel(tmp_path / "r.json", ontology)
     found = model.resolve(Observed(doc, GAZETTEER), tasks, Flow.from_json([1, 2]))
     assert found[1].values("object") == ("the vase and the mop",)
+
+
+def test_a_glass_of_it_is_no_bottle():
+    doc = document("take/VB", "the/DT", "cider/NN", "and/CC", "bring/VB", "a/DT", "glass/NN", "of/IN", "it/PRP")
+    tasks = (
+        Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, 2),)),
+        Task(2, "bringing", doc.span(4, 4), (argument(doc, "object", 5, 8),)),
+    )
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([1, 2]))
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    assert {option.text for option in options_of(context, gap)} - {""} == {"a glass of the cider"}
+
+
+def test_what_there_is_none_of_is_not_switched_off_but_may_be_looked_for():
+    words = "if/IN there/EX is/VBZ no/DT steam/NN ,/, turn/VB it/PRP off/RP or/CC look/VB for/IN it/PRP".split()
+    doc = document(*words)
+    steam = Argument("object", "steam", doc.span(4, 4))
+    tasks = (
+        Task(1, "check_state", doc.span(2, 2), (steam,)),
+        Task(2, "change_state", doc.span(6, 6), (argument(doc, "object", 7, 7),)),
+        Task(3, "searching", doc.span(10, 10), (argument(doc, "object", 12, 12),)),
+    )
+    flow = Flow.from_json([{"if": 1, "else": [2, 3]}])
+    context = Context(Observed(doc, GAZETTEER), tasks, flow)
+    for task, expected in ((tasks[1], False), (tasks[2], True)):
+        gap = gap_of(doc, task, task.arguments[0])
+        assert ("steam" in {option.text for option in options_of(context, gap)}) == expected

@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.idioms import idiomatic
+from decomplex_bt.understanding.idioms import idiomatic, predicated
 
 
 @pytest.fixture(scope="module")
@@ -71,3 +71,10 @@ def test_to_have_a_look_whether_something_is_so_is_left_to_the_models(parser: Pa
     assert found(parser, "Have a quick look in the shed.") == [("Have", "searching")]
     assert found(parser, "Have a look, is the gate open?") == []
     assert found(parser, "Bring it here so that I can have a look.") == []
+
+
+def test_what_may_be_tells_of_what_and_how(parser: Parser) -> None:
+    read = parser.parse("The attic door might already be locked. In that case, fetch the key.")
+    told = {name: read.span(t.start, t.stop - 1).of(read.text) for name, t in predicated(read, 5).items()}
+    assert told == {"object": "The attic door", "state": "locked"}
+    assert predicated(parser.parse("Make sure the door can be locked."), 5) == {}
