@@ -75,8 +75,9 @@ class FlowModel:
         for roles in varied(self.roles, role_features(chain)):
             chained = chained_roles(clauses, roles.labels)
             for attachments in varied(self.attachments, attachment_features(chain, chained)):
-                orders = self.orders.label(order_features(chain, chained, attachments.labels))
-                arcs = tuple(Arc(*labels) for labels in zip(chained, attachments.labels, orders.labels, strict=True))
+                places = stated_sides(clauses, chained, attachments.labels)
+                orders = self.orders.label(order_features(chain, chained, places))
+                arcs = tuple(Arc(*labels) for labels in zip(chained, places, orders.labels, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
                 found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
         return likeliest(found)
@@ -119,6 +120,34 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
         if mended[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
             mended[k] = "condition"
     return tuple(mended)
+
+
+def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]) -> tuple[str, ...]:
+    """The attachments, with a fact of English made certain: what follows an "if it does not ..." in its sentence is
+    done where it does not, unless an "otherwise" or the like stands between.
+
+    In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
+    it mentions, before one side of that has tasks (`arcs.flip_of`).
+    """
+    mended = list(attachments)
+    for k in range(1, len(clauses)):
+        clause, before = clauses[k], clauses[k - 1]
+        is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
+        is_failure = is_mention and "fail" in before.near and not before.wording.is_contrary
+        is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
+        is_failure = is_failure and not before.wording.is_negated
+        said = {*clause.far, *clause.near, *before.behind}
+        if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or said & _TURNING:
+            continue
+        wrong, right = ("<1+", "<1-") if is_failure else ("<1-", "<1+")
+        while k < len(clauses) and mended[k] == wrong and clauses[k].sentence == before.sentence:
+            mended[k] = right
+            k += 1
+    return tuple(mended)
+
+
+_IFS = frozenset(("if", "when"))
+_TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

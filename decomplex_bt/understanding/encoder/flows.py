@@ -17,7 +17,15 @@ from decomplex_bt.understanding.arcs import Arc
 from decomplex_bt.understanding.clauses import MarkedTask, clauses_of
 from decomplex_bt.understanding.construction import flow_of
 from decomplex_bt.understanding.crf import Crf, Features
-from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, Varied, chained_roles, likeliest, varied
+from decomplex_bt.understanding.dependencies import (
+    FlowModel,
+    FoundFlow,
+    Varied,
+    chained_roles,
+    likeliest,
+    stated_sides,
+    varied,
+)
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.encoder.heads import Array, log_softmax
 from decomplex_bt.understanding.encoder.model import open_session, partial_run
@@ -111,12 +119,13 @@ class EncoderFlows:
         ]
         attached.sort(key=lambda chosen: -chosen[0].probability * chosen[2].probability)
         del attached[MAX_ATTACHMENTS:]
-        tables = network.judge("order", settled, [told for _, told, _ in attached], [a.labels for _, _, a in attached])
+        places = [stated_sides(clauses, told, attachment.labels) for _, told, attachment in attached]
+        tables = network.judge("order", settled, [told for _, told, _ in attached], places)
         found = []
-        for (way, told, attachment), table in zip(attached, tables, strict=True):
-            items = order_features(chain, told, attachment.labels)
+        for (way, told, attachment), place, table in zip(attached, places, tables, strict=True):
+            items = order_features(chain, told, place)
             for order in _ways(crfs.orders, items, table, network.orders):
-                labels = zip(told, attachment.labels, order.labels, strict=True)
+                labels = zip(told, place, order.labels, strict=True)
                 arcs = tuple(Arc(*each) for each in labels)
                 chances = (way.probability, attachment.probability, order.probability)
                 found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
