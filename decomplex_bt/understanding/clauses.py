@@ -158,6 +158,7 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     far, near, behind = cues
     words = [observed.document.tokens[j].lower for j in range(first, last + 1)]
     nots = [cue for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
+    nots = [cue for cue in nots if not _is_polite(observed.document, cue.first)]
     if "neither" in words:  # "neither hot nor full" denies once
         nots = [cue for cue in nots if observed.document.tokens[cue.first].lower != "nor"]
     negations = len(nots) + ("unless" in near)
@@ -179,6 +180,13 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     )
 
 
+def _is_polite(document: Document, negation: int) -> bool:
+    """Whether a negation asks: "why don't you see if ...", "wouldn't you look"."""
+    tokens = document.tokens
+    after = tokens[negation + 1] if negation + 1 < len(tokens) else None
+    return after is not None and after.lower == "you" and negation > 0 and tokens[negation - 1].lower in _ASKING
+
+
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     """The word for the state that a clause tests: the end of its state argument, else a word with an opposite."""
     tokens = observed.document.tokens
@@ -194,6 +202,7 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     return None
 
 
+_ASKING = frozenset("do would could will wo can ca should".split())
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 
 

@@ -123,8 +123,9 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
 
 
 def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]) -> tuple[str, ...]:
-    """The attachments, with a fact of English made certain: what follows an "if it does not ..." in its sentence is
-    done where it does not, unless an "otherwise" or the like stands between.
+    """The attachments, with facts of English made certain: what follows an "if it does not ..." in its sentence is done
+    where it does not, unless an "otherwise" or the like stands between; and what a "failing that" opens is not done
+    where something held.
 
     In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
     it mentions, before one side of that has tasks (`arcs.flip_of`).
@@ -136,7 +137,10 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
         is_failure = is_mention and "fail" in before.near and not before.wording.is_contrary
         is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
         is_failure = is_failure and not before.wording.is_negated
-        said = {*clause.far, *clause.near, *before.behind}
+        leading = {*clause.far, *clause.near}
+        if roles[k] == "task" and mended[k] == "<1+" and "fail" in leading and leading.isdisjoint(_OTHERS):
+            mended[k] = "<1-"  # "failing that, ..." after what holds is never done where it does
+        said = {*leading, *before.behind}
         if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or said & _TURNING:
             continue
         wrong, right = ("<1+", "<1-") if is_failure else ("<1-", "<1+")
@@ -146,6 +150,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     return tuple(mended)
 
 
+_OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
 _TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 

@@ -35,6 +35,9 @@ _PERFECTS = frozenset(
 )
 _ASKING = frozenset("check see verify confirm look find".split())
 _CLAUSE_ENDS = _ENDS | frozenset((",", ":", "and", "or", "but"))
+_NOT = frozenset(("n't", "n\u2019t", "not"))
+_TAGS = frozenset("is are was were has have does do did can ca will wo would".split())
+_TAGGED = frozenset("he she it they you there we".split())
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _STILL = frozenset("still it started starts starting getting gets turned really so very only outside".split())
 _WEATHER = frozenset(
@@ -62,7 +65,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
-        if not _is_reported_state(document, task, found):
+        if not _is_reported_state(document, task, found) and not _is_tag(document, task.token, found):
             found.append(task)
     return _with_idioms(document, found, types)
 
@@ -76,6 +79,14 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
+
+
+def _is_tag(document: Document, at: int, before: Sequence[FoundTask]) -> bool:
+    """Whether a verb only asks for agreement with the check before it: "he's asleep, is he?"."""
+    tokens = document.tokens
+    said = [token.lower for token in tokens[at - 1 : at + 4] if token.lower not in _NOT]
+    is_tag = len(said) >= 4 and said[0] == "," and said[1] in _TAGS and said[2] in _TAGGED and said[3] == "?"
+    return is_tag and bool(before) and document.sentences[before[-1].token] == document.sentences[at]
 
 
 def _is_reported_state(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:

@@ -9,7 +9,7 @@ import pytest
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.understanding.clauses import Clause, clauses_of
-from decomplex_bt.understanding.dependencies import chained_roles, marked_tasks
+from decomplex_bt.understanding.dependencies import chained_roles, marked_tasks, stated_sides
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
@@ -61,3 +61,42 @@ def test_what_says_the_same_again_or_its_opposite_stays_a_mention(markup: str) -
     assert not found[2].is_of_another(found[0])
     roles = ("condition", "task", "mention", "task")
     assert chained_roles(found, roles) == roles
+
+
+def test_a_polite_question_denies_nothing() -> None:
+    asked = clauses("Why don't you [see](1:check_state) if [the bin](1:object) is [full](1:state)?")
+    assert not asked[0].wording.is_negated
+    denied = clauses("If you don't [see](1:searching) [the bin](1:object), [tell](2:informing) me.")
+    assert denied[0].wording.is_negated
+
+
+@pytest.mark.parametrize(
+    ("markup", "attachment", "expected"),
+    [
+        # "if it does not work" right behind what it mentions
+        (
+            "[Switch](1:change_state) [the fan](1:object) [on](1:state), and if [it](2:object) doesn't "
+            "[work](2:check_state), [open](3:change_state) [the window](3:object).",
+            "<1+",
+            "<1-",
+        ),
+        # denied by its own words
+        (
+            "[See](1:check_state) whether [it](1:object) is [dry](1:state). If [it](2:object) doesn't "
+            "[feel](2:check_state) [dry](2:state), [open](3:change_state) [the window](3:object).",
+            "<1-",
+            "<1+",
+        ),
+        # turned round by an "otherwise"
+        (
+            "[See](1:check_state) whether [it](1:object) is [dry](1:state). If [it](2:object) doesn't "
+            "[feel](2:check_state) [dry](2:state), fine, otherwise [open](3:change_state) [the window](3:object).",
+            "<1-",
+            "<1-",
+        ),
+    ],
+)
+def test_what_follows_an_if_it_does_not_is_done_where_it_does_not(markup: str, attachment: str, expected: str) -> None:
+    found = clauses(markup)
+    roles = ("condition", "mention", "task")
+    assert stated_sides(found, roles, ("top", "<1", attachment)) == ("top", "<1", expected)

@@ -184,3 +184,10 @@ def test_the_it_of_weather_names_nothing() -> None:
     it = [FoundArgument("object", 2, range(1, 2), 0.9)]
     assert naming(document("if", "it", "'s", "still", "raining"), 2, it) == []
     assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it
+
+
+def test_a_tag_question_asks_nothing_of_its_own() -> None:
+    words = "he/PRP 's/VBZ asleep/JJ ,/, is/VBZ he/PRP ?/."
+    assert found(words, (1, "check_state"), (4, "check_state")) == [(1, "check_state")]
+    asked = "go/VB home/RB ./. ,/, is/VBZ he/PRP ?/."
+    assert found(asked, (0, "motion"), (4, "check_state")) == [(0, "motion"), (4, "check_state")]
