@@ -11,15 +11,8 @@ from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import PREDICATE, Gap, spellings
-from decomplex_bt.understanding.phrases import Candidate, candidates_of, predicates_of
+from decomplex_bt.understanding.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
 
-_PERSON_NOUNS = frozenset(
-    "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
-    "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
-    "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
-    "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
-    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
-)
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 _GROUPS = {
     "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
@@ -147,12 +140,19 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     options: list[Option] = []
     document = context.observed.document
     own = _modifier(context.observed, gap.tokens)
+    # "that one" always is one that was named
+    is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in context.pool:
+        if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
+            continue
         if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
             continue
         if gap.word in _ELSEWHERE and _is_absent(context, gap, candidate):
             continue
+        is_ahead = candidate.tokens.start > gap.position
+        if gap.word in _SOMEBODY and is_ahead and _kind(context, candidate) not in _ANIMATE:
+            continue  # "if she's hungry, bring her the cake"
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
@@ -182,18 +182,19 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    words = {document.tokens[i].lower for i in gap.tokens}
-    if not (options and words == {"that", "one"}):  # which always is one that was named
+    if not (is_pointed and options):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 
 
 def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what there is none of where the gap's task is done: "if there is no steam, turn it off".
-    It may still be looked for."""
+    """Whether a candidate is what there is none of where something is switched off or shut: "if there is no steam, turn
+    it off". It may well be fetched, made or put on a list."""
+    if not any(a.type == "state" and a.value.lower() in _ENDED for a in gap.task.arguments):
+        return False
     start = candidate.tokens.start
     words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
-    if "no" not in words or gap.task.type == "searching":
+    if "no" not in words:
         return False
     return context.relation(candidate.owner, gap.task.id).startswith("condition.else")
 
@@ -220,9 +221,12 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
 
 
+_ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
+_SOMEBODY = frozenset(("he", "him", "she"))
+_ANIMATE = frozenset(("person", "animal", "name"))
 _TOGETHER = frozenset("both them they those these either".split())
 
 
@@ -422,7 +426,7 @@ def _kind(context: Context, candidate: Candidate) -> str:
     """person, animal, name, place, or the category of thing that the words tell."""
     token = context.observed.document.tokens[candidate.head]
     category = context.observed.gazetteer.category(token.lemma)
-    if category == "person" or token.lemma in _PERSON_NOUNS:
+    if category == "person" or token.lemma in PERSON_NOUNS:
         return "person"
     if token.lemma in _ANIMALS:
         return "animal"

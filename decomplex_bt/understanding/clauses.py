@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.arcs import Wording
+from decomplex_bt.understanding.asides import tag_question
 from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.phrases import head_of
+from decomplex_bt.understanding.phrases import PERSON_NOUNS, head_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,14 @@ class Clause:
         own = {kind for kind, _ in self.task.arguments}
         if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
             return False
-        if self.wording.state in _PRESENT or set(self.objects) & set(first.objects):
+        state, other = self.wording.state, first.wording.state
+        if state in _PRESENT or set(self.objects) & set(first.objects):
+            return False
+        if (
+            state is not None
+            and other is not None
+            and (state == other or OPPOSITES.get(state) == other or OPPOSITES.get(other) == state)
+        ):
             return False
         is_of_others = bool(self.number and first.number) and self.number != first.number
         return is_of_others or (first.asks_where and "location" not in own)
@@ -63,7 +71,10 @@ _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "..."
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _JOINING = frozenset(("and", "or", "of", "&"))
-_PRESENT = frozenset("gone up empty out missing in away clear here there home back left".split())
+_PRESENT = frozenset(
+    "gone up empty out missing in away clear here there home back left present absent around inside outside upstairs "
+    "downstairs free busy finished done available about nearby lost".split()
+)
 """States that tell whether somebody or something is where they were looked for."""
 _REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
 
@@ -142,11 +153,12 @@ def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> 
 
 
 def _number(document: Document, indices: range) -> str:
+    """Whether an object is one thing or many; open of people, who may be "they" one by one."""
     tokens = [document.tokens[j] for j in indices]
     if len(tokens) == 1 and tokens[0].lower in _NUMBERS:
         return _NUMBERS[tokens[0].lower]
     head = document.tokens[head_of(document, indices)]
-    if head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
+    if head.lemma in PERSON_NOUNS or head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
         return ""
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
 
@@ -159,6 +171,8 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     words = [observed.document.tokens[j].lower for j in range(first, last + 1)]
     nots = [cue for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
     nots = [cue for cue in nots if not _is_polite(observed.document, cue.first)]
+    if last + 2 < len(observed.document) and tag_question(observed.document, last + 2) is not None:
+        nots = []  # "the light isn't on, is it?" asks whether it is
     if "neither" in words:  # "neither hot nor full" denies once
         nots = [cue for cue in nots if observed.document.tokens[cue.first].lower != "nor"]
     negations = len(nots) + ("unless" in near)
@@ -181,10 +195,12 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
 
 
 def _is_polite(document: Document, negation: int) -> bool:
-    """Whether a negation asks: "why don't you see if ...", "wouldn't you look"."""
+    """Whether a negation asks somebody to do something: "why don't you see if ...", "wouldn't you look"."""
     tokens = document.tokens
     after = tokens[negation + 1] if negation + 1 < len(tokens) else None
-    return after is not None and after.lower == "you" and negation > 0 and tokens[negation - 1].lower in _ASKING
+    if after is None or after.lower != "you" or negation == 0:
+        return False
+    return tokens[negation - 1].lower in _WILLING or (negation > 1 and tokens[negation - 2].lower == "why")
 
 
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
@@ -202,7 +218,7 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     return None
 
 
-_ASKING = frozenset("do would could will wo can ca should".split())
+_WILLING = frozenset(("would", "will", "wo"))
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 
 

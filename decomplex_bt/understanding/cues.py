@@ -148,6 +148,11 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         length, names = _longest(words, position)
         if _PRO_BEFORE.intersection(names) and _opens_clause(document, position, position + length - 1):
             length, names = 1, ("before",)
+        if "else" in names and words[position + length - 1] == "no" and _has_verb(document, position + length):
+            length, names = 1, ("if",)  # "if no cup is clean"
+        is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
+        if "fail" in names and (is_asked or _is_named(words, position)):
+            length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
@@ -157,6 +162,23 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     return tuple(sorted(cues, key=lambda cue: cue.first))
 
 
+def _has_verb(document: Document, start: int) -> bool:
+    """Whether a clause goes on with a finite verb before its next mark."""
+    stop = next((token.i for token in document.tokens[start:] if token.text in _MARKS), len(document))
+    finite = ("VBZ", "VBP", "VBD", "MD")
+    return any(
+        token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj")
+        for token in document.tokens[start + 1 : stop]
+    )
+
+
+def _is_named(words: Sequence[str], position: int) -> bool:
+    """Whether a noun that may stand for a failure is part of a clause that goes on: "it is no good", "a fallback"."""
+    return words[position] in _NOUNS_OF_FAILURE and position > 0 and words[position - 1] in _AHEAD_OF_NOUNS
+
+
+_NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
+_AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
 _AFTER_BEFORE = frozenset(
     "you i he she it we they that this the my your ur his her our their any all doing going".split()

@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise, zip_longest
 
 from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.asides import musing, reason, tag_question
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import idiomatic
@@ -18,7 +19,7 @@ _LAYING = frozenset(("lay", "set"))
 _ENDS = frozenset((".", "?", "!", ";"))
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _SURE = frozenset(("sure", "certain"))
-_BE = frozenset(("be", "'s", "is", "are", "'re", "re", "s"))
+_BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
 _PREDICATES = frozenset(("JJ", "VBN", "VBD", "RP"))
 _SHORT_STATES = frozenset(("shut", "open", "closed", "locked"))
@@ -33,13 +34,18 @@ _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
     "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
 )
+_ADJECTIVES = frozenset(("drunk", "grown"))
+"""Of the participles those that tell as well how somebody is."""
 _ASKING = frozenset("check see verify confirm look find".split())
 _CLAUSE_ENDS = _ENDS | frozenset((",", ":", "and", "or", "but"))
-_NOT = frozenset(("n't", "n\u2019t", "not"))
-_TAGS = frozenset("is are was were has have does do did can ca will wo would".split())
-_TAGGED = frozenset("he she it they you there we".split())
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
-_STILL = frozenset("still it started starts starting getting gets turned really so very only outside".split())
+_BEFORE_WEATHER = (
+    _BETWEEN
+    | _BE
+    | frozenset("still it started starts starting getting gets turned really so very only outside a an the".split())
+)
+"""What may stand between the verb of a check and the word for the weather or the day."""
+_OF_THINGS = frozenset(("foggy", "pours"))
 _WEATHER = frozenset(
     "raining rains rained snowing snows snowed hailing hails pouring pours drizzling bucketing chucking teeming "
     "lashing thundering sunny windy foggy stormy monday tuesday wednesday thursday friday saturday sunday "
@@ -65,7 +71,13 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
-        if not _is_reported_state(document, task, found) and not _is_tag(document, task.token, found):
+        is_none = (
+            _is_reported_state(document, task, found)
+            or _is_tag(document, task.token, found)
+            or musing(document, task.token) is not None
+            or (task.type == "check_state" and reason(document, task.token) is not None)
+        )
+        if not is_none:
             found.append(task)
     return _with_idioms(document, found, types)
 
@@ -83,16 +95,19 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
 
 def _is_tag(document: Document, at: int, before: Sequence[FoundTask]) -> bool:
     """Whether a verb only asks for agreement with the check before it: "he's asleep, is he?"."""
-    tokens = document.tokens
-    said = [token.lower for token in tokens[at - 1 : at + 4] if token.lower not in _NOT]
-    is_tag = len(said) >= 4 and said[0] == "," and said[1] in _TAGS and said[2] in _TAGGED and said[3] == "?"
-    return is_tag and bool(before) and document.sentences[before[-1].token] == document.sentences[at]
+    is_behind = bool(before) and document.sentences[before[-1].token] == document.sentences[at]
+    return is_behind and tag_question(document, at) is not None
 
 
 def _is_reported_state(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:
     """Whether a participle is how a check asks that something is ("check that the heater's switched on")."""
     tokens, at = document.tokens, task.token
-    if task.type == "check_state" or tokens[at].tag != "VBN" or not before or before[-1].type != "check_state":
+    if (
+        task.type == "check_state"
+        or tokens[at].tag not in ("VBN", "VBD")
+        or not before
+        or before[-1].type != "check_state"
+    ):
         return False
     check = before[-1].token
     between = tokens[check + 1 : at]
@@ -117,9 +132,12 @@ def reported(arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
 
 
 def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
-    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining")."""
-    said = [token for token in document.tokens[verb : verb + 5] if token.lower not in _BETWEEN | _STILL]
-    if not any(token.lower in _WEATHER for token in said[:3]):
+    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
+    that tells of things as well ("if it is foggy") only where nothing is named before."""
+    said = [token for token in document.tokens[verb : verb + 6] if token.lower not in _BEFORE_WEATHER]
+    if not said or said[0].lower not in _WEATHER:
+        return list(arguments)
+    if said[0].lower in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
         return list(arguments)
     return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
 
@@ -177,6 +195,8 @@ def _place(document: Document, at: int) -> int:
         return at
     participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
     if participle is None or participle.tag not in ("VBN", "VBD", "JJ", "NN", "VBP", "VB"):
+        return at
+    if participle.tag == "JJ" and participle.lower in _ADJECTIVES:
         return at
     is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
     return participle.i if is_perfect else at

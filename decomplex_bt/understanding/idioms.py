@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 
+from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
 
 _MAY = frozenset(("may", "might", "could"))
-_TAKEN_UP = (
-    ("in", "that", "case"), ("in", "which", "case"), ("in", "that", "event"), ("in", "which", "event"), ("if", "so"),
-    ("if", "that", "is", "the", "case"), ("if", "that", "'s", "the", "case"), ("if", "that", "is", "so"),
+_TAKEN_UP = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "in that case", "in which case", "in that event", "in which event", "if so", "if yes", "if that is the case",
+        "if that is so", "if it is so", "should that be the case", "should that be so",
+    )
 )  # fmt: skip
-"""What takes a statement up as a condition."""
+"""What takes a statement up as a condition, in the normal form of cues."""
 _LOOKING = frozenset("look peek glance gander peep rummage".split())
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))
-_NOMINAL = frozenset("NOUN PROPN PRON DET ADJ NUM PART".split())
+_SPEAKERS = frozenset(("i", "we"))
+_PRONOUNS = frozenset("it they he she that this these those".split())
+_RELATIVES = frozenset(("that", "which", "who"))
+_PLACES = frozenset("there here too already so not yet then".split())
+_OTHERS = frozenset("me him her us them they he she we i who".split())
+_CLAUSE_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—"))
+_JOINING = frozenset(("and", "but", "or", "so", "then"))
 _WEATHER = frozenset("rain snow hail drizzle pour".split())
 
 
@@ -25,21 +35,34 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), and the
     weather of "should it rain". "Have" in "have a look" is searching.
     """
-    checks = _stated(document, tasks) | _weather(document)
+    checks = _stated(document, tasks) | _weather(document, tasks)
     return {**dict.fromkeys(_looks(document, tasks), "searching"), **dict.fromkeys(checks, "check_state")}
 
 
-def _weather(document: Document) -> frozenset[int]:
-    """The verbs of "should it rain"."""
+def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The verbs of "should it rain"; not of what somebody is told ("tell Anna should it rain ...")."""
     tokens = document.tokens
     return frozenset(
         i + 2
         for i, token in enumerate(tokens[:-2])
-        if token.lower == "should" and tokens[i + 1].lower == "it" and tokens[i + 2].lemma in _WEATHER
+        if token.lower == "should"
+        and tokens[i + 1].lower == "it"
+        and tokens[i + 2].lemma in _WEATHER
+        and not _is_told(document, tasks, i)
     )
 
 
-def _looks(document: Document, tasks: Collection[int]) -> list[int]:
+def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
+    """Whether the words at `at` stand in one clause with a verb of informing ahead of them."""
+    for i in range(at - 1, -1, -1):
+        if document.tokens[i].lower in _CLAUSE_ENDS or document.sentences[i] != document.sentences[at]:
+            return False
+        if i in tasks:
+            return tasks[i] == "informing"
+    return False
+
+
+def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
     """Every "have" of an order to have a look at which no word is a task yet."""
     tokens = document.tokens
     found = []
@@ -48,8 +71,7 @@ def _looks(document: Document, tasks: Collection[int]) -> list[int]:
         is_look = token.lemma == "have" and tokens[i + 1].lower in ("a", "another") and end <= len(tokens)
         if not is_look or tokens[end - 1].lower not in _LOOKING or set(range(i, end)) & set(tasks):
             continue
-        subjects = [tokens[j] for j in document.children[i] if tokens[j].dep == "nsubj"]
-        if any(subject.lower != "you" for subject in subjects):  # "so that I can have a look"
+        if _is_of_others(document, i) or _is_told(document, tasks, i):  # "so that I can have a look"
             continue
         after = next((t.lower for t in tokens[end:] if t.lower not in (",", ":", "-")), "")
         if after not in _ASKED:  # "have a look, is the gate open?" asks
@@ -57,11 +79,22 @@ def _looks(document: Document, tasks: Collection[int]) -> list[int]:
     return found
 
 
+def _is_of_others(document: Document, verb: int) -> bool:
+    """Whether a verb says what others than the one spoken to do: "I'd like to have a look", "let him have a look"."""
+    tokens = document.tokens
+    if any(tokens[j].dep in ("nsubj", "nsubjpass") and tokens[j].lower != "you" for j in document.children[verb]):
+        return True
+    before = [token.lower for token in tokens[max(0, verb - 2) : verb]]
+    if before[-1:] == ["to"]:
+        return before[0] != "you"  # "I need you to have a look"
+    return before[-1:] != [] and before[-1] in _OTHERS
+
+
 def _stated(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     """The verbs of what may be so and is taken up in its own sentence or the next; not where another check that stands
-    in between is what is taken up."""
+    in between is what is taken up, or the statement only comments on a check before it ("it may be warm")."""
     tokens, sentences = document.tokens, document.sentences
-    words = [token.lower for token in tokens]
+    words = [normal_form(token.lower) for token in tokens]
     starts = {
         sentences[i]: i
         for i in range(len(tokens))
@@ -69,34 +102,84 @@ def _stated(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     }
     found = set()
     for i, word in enumerate(words):
-        if word not in _MAY or tokens[i].tag != "MD" or i == 0 or words[i - 1] in ("i", "you", "we"):
+        if word not in _MAY or tokens[i].tag != "MD" or i == 0 or words[i - 1] == "you":
             continue
         taken_up = next((starts[n] for n in (sentences[i], sentences[i] + 1) if starts.get(n, -1) > i), None)
         verb = next((j for j in range(i + 1, min(i + 5, len(tokens))) if tokens[j].tag == "VB"), None)
         if taken_up is None or verb is None or words[verb + 1 : verb + 2] == ["that"]:  # "it may be that it is locked"
             continue
+        if words[i - 1] in _SPEAKERS and words[verb] != "be":
+            continue
         if words[verb] == "have":
-            verb = next((j for j in range(verb + 1, min(verb + 4, len(tokens))) if tokens[j].tag == "VBN"), verb)
-        if not any(verb + 1 < j < taken_up and kind in _ASKING for j, kind in tasks.items()):
+            verb = _participle(document, verb)
+        checks = [j for j, kind in tasks.items() if kind in _ASKING]
+        is_comment = words[i - 1] in _PRONOUNS and any(j < i and sentences[i] - sentences[j] <= 1 for j in checks)
+        if not is_comment and not any(verb + 1 < j < taken_up for j in checks):
             found.add(verb)
     return frozenset(found)
 
 
+def _participle(document: Document, have: int) -> int:
+    """The participle that tells of a perfect: the last one of "have been switched off"."""
+    tokens = document.tokens
+    found = have
+    for j in range(have + 1, min(have + 5, len(tokens))):
+        if tokens[j].tag in ("VBN", "VBD"):
+            found = j
+        elif tokens[j].tag not in ("RB", "RP"):
+            break
+    return found
+
+
 def predicated(document: Document, check: int) -> dict[str, range]:
-    """What the words of a check that may be so say of it: the `object`, the words before its verb, and the `state`
-    behind a "be" ("the attic door might be locked"); nothing for any other check."""
-    tokens, sentences = document.tokens, document.sentences
-    may = next((j for j in range(check - 1, max(-1, check - 4), -1) if tokens[j].lower in _MAY), None)
-    if may is None or tokens[check].lower != "be":
+    """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
+    ("the attic door might be locked") or else the `location` ("the keys might be in the car"); nothing for any other
+    check."""
+    tokens = document.tokens
+    may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in _MAY), None)
+    if may is None or any(tokens[j].lower in _CLAUSE_ENDS for j in range(may, check)):
         return {}
     found = {}
-    state = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
-    if state is not None and state.tag in ("JJ", "VBN", "VBG"):
-        after = tokens[state.i + 1] if state.i + 1 < len(tokens) else None
-        found["state"] = range(state.i, state.i + 1 + (after is not None and after.dep == "prt"))
-    start = may
-    while start and tokens[start - 1].pos in _NOMINAL and sentences[start - 1] == sentences[may]:
-        start -= 1
-    if start < may:
-        found["object"] = range(start, may)
+    subject = _subject(document, may, check)
+    if subject:
+        found["object"] = subject
+    if tokens[check].lower != "be":
+        return found
+    behind = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
+    adverb = tokens[check + 1] if behind is not None and check + 1 < behind.i else None
+    if behind is None or (behind.lower in _CLAUSE_ENDS and adverb is not None and adverb.lower not in _PLACES):
+        behind = adverb  # "poorly" is an adverb to the tagger
+        if behind is not None:
+            found["state"] = range(behind.i, behind.i + 1)
+    elif behind.tag in ("JJ", "VBN", "VBG"):
+        after = tokens[behind.i + 1] if behind.i + 1 < len(tokens) else None
+        found["state"] = range(behind.i, behind.i + 1 + (after is not None and after.dep == "prt"))
+    elif behind.pos == "ADP":
+        stop = behind.i
+        while stop < len(tokens) and tokens[stop].lower not in _CLAUSE_ENDS | _JOINING:
+            stop += 1
+        is_lack = behind.lower == "out" and tokens[behind.i + 1 : behind.i + 2] and tokens[behind.i + 1].lower == "of"
+        found["state" if is_lack else "location"] = range(behind.i, stop)  # "out of milk"
     return found
+
+
+def _subject(document: Document, may: int, check: int) -> range:
+    """The words right before "may" that name what it is said of: a noun with what stands before it, or several joined
+    ones; none where more stands between ("the chair by the window may be broken")."""
+    tokens = document.tokens
+    heads = {check, tokens[check].head, tokens[may].head}
+    subjects = [j for head in heads for j in document.children[head] if tokens[j].dep in ("nsubj", "nsubjpass")]
+    head = max((j for j in subjects if j < may), default=None)
+    if head is None or tokens[head].lower in _RELATIVES or tokens[head].pos not in ("NOUN", "PROPN", "PRON"):
+        return range(0)
+    start = min([head, *(j for j in document.children[head] if j < head)])
+    last = head
+    while True:
+        joined = [j for j in document.children[last] if tokens[j].dep == "conj" and last < j < may]
+        if not joined:
+            break
+        last = joined[0]
+    between = tokens[last + 1 : may]
+    if last != head and any(token.tag != "RB" for token in between):
+        return range(0)
+    return range(start, last + 1)

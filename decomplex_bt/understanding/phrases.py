@@ -19,6 +19,14 @@ POINTING = frozenset(
 )
 WHOLE = frozenset("something anything everything somebody someone anyone anybody everyone everybody".split())
 """Words that point to nothing said before but that something said after may refer to."""
+PERSON_NOUNS = frozenset(
+    "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
+    "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
+    "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
+    "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
+    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
+)
+"""Nouns for people."""
 QUANTIFIERS = frozenset("any some enough more no another".split())
 PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "

@@ -18,17 +18,17 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.understanding.affinity import Option
+from decomplex_bt.understanding.amendments import amended
 from decomplex_bt.understanding.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import Gap
-from decomplex_bt.understanding.idioms import predicated
 from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.prohibitions import forbidden
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
-from decomplex_bt.understanding.withdrawals import withdrawn
+from decomplex_bt.understanding.withdrawals import Withdrawals, withdrawals_of
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",
@@ -113,20 +113,26 @@ class ReadingModel:
 
 def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple[Reading, ...]:
     """All readings of a document, that of the likeliest tasks first, of each set of tasks the likeliest flow first."""
+    withdrawals = withdrawals_of(observed)
+    gone = withdrawals.tokens.union(forbidden(observed))
+    alternatives = stages.tasks.alternatives(observed)
     return tuple(
         reading
-        for found in _settled(observed, stages.tasks.alternatives(observed), ontology)
-        for reading in _read(observed, found, stages, ontology)
+        for found in _settled(observed, alternatives, gone, ontology)
+        for reading in _read(observed, found, withdrawals, stages, ontology)
     )
 
 
-def _settled(observed: Observed, alternatives: Sequence[FoundTasks], ontology: Ontology) -> Iterator[FoundTasks]:
-    """The task sets without what is forbidden and with what is settled by facts; each set once, the likelier one."""
-    tokens = withdrawn(observed).union(forbidden(observed))
+def _settled(
+    observed: Observed, alternatives: Sequence[FoundTasks], gone: frozenset[int], ontology: Ontology
+) -> Iterator[FoundTasks]:
+    """The task sets with what is settled by facts and without the tokens that are taken back or forbidden; each set
+    once, the likelier one."""
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
-        tasks = tuple(task for task in found.tasks if task.token not in tokens)
-        tasks = corrected(observed, tasks, ontology.task_types)
+        kept = tuple(task for task in found.tasks if task.token not in gone)
+        # Idioms are no exception: "don't have a look".
+        tasks = tuple(t for t in corrected(observed, kept, ontology.task_types) if t.token not in gone)
         key = tuple((task.token, task.type) for task in tasks)
         if key not in seen:
             seen.add(key)
@@ -166,9 +172,11 @@ PENALTY = 0.5
 """Weight of the squared norm in the loss of `train_readings`."""
 
 
-def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontology) -> Iterator[Reading]:
+def _read(
+    observed: Observed, found: FoundTasks, withdrawals: Withdrawals, stages: Stages, ontology: Ontology
+) -> Iterator[Reading]:
     types = {task.token: task.type for task in found.tasks}
-    arguments = _said(observed, types, stages.arguments.find_all(observed, types))
+    arguments = amended(observed, types, withdrawals, stages.arguments.find_all(observed, types))
     marked = [
         MarkedTask(t.token, t.type, tuple((a.type, a.tokens) for a in arguments.arguments if a.owner == t.token))
         for t in found.tasks
@@ -178,23 +186,6 @@ def _read(observed: Observed, found: FoundTasks, stages: Stages, ontology: Ontol
         logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
         features = (*logs, *_features(observed, marked, flow, counts))
         yield Reading(found.tasks, arguments.arguments, flow.flow, features)
-
-
-def _said(observed: Observed, tasks: Mapping[int, str], found: FoundArguments) -> FoundArguments:
-    """The arguments without those that are taken back, and with what idioms say beyond them."""
-    gone = withdrawn(observed)
-    kept = [argument for argument in found.arguments if argument.tokens.start not in gone]
-    said = {i for argument in kept for i in argument.tokens}
-    for token, kind in tasks.items():
-        own = {argument.type for argument in kept if argument.owner == token}
-        for name, tokens in predicated(observed.document, token).items() if kind == "check_state" else ():
-            if name not in own and said.isdisjoint(tokens):
-                kept.append(FoundArgument(name, token, tokens, IDIOMATIC))
-    return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
-
-
-IDIOMATIC = 0.9
-"""The confidence of an argument that an idiom tells."""
 
 
 @dataclass(frozen=True, slots=True)

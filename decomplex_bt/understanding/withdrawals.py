@@ -3,76 +3,280 @@ model says of them."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 
 _MARKS = tuple(
     tuple(phrase.split())
     for phrase in (
-        "scratch that", "scrap that", "strike that", "cancel that", "forget that", "forget i said that",
-        "forget i said anything", "never mind that", "no , leave that", "no , leave it", "actually no , do n't ,",
-        "no , do n't ,", "no , do n't .", "no do n't ,", "nevermind that", "ignore that", "disregard that",
+        "scratch that", "scrap that", "strike that", "cancel that", "ignore that", "disregard that", "forget that",
+        "forget it", "forget about that", "forget about it", "forget i said that", "forget i said anything",
+        "never mind", "never mind that", "nevermind", "nevermind that", "scratch that last one", "forget that last one",
+        "scratch that last bit", "forget that last bit", "scratch the last one", "forget the last one",
     )
 )  # fmt: skip
-"""What takes back the order before it."""
-_THINGS = (("never", "mind", "the"), ("nevermind", "the"), ("forget", "the"), ("never", "mind", "my"), ("forget", "my"))
+"""What takes back the order before it, in the normal form of cues, where it is all that its clause says."""
+_DENIALS = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "do not", "do not bother", "do not do that", "do not do it", "leave that", "leave it", "leave them",
+        "leave that where it is", "leave it where it is", "leave them where they is", "leave it there",
+        "leave that there", "leave them there", "leave it be", "leave it alone", "leave that alone", "leave them alone",
+        "leave it for now", "leave that for now", "leave it as it is",
+    )
+)  # fmt: skip
+"""What does so behind a "no" or the like alone."""
+_ORDERS = frozenset(("cancel", "ignore", "disregard", "scratch", "scrap", "strike"))
+"""Marks that may be orders, of what a statement before them names."""
+_LEAVING = frozenset(("it", "that", "them"))
+_OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"))
 """What takes back the orders before it that are about the thing named next."""
+_REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
+"""What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
+_OPENERS = _REVERSING | frozenset("well ok okay on um uh er erm ah hmm but and so you know what or then just".split())
+"""What says nothing ahead of a mark."""
+_GOING_ON = frozenset("and but just please instead".split())
+_LAST = frozenset(("one", "bit"))
 _CONDITIONAL = frozenset("if only_if unless when fail so instead until depending whether".split())
 _ELSE = frozenset(("otherwise", "else", "alternatively"))
-_OPENERS = frozenset(
-    "actually oh no wait well ok okay hang hold on sorry um uh er ah hmm but and so you know what".split()
-)
-"""What says nothing ahead of a mark."""
+_ENDS = frozenset((".", "?", "!", ";"))
+_BREAKS = _ENDS | frozenset((",", ":", "-", "–", "—", "...", "…"))
+_CLAUSE_BREAKS = _BREAKS | frozenset(("and", "but", "then", "or"))
+_OF_VERBS = frozenset(("for", "at", "after"))
+"""Prepositions whose noun is what a verb is about: "look for the keys"."""
+_AGAIN = frozenset(("it", "them", "those", "these"))
+_NOMINAL = frozenset(("NOUN", "PROPN", "ADJ", "NUM"))
+_SUBJECT_WORDS = frozenset(("i", "we", "you", "he", "she", "they", "it", "there"))
+_SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 
 
-def withdrawn(observed: Observed) -> frozenset[int]:
-    """The tokens of what is taken back.
+class Withdrawals(NamedTuple):
+    """What is taken back: `tokens` of orders, with the words that take them back; `corrections`: the phrases that come
+    in place of an argument before them ("scratch that, the red one")."""
 
-    "Scratch that" and the like take back what their sentence says before them or, where they begin it, the sentence
-    before; "never mind the shirt" takes back the earlier clauses that name the shirt. Behind a condition in their
-    sentence they are said of one case alone, which is for the flow to say.
+    tokens: frozenset[int]
+    corrections: tuple[range, ...]
+
+
+def withdrawals_of(observed: Observed) -> Withdrawals:
+    """What an instruction takes back.
+
+    "Scratch that" and the like, a clause of their own said to the robot, take back the order before them in their
+    sentence or, where they begin it, the sentence before; "no, leave it on the table" does so and is an order itself;
+    "never mind the shirt" takes back the earlier orders about the shirt. Behind a condition in their sentence they are
+    said of one case alone, which is for the flow to say. Before a bare phrase they take back an argument.
     """
-    document = observed.document
-    words = [token.lower for token in document.tokens]
-    sentences = document.sentences
-    opening = [cue.first for cue in observed.cues if cue.name in _CONDITIONAL]
-    opening += [i for i, word in enumerate(words) if word in _ELSE]
-    conditional = {sentences[i] for i in opening}
-    found: set[int] = set()
-    for at in range(len(words)):
-        if any(i < at and sentences[i] == sentences[at] for i in opening):
-            continue
-        for mark in (mark for mark in _MARKS if tuple(words[at : at + len(mark)]) == mark):
-            said = [i for i in range(at) if sentences[i] == sentences[at]]
-            if all(not words[i].isalpha() or words[i] in _OPENERS for i in said):
-                said = [i for i in range(at) if sentences[i] == sentences[at] - 1]
-            found.update(i for i in said if sentences[i] not in conditional)
-            found.update(range(at, at + len(mark)))
-        for mark in _THINGS:
-            if tuple(words[at : at + len(mark)]) == mark:
-                found.update(_about(observed, at, at + len(mark), conditional))
-    return frozenset(found)
+    words = _Words.of(observed)
+    tokens: set[int] = set()
+    corrections: list[range] = []
+    for at in range(len(words.tokens)):
+        if words.opens(at) and not words.is_conditional_before(at):
+            found = _taken_back(words, at)
+            tokens |= found.tokens
+            corrections += found.corrections
+    return Withdrawals(frozenset(tokens), tuple(corrections))
 
 
-def _about(observed: Observed, at: int, noun: int, conditional: set[int]) -> list[int]:
-    """The tokens of the clauses before `at` that name the noun phrase which begins at `noun`."""
-    document = observed.document
-    tokens, sentences = document.tokens, document.sentences
+_NOTHING = Withdrawals(frozenset(), ())
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    """A document's words in normal form. `openings`: tokens that open conditions; `conditional`: their sentences."""
+
+    document: Document
+    tokens: Sequence[Token]
+    said: Sequence[str]
+    openings: Collection[int]
+    conditional: Collection[int]
+
+    @classmethod
+    def of(cls, observed: Observed) -> _Words:
+        document = observed.document
+        said = [normal_form(token.lower) for token in document.tokens]
+        openings = [cue.first for cue in observed.cues if cue.name in _CONDITIONAL]
+        openings += [i for i, word in enumerate(said) if word in _ELSE]
+        return cls(document, document.tokens, said, openings, {document.sentences[i] for i in openings})
+
+    def opens(self, at: int) -> bool:
+        """Whether a clause begins here, or behind words that say nothing."""
+        lead = self._lead(at)
+        is_start = lead == 0 or self._begins_sentence(lead)
+        return is_start or any(word in _BREAKS or word in _REVERSING for word in self.said[lead:at])
+
+    def is_reversed(self, at: int) -> bool:
+        """Whether the speaker turns round right before here: "no, ...", "actually ..."."""
+        return any(word in _REVERSING for word in self.said[self._lead(at) : at])
+
+    def closes(self, stop: int, is_reversed: bool) -> bool:
+        """Whether a clause ends before `stop`; behind a "no" also where another verb follows without a mark."""
+        if stop >= len(self.said) or self.said[stop] in _BREAKS or self._begins_sentence(stop):
+            return True
+        return self.said[stop] in _GOING_ON or (is_reversed and self.tokens[stop].tag in ("VB", "VBP"))
+
+    def is_conditional_before(self, at: int) -> bool:
+        sentences = self.document.sentences
+        return any(i < at and sentences[i] == sentences[at] for i in self.openings)
+
+    def is_conditional_behind(self, at: int) -> bool:
+        sentences = self.document.sentences
+        return any(i > at and sentences[i] == sentences[at] for i in self.openings)
+
+    def is_verbless_before(self, at: int) -> bool:
+        """Whether something stands ahead in the sentence, and no verb."""
+        sentences = self.document.sentences
+        said = [i for i in range(self._lead(at)) if sentences[i] == sentences[at]]
+        return bool(said) and not any(self.tokens[i].pos in ("VERB", "AUX") or _is_bare(self.document, i) for i in said)
+
+    def _begins_sentence(self, at: int) -> bool:
+        return at > 0 and self.document.sentences[at] != self.document.sentences[at - 1]
+
+    def _lead(self, at: int) -> int:
+        """Where the words and marks begin that say nothing ahead of a clause, in its sentence."""
+        while at and not self._begins_sentence(at) and (self.said[at - 1] in _OPENERS or self.said[at - 1] in _BREAKS):
+            at -= 1
+        return at
+
+
+def _taken_back(words: _Words, at: int) -> Withdrawals:
+    """What the clause that begins at `at` takes back, with its own words; nothing where it takes nothing back."""
+    is_reversed = words.is_reversed(at)
+    for mark in sorted((*_MARKS, *(_DENIALS if is_reversed else ())), key=len, reverse=True):
+        stop = at + len(mark)
+        if tuple(words.said[at:stop]) == mark and words.closes(stop, is_reversed):
+            before = _before(words, at, is_last=mark[-1] in _LAST)
+            if mark[0] in _ORDERS and not is_reversed and _is_statement(words, before):
+                return _NOTHING  # "The timer is on. Cancel that."
+            if words.is_verbless_before(at):
+                return _NOTHING  # "Full, forget it. Empty, throw it away."
+            own, phrase = frozenset(range(at, stop)), _phrase(words, stop)
+            return Withdrawals(own, (phrase,)) if phrase else Withdrawals(own | before, ())
+    if is_reversed and words.said[at] == "leave" and set(words.said[at + 1 : at + 2]) & _LEAVING:
+        return Withdrawals(_before(words, at, is_last=True), ())  # "no, leave it on the table"
+    for mark in _OF_THINGS:
+        stop = at + len(mark)
+        if tuple(words.said[at:stop]) == mark:
+            about = _about(words, at, stop)
+            if about:
+                return Withdrawals(frozenset(about.union(range(at, stop))), ())
+    return _NOTHING
+
+
+def _phrase(words: _Words, at: int) -> range:
+    """The bare phrase that follows, in place of an argument: "scratch that, the red one"; empty where none does."""
+    while at < len(words.said) and (words.said[at] in _OPENERS or words.said[at] in _BREAKS):
+        if words.said[at] in _ENDS:
+            return range(0)
+        at += 1
+    stop = next((i for i in range(at, len(words.said)) if words.said[i] in _CLAUSE_BREAKS), len(words.said))
+    phrase = words.tokens[at:stop]
+    if not phrase or phrase[0].pos not in ("ADP", "DET", "NUM", "ADJ", "NOUN", "PROPN", "PRON"):
+        return range(0)
+    if (
+        any(token.pos in ("VERB", "AUX") or _is_being(words, token.i) for token in phrase)
+        or phrase[0].lower in _SUBJECT_WORDS
+    ):
+        return range(0)
+    # "water the roses": what is no verb to the tagger may be one
+    is_order = phrase[0].pos in ("NOUN", "PROPN", "ADJ") and len(phrase) > 1 and phrase[1].pos in ("DET", "PRON")
+    return range(0) if is_order else range(at, stop)
+
+
+def _is_being(words: _Words, at: int) -> bool:
+    """Whether a "'s" is no genitive: "the cat's out"."""
+    return words.said[at] == "is" and words.tokens[at + 1 : at + 2] != () and words.tokens[at + 1].pos not in _NOMINAL
+
+
+def _before(words: _Words, at: int, *, is_last: bool) -> frozenset[int]:
+    """What a mark at `at` takes back: the order before it in its sentence, else the sentence before it (`is_last`: the
+    last order of that), unless a condition is in it; with what stands between."""
+    sentences = words.document.sentences
+    said = [i for i in range(at) if sentences[i] == sentences[at]]
+    own = any(words.said[i].isalpha() and words.said[i] not in _OPENERS for i in said)
+    if not own:
+        said = [i for i in range(at) if sentences[i] == sentences[at] - 1]
+    if not said or sentences[said[0]] in words.conditional:
+        return frozenset()
+    start = _order(words, said) if own or is_last else said[0]
+    return frozenset(range(start, at))
+
+
+def _order(words: _Words, said: Sequence[int]) -> int:
+    """Where the last order among some tokens begins."""
+    for i in reversed(said):
+        begins = i == said[0] or words.said[i - 1] in _CLAUSE_BREAKS or words.said[i - 1] in _OPENERS
+        if begins and _is_bare(words.document, i):
+            return i
+    return said[0]
+
+
+def _is_bare(document: Document, i: int) -> bool:
+    """Whether a token at the beginning of a clause is a verb in its bare form without a subject, as in an order; the
+    tagger takes that of "water the roses" for a noun."""
+    token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
+    is_verb = token.tag in ("VB", "VBP") or (
+        token.tag in ("NN", "JJ", "IN") and bool(following) and following[0].tag in ("DT", "PRP$")
+    )
+    return is_verb and not any(document.tokens[j].dep in _SUBJECTS for j in document.children[i])
+
+
+def _is_statement(words: _Words, said: Collection[int]) -> bool:
+    """Whether something is told and nothing ordered."""
+    tokens = words.tokens
+    has_subject = any(tokens[i].dep in _SUBJECTS and tokens[i].lower != "you" for i in said)
+    return has_subject and not any(_is_bare(words.document, i) for i in said)
+
+
+def _about(words: _Words, at: int, noun: int) -> set[int]:
+    """The tokens of the orders before `at` about the noun phrase that begins at `noun` and ends the clause, and of
+    those right behind them that are about "it"."""
+    document, tokens = words.document, words.tokens
     stop = noun
-    while stop < len(tokens) and tokens[stop].pos in ("NOUN", "PROPN", "ADJ"):
+    while stop < len(tokens) and tokens[stop].pos in ("DET", "PRON", "NUM", "ADJ", "NOUN", "PROPN"):
         stop += 1
-    if stop == noun:
-        return []
-    lemma = tokens[stop - 1].lemma
-    found: list[int] = []
-    clause: list[int] = []
-    for i in range(at + 1):
-        if i == at or tokens[i].lower in _BREAKS:
-            if any(tokens[j].lemma == lemma for j in clause) and sentences[clause[0]] not in conditional:
-                found += clause
-            clause = []
-        else:
-            clause.append(i)
+    nouns = [i for i in range(noun, stop) if tokens[i].pos in ("NOUN", "PROPN")]
+    if not nouns or tokens[noun].pos not in ("DET", "PRON") or not words.closes(stop, is_reversed=False):
+        return set()
+    if words.is_conditional_behind(at):
+        return set()
+    head = tokens[nouns[-1]].lemma
+    details = {tokens[i].lemma for i in range(noun, nouns[-1]) if tokens[i].pos in ("ADJ", "NOUN", "PROPN", "NUM")}
+    found: set[int] = set()
+    was_about = False
+    for clause in _clauses(words, at):
+        is_about = any(tokens[i].lemma == head and _is_object(document, i, details) for i in clause)
+        goes_on = was_about and not any(tokens[i].pos in ("NOUN", "PROPN") for i in clause)
+        was_about = is_about or (goes_on and any(words.said[i] in _AGAIN for i in clause))
+        if was_about and document.sentences[clause[0]] not in words.conditional:
+            found.update(clause)
     return found
 
 
-_BREAKS = frozenset((".", "?", "!", ";", ",", ":", "and", "but", "then", "or"))
+def _clauses(words: _Words, stop: int) -> Iterator[list[int]]:
+    """The clauses before `stop`, cut at marks and conjunctions."""
+    clause: list[int] = []
+    for i in range(stop):
+        if words.said[i] in _CLAUSE_BREAKS:
+            if clause:
+                yield clause
+            clause = []
+        else:
+            clause.append(i)
+    if clause:
+        yield clause
+
+
+def _is_object(document: Document, noun: int, details: set[str]) -> bool:
+    """Whether a noun is what its verb is about, with at least these details ("the red mug" is no blue one)."""
+    tokens = document.tokens
+    if tokens[noun].dep == "pobj":
+        preposition = tokens[tokens[noun].head]
+        if preposition.lower not in _OF_VERBS or tokens[preposition.head].pos != "VERB":
+            return False
+    own = {tokens[i].lemma for i in document.children[noun]}
+    return details <= own

@@ -52,6 +52,12 @@ def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> Non
         "[them](2:object). If [they](3:object)['re](3:check_state) [gone](3:state), [tell](4:informing) me.",
         "If [the boots](1:object) [are](1:check_state) [wet](1:state), [dry](2:change_state) [them](2:object). If "
         "[they](3:object)['re](3:check_state) [dry](3:state), [tell](4:informing) me.",
+        # one guest, who is "they"
+        "If [the guest](1:object) [is](1:check_state) [asleep](1:state), [close](2:change_state) [it](2:object). If "
+        "[they](3:object)['re](3:check_state) [hungry](3:state), [tell](4:informing) me.",
+        # one window, "them"
+        "If [the window](1:object) [is](1:check_state) [closed](1:state), [open](2:change_state) [it](2:object). If "
+        "[they](3:object)['re](3:check_state) [open](3:state), [tell](4:informing) me.",
         "If [the drops](1:object) [are](1:check_state) [in it](1:location), [bring](2:bringing) [it](2:object). If "
         "[they](3:object) [are](3:check_state)n't, [tell](4:informing) me.",
     ],
@@ -66,8 +72,17 @@ def test_what_says_the_same_again_or_its_opposite_stays_a_mention(markup: str) -
 def test_a_polite_question_denies_nothing() -> None:
     asked = clauses("Why don't you [see](1:check_state) if [the bin](1:object) is [full](1:state)?")
     assert not asked[0].wording.is_negated
+    asked = clauses("Wouldn't you [look](1:searching) for [the bin](1:object)?")
+    assert not asked[0].wording.is_negated
     denied = clauses("If you don't [see](1:searching) [the bin](1:object), [tell](2:informing) me.")
     assert denied[0].wording.is_negated
+    lacking = clauses("Can't you [find](1:searching) [the cup](1:object)? [Bring](2:bringing) [a glass](2:object).")
+    assert lacking[0].wording.is_negated
+
+
+def test_a_statement_with_a_tag_asks_whether_it_is_so() -> None:
+    asked = clauses("[The lamp](1:object) [is](1:check_state)n't [on](1:state), is it? [Dust](2:change_state) it.")
+    assert not asked[0].wording.is_negated
 
 
 @pytest.mark.parametrize(

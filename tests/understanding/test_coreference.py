@@ -184,7 +184,7 @@ def test_what_there_is_none_of_is_not_switched_off_but_may_be_looked_for():
     steam = Argument("object", "steam", doc.span(4, 4))
     tasks = (
         Task(1, "check_state", doc.span(2, 2), (steam,)),
-        Task(2, "change_state", doc.span(6, 6), (argument(doc, "object", 7, 7),)),
+        Task(2, "change_state", doc.span(6, 6), (argument(doc, "object", 7, 7), argument(doc, "state", 8, 8))),
         Task(3, "searching", doc.span(10, 10), (argument(doc, "object", 12, 12),)),
     )
     flow = Flow.from_json([{"if": 1, "else": [2, 3]}])

@@ -166,6 +166,9 @@ def test_what_is_taken_back_is_not_meant(words: str, is_taken_back: bool) -> Non
 def test_what_a_check_asks_of_a_participle_is_no_task_of_its_own() -> None:
     words = "check/VB that/IN the/DT heater/NN 's/VBZ switched/VBN on/RP"
     assert found(words, (0, "check_state"), (5, "change_state")) == [(0, "check_state")]
+    assert found("see/VB if/IN they/PRP have/VBP been/VBN switched/VBD off/RP", (0, "check_state"), (5, "placing")) == [
+        (0, "check_state")
+    ]
     told = "check/VB the/DT heater/NN and/CC get/VB it/PRP 's/VBZ switched/VBN on/RP"
     assert found(told, (0, "check_state"), (7, "change_state")) == [(0, "check_state"), (7, "change_state")]
 
@@ -184,6 +187,26 @@ def test_the_it_of_weather_names_nothing() -> None:
     it = [FoundArgument("object", 2, range(1, 2), 0.9)]
     assert naming(document("if", "it", "'s", "still", "raining"), 2, it) == []
     assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it
+    assert naming(document("if", "it", "is", "due", "Monday"), 2, it) == it
+    assert naming(document("if", "it", "'s", "a", "Tuesday"), 2, it) == []
+
+
+def test_the_it_of_what_is_foggy_is_what_was_named() -> None:
+    it = [FoundArgument("object", 4, range(3, 4), 0.9)]
+    assert naming(document("the", "window", "if", "it", "is", "foggy"), 4, it) == it
+    assert naming(document("there/EX/expl/0", "then", "if", "it", "is", "foggy"), 4, it) == it
+    nothing = [f"{word}/RB/dep/0" for word in ("so", "then", "if", "it", "is", "foggy")]
+    assert naming(document(*nothing), 4, it) == []
+
+
+def test_drunk_is_how_somebody_is() -> None:
+    assert found("if/IN he/PRP 's/VBZ drunk/JJ ,/, tell/VB me/PRP", (2, "check_state")) == [(2, "check_state")]
+    assert found("if/IN he/PRP 's/VBZ drunk/VBN it/PRP", (2, "check_state")) == [(3, "check_state")]
+
+
+def test_a_reason_checks_nothing() -> None:
+    words = "since/IN it/PRP is/VBZ broken/JJ ,/, open/VB it/PRP"
+    assert found(words, (2, "check_state"), (5, "change_state")) == [(5, "change_state")]
 
 
 def test_a_tag_question_asks_nothing_of_its_own() -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.withdrawals import withdrawn
+from decomplex_bt.understanding.withdrawals import Withdrawals, withdrawals_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 
@@ -18,26 +19,70 @@ def parser() -> Parser:
     return Parser()
 
 
-def words(parser: Parser, text: str) -> str:
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load("household", encoder=False)
+
+
+def withdrawals(parser: Parser, text: str) -> tuple[str, list[str]]:
+    """The words that are taken back and the phrases that correct others."""
     document = parser.parse(text)
-    return " ".join(document.tokens[i].text for i in sorted(withdrawn(Observed(document, GAZETTEER))))
+    found: Withdrawals = withdrawals_of(Observed(document, GAZETTEER))
+    words = " ".join(document.tokens[i].text for i in sorted(found.tokens))
+    return words, [document.span(c.start, c.stop - 1).of(text) for c in found.corrections]
+
+
+def tasks(instruction: Instruction) -> list[str]:
+    return [task.span.of(instruction.text) for task in instruction.tasks]
 
 
 @pytest.mark.parametrize(
     ("text", "taken_back"),
     [
-        ("Close the door. Actually, scratch that. Open the window.", "Close the door . scratch that"),
+        ("Close the door. Actually, scratch that. Open the window.", "Close the door . Actually , scratch that"),
         ("Water the ferns, no, forget that, water the roses.", "Water the ferns , no , forget that"),
-        ("Iron my shirt. Oh, never mind the shirt. Bring me a tie.", "Iron my shirt"),
+        ("Turn on the lamp no scratch that turn on the fan", "Turn on the lamp no scratch that"),
+        ("Bring me a beer. Never mind.", "Bring me a beer . Never mind"),
         (
-            "Bring the monitor. No, leave that, if you are there bring me a scarf.",
-            "Bring the monitor . No , leave that",
+            "Bring the monitor. No, leave that where it is, bring me a scarf.",
+            "Bring the monitor . No , leave that where it is",
         ),
-        ("Sweep the step, hoover the stairs, no, forget the stairs, and wipe the tiles.", "hoover the stairs"),
+        ("Turn on the lamp. No, don\u2019t.", "Turn on the lamp . No , do n\u2019t"),
     ],
 )
 def test_what_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
-    assert words(parser, text) == taken_back
+    assert withdrawals(parser, text) == (taken_back, [])
+
+
+@pytest.mark.parametrize(
+    ("text", "taken_back"),
+    [
+        (
+            "Wash the cups and close the blinds, no, scratch that, open the blinds.",
+            "close the blinds , no , scratch that",
+        ),
+        ("Go out, get a plate, and open the gate. Scratch that last one.", "open the gate . Scratch that last one"),
+        (
+            "Sweep the step, light that candle, actually no, don't, it smells.",
+            "light that candle , actually no , do n't",
+        ),
+    ],
+)
+def test_of_several_orders_the_last_one_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
+    assert withdrawals(parser, text) == (taken_back, [])
+
+
+@pytest.mark.parametrize(
+    ("text", "taken_back"),
+    [
+        ("Iron my shirt. Oh, never mind the shirt. Bring me a tie.", "Iron my shirt never mind"),
+        ("Sweep the step, hoover the stairs, no, forget the stairs, and wipe it.", "hoover the stairs forget"),
+        ("Vacuum the carpet, then roll it up. Never mind the carpet.", "Vacuum the carpet roll it up Never mind"),
+        ("Go in and look for my keys. Never mind the keys.", "look for my keys Never mind"),
+    ],
+)
+def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken_back: str) -> None:
+    assert withdrawals(parser, text) == (taken_back, [])
 
 
 @pytest.mark.parametrize(
@@ -46,13 +91,50 @@ def test_what_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
         "Bring me the soup. If it is cold, forget that.",
         "Close the door and never mind the noise.",
         "Bring me the book that I never mind reading.",
+        "Open the window and ignore that smell.",
+        "Hang the coats up, forget that old jacket, and sweep the hall.",
+        "Water the plants, and scratch that label off the jar.",
+        "Turn off the oven. Forget that it was ever on.",
+        "Bring the milk and the eggs in, and don't forget the milk.",
+        "Take out the cake before I forget the cake.",
+        "Mop the floor but don't scratch that.",
+        "Tell Anna to forget that. Then close the door.",
+        "Close the window, tell Jonas never mind the window.",
+        "Wash the blue mug, and forget the red mug.",
+        "Bring me the book with the red cover, forget the cover.",
+        "Fold the towels; never mind the towels in the dryer.",
+        "Empty the bin. Never mind the bin if it is empty.",
+        "The timer is on. Cancel that.",
+        "Inspect the carton. Full, forget it. Empty, toss it out.",
     ],
 )
 def test_what_is_not(parser: Parser, text: str) -> None:
-    assert words(parser, text) == ""
+    assert withdrawals(parser, text) == ("", [])
 
 
-def test_a_task_that_is_taken_back_is_none() -> None:
-    text = "Close the door. Scratch that. Open the window."
-    found = Interpreter.load("household", encoder=False).interpret(text)
-    assert [task.span.of(text) for task in found.tasks] == ["Open"]
+@pytest.mark.parametrize(
+    ("text", "phrase"),
+    [
+        ("Bring me the blue cup, scratch that, the red one.", "the red one"),
+        ("Put the milk in the fridge, no, forget that, in the freezer.", "in the freezer"),
+    ],
+)
+def test_before_a_bare_phrase_only_an_argument_is_taken_back(parser: Parser, text: str, phrase: str) -> None:
+    assert withdrawals(parser, text)[1] == [phrase]
+
+
+def test_a_task_that_is_taken_back_is_none(interpreter: Interpreter) -> None:
+    assert tasks(interpreter.interpret("Close the door. Scratch that. Open the window.")) == ["Open"]
+    assert tasks(interpreter.interpret("Have a look in the drawer. Scratch that. Bring me the milk.")) == ["Bring"]
+    assert tasks(interpreter.interpret("Bring me the milk, and don't forget the milk.")) == ["Bring"]
+
+
+def test_a_correction_takes_the_place_of_the_argument(interpreter: Interpreter) -> None:
+    read = interpreter.interpret("Turn on the heater, no wait, scratch that, the fan.")
+    assert [a.value for a in read.tasks[0].arguments if a.type == "object"] == ["the fan"]
+
+
+def test_no_leave_it_somewhere_is_an_order_itself(interpreter: Interpreter) -> None:
+    read = interpreter.interpret("Bring me the cup, no, leave it on the table.")
+    assert tasks(read) == ["leave"]
+    assert ("object", "the cup") in [(a.type, a.value) for a in read.tasks[0].arguments]

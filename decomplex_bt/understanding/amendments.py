@@ -1,0 +1,62 @@
+"""Amendments: what is certain of an instruction's arguments, whatever a model finds: those that are taken back,
+corrected or said aside, and what an idiom tells of its check."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
+from decomplex_bt.understanding.asides import asides
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.idioms import predicated
+from decomplex_bt.understanding.withdrawals import Withdrawals
+
+CERTAIN = 0.9
+"""The confidence of an argument that an idiom tells."""
+_PLACES = frozenset(("source", "location"))
+_OF_CHECKS = frozenset(("object", "state", "location"))
+
+
+def amended(
+    observed: Observed, tasks: Mapping[int, str], withdrawals: Withdrawals, found: FoundArguments
+) -> FoundArguments:
+    """The arguments without those that are taken back or said aside, and with what corrections and idioms say instead;
+    where a thing is may be said aside ("since it's still in the sink, fish it out")."""
+    aside = asides(observed.document, tasks)
+    kept = [a for a in found.arguments if a.tokens.start not in aside or a.type in _PLACES]
+    kept = [a for a in kept if a.tokens.start not in withdrawals.tokens]
+    for phrase in withdrawals.corrections:
+        kept = _corrected(observed, kept, phrase)
+    for token, kind in tasks.items():
+        if kind == "check_state":
+            kept = _told(kept, token, predicated(observed.document, token))
+    return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
+
+
+def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: range) -> list[FoundArgument]:
+    """The arguments with a phrase in place of the last one before it that begins alike, with a preposition or not."""
+    tokens = observed.document.tokens
+    others = [a for a in arguments if not set(a.tokens) & set(phrase)]
+    before = [a for a in others if a.tokens.stop <= phrase.start]
+    alike = [a for a in before if (tokens[a.tokens.start].pos == "ADP") == (tokens[phrase.start].pos == "ADP")]
+    wrong = max(alike or before, key=lambda a: a.tokens.stop, default=None)
+    if wrong is None:
+        return list(arguments)
+    return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
+
+
+def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, range]) -> list[FoundArgument]:
+    """The arguments with what an idiom tells of a check: in place of what lies within its words, but for what is of
+    the right type already."""
+    kept = list(arguments)
+    for name, tokens in told.items():
+        own = {a.type: a for a in kept if a.owner == check and a.type in _OF_CHECKS}
+        if name == "location" and "state" in own:
+            continue
+        if name in own and not set(own[name].tokens) < set(tokens):
+            continue
+        kept = [a for a in kept if not set(a.tokens) <= set(tokens)]
+        if not any(set(a.tokens) & set(tokens) for a in kept):
+            kept.append(FoundArgument(name, check, tokens, CERTAIN))
+    return kept

@@ -1,0 +1,61 @@
+"""What is said aside orders nothing, asks nothing and lends its words to no task."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.asides import asides, musing, reason, tag_question
+from decomplex_bt.understanding.document import Parser
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+def words(parser: Parser, text: str) -> str:
+    document = parser.parse(text)
+    return " ".join(document.tokens[i].text for i in sorted(asides(document, ())))
+
+
+@pytest.mark.parametrize(
+    ("text", "aside"),
+    [
+        ("Glyn's asleep, is he? Close the door.", "is he"),
+        ("The lamp is on, isn't it? Turn it off.", "is n't it"),
+        ("The lamp isn\u2019t on, is it? Turn it on.", "is it"),
+        ("Then, let me think, hang it up.", "let me think"),
+        ("Since the fan is broken, open the window.", "Since the fan is broken"),
+        ("Open the window because the fan is broken.", "because the fan is broken"),
+    ],
+)
+def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
+    assert words(parser, text) == aside
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Is he asleep? Close the door.",
+        "Let me think about it.",
+        "Let me know whether it is on.",
+        "Because if the fan is broken, open the window.",
+        "If it is on, turn it off.",
+    ],
+)
+def test_what_is_none(parser: Parser, text: str) -> None:
+    assert words(parser, text) == ""
+
+
+def test_what_has_a_task_in_it_is_no_aside(parser: Parser) -> None:
+    document = parser.parse("Out again, is he? Slide it under his door.")
+    assert asides(document, ()) == {3, 4}
+    assert asides(document, (3,)) == frozenset()
+
+
+def test_an_aside_is_known_by_the_token_that_it_is_asked_of(parser: Parser) -> None:
+    document = parser.parse("He's in, isn't he? Well, let me see.")
+    assert tag_question(document, 1) is None
+    assert tag_question(document, 4) == range(4, 7)
+    assert musing(document, 10) == range(10, 13)
+    assert reason(document, 0) is None
