@@ -143,16 +143,12 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     # "that one" always is one that was named
     is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
+    identity = _identity(context, gap)
     for candidate in context.pool:
         if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
             continue
-        if candidate.owner == gap.task.id and gap.word in _ELSEWHERE and not candidate.mention:
+        if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
             continue
-        if gap.word in _ELSEWHERE and _is_absent(context, gap, candidate):
-            continue
-        is_ahead = candidate.tokens.start > gap.position
-        if gap.word in _SOMEBODY and is_ahead and _kind(context, candidate) not in _ANIMATE:
-            continue  # "if she's hungry, bring her the cake"
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
@@ -185,6 +181,31 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     if not (is_pointed and options):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
+
+
+def _identity(context: Context, gap: Gap) -> range:
+    """The words that say who is meant where a pronoun stands in the branch of "if it's the plumber"; else empty."""
+    path = context.paths.get(gap.task.id, ())
+    if gap.word not in _SOMEBODY or not path or path[-1][1] != "then":
+        return range(0)
+    document = context.observed.document
+    check = next((task for task in context.tasks if task.id == path[-1][0]), None)
+    said = {a.type: document.indices(a.span) for a in check.arguments if a.span} if check else {}
+    is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
+    if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
+        return range(0)
+    return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
+
+
+def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
+    is none of, or what is named after a "she" and no person ("if she's hungry, bring her the cake")."""
+    if gap.word not in _ELSEWHERE:
+        return False
+    if candidate.owner == gap.task.id and not candidate.mention:
+        return True
+    is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
+    return (is_ahead and _kind(context, candidate) not in _ANIMATE) or _is_absent(context, gap, candidate)
 
 
 def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -225,7 +246,7 @@ _ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
-_SOMEBODY = frozenset(("he", "him", "she"))
+_SOMEBODY = frozenset(("he", "him", "she", "her"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _TOGETHER = frozenset("both them they those these either".split())
 

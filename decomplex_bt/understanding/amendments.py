@@ -14,6 +14,9 @@ from decomplex_bt.understanding.withdrawals import Withdrawals
 
 CERTAIN = 0.9
 """The confidence of an argument that an idiom tells."""
+_BE = frozenset(("is", "'s", "\u2019s", "was"))
+_NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
+_UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _PLACES = frozenset(("source", "location"))
 _OF_CHECKS = frozenset(("object", "state", "location"))
 
@@ -31,6 +34,7 @@ def amended(
     for token, kind in tasks.items():
         if kind == "check_state":
             kept = _told(kept, token, predicated(observed.document, token))
+            kept = _identified(observed, kept, token)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 
@@ -44,6 +48,21 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
     if wrong is None:
         return list(arguments)
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
+
+
+def _identified(observed: Observed, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with who or what it is as the state of "it", where somebody was spoken of before: "Somebody is at
+    the door. If it's the plumber, ..."."""
+    tokens = observed.document.tokens
+    is_identity = check > 0 and tokens[check].lower in _BE and tokens[check - 1].lower == "it"
+    if not is_identity or not any(token.lower in _UNNAMED for token in tokens[: check - 1]):
+        return list(arguments)
+    own = [a for a in arguments if a.owner == check and a.type in ("object", "state")]
+    if len(own) != 1 or own[0].tokens.start != check + 1 or tokens[check + 1].pos not in _NOMINAL:
+        return list(arguments)
+    it = FoundArgument("object", check, range(check - 1, check), CERTAIN)
+    others = [a for a in arguments if a is not own[0] and check - 1 not in a.tokens]
+    return [*others, it, replace(own[0], type="state")]
 
 
 def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, range]) -> list[FoundArgument]:
