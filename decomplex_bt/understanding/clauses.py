@@ -30,7 +30,7 @@ class Clause:
     the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
     `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
     is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
-    whether it asks for nothing but where something is.
+    whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something.
     """
 
     task: MarkedTask
@@ -47,6 +47,16 @@ class Clause:
     has_pronoun: bool
     number: str = ""
     asks_where: bool = False
+    asks_whether_any: bool = False
+
+    def is_of_what_there_is(self, first: Clause) -> bool:
+        """Whether it tests how something is of which an earlier condition asks whether it is there: "is there a bike?
+        If it is mine, ..."; what there is none of has no state."""
+        own = dict(self.task.arguments)
+        if self.task.type != "check_state" or not first.asks_whether_any or first.wording.is_negated:
+            return False
+        is_of_it = "object" in own and not self.objects and self.has_pronoun and "location" not in own
+        return is_of_it and "state" in own and self.wording.state not in _PRESENT
 
     def is_of_another(self, first: Clause) -> bool:
         """Whether its words say that it is no mention of an earlier condition: it tests a state, and that of many
@@ -70,6 +80,7 @@ class Clause:
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
+_IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
 _JOINING = frozenset(("and", "or", "of", "&"))
 _PRESENT = frozenset(
     "gone up empty out missing in away clear here there home back left present absent around inside outside upstairs "
@@ -143,6 +154,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ),
         number=next((_number(document, indices) for kind, indices in tasks[k].arguments if kind == "object"), ""),
         asks_where=_asks_where(document, tasks[k], behind),
+        asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
     )
 
 
@@ -150,6 +162,15 @@ def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> 
     kinds = {kind for kind, _ in task.arguments}
     is_asked = document.tokens[task.token].lemma in _BEING or not {"whether", "if"}.isdisjoint(behind)
     return task.type == "check_state" and "location" in kinds and "state" not in kinds and is_asked
+
+
+def _asks_whether_any(document: Document, task: MarkedTask, clause: range) -> bool:
+    words = [document.tokens[j].lower for j in clause]
+    is_there = any(
+        word == "there" and not {words[i - 1] if i else "", *words[i + 1 : i + 2]}.isdisjoint(_IS)
+        for i, word in enumerate(words)
+    )
+    return task.type == "check_state" and is_there and not any(kind == "state" for kind, _ in task.arguments)
 
 
 def _number(document: Document, indices: range) -> str:

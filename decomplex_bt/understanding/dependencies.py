@@ -127,12 +127,17 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     where it does not, unless an "otherwise" or the like stands between; and what a "failing that" opens is not done
     where something held.
 
+    A check of how something is stands where it is there, if nothing else was named ("is there a bike? If it is mine,
+    ...").
+
     In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
     it mentions, before one side of that has tasks (`arcs.flip_of`).
     """
     mended = list(attachments)
     for k in range(1, len(clauses)):
         clause, before = clauses[k], clauses[k - 1]
+        if roles[k] == roles[k - 1] == "condition" and mended[k] == "<1-" and clause.is_of_what_there_is(before):
+            mended[k] = "<1+"
         is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
         is_failure = is_mention and "fail" in before.near and not before.wording.is_contrary
         is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)

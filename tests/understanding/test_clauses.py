@@ -115,3 +115,30 @@ def test_what_follows_an_if_it_does_not_is_done_where_it_does_not(markup: str, a
     found = clauses(markup)
     roles = ("condition", "mention", "task")
     assert stated_sides(found, roles, ("top", "<1", attachment)) == ("top", "<1", expected)
+
+
+@pytest.mark.parametrize(
+    ("markup", "expected"),
+    [
+        (
+            "[Is](1:check_state) there [a bike](1:object) [in the hall](1:location)? If [it](2:object) "
+            "[is](2:check_state) [mine](2:state), [take](3:bringing) [it](3:object) away.",
+            "<1+",
+        ),
+        # the basket, not the bread, is empty
+        (
+            "[Is](1:check_state) there [bread](1:object) [in the basket](1:location)? If [it](2:object)"
+            "['s](2:check_state) [empty](2:state), [fill](3:change_state) [it](3:object).",
+            "<1-",
+        ),
+        (
+            "If there ['s](1:check_state) no [milk](1:object) and if [it](2:object)['s](2:check_state) "
+            "[late](2:state), [tell](3:informing) me.",
+            "<1-",
+        ),
+    ],
+)
+def test_what_there_is_none_of_has_no_state(markup: str, expected: str) -> None:
+    found = clauses(markup)
+    roles = ("condition", "condition", "task")
+    assert stated_sides(found, roles, ("top", "<1-", "<1+"))[1] == expected

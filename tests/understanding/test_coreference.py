@@ -192,3 +192,25 @@ def test_what_there_is_none_of_is_not_switched_off_but_may_be_looked_for():
     for task, expected in ((tasks[1], False), (tasks[2], True)):
         gap = gap_of(doc, task, task.arguments[0])
         assert ("steam" in {option.text for option in options_of(context, gap)}) == expected
+
+
+def test_nothing_that_is_named_later_is_she_unless_a_person():
+    doc = document(*"if/IN she/PRP wakes/VBZ ,/, bring/VB her/PRP the/DT cake/NN".split())
+    tasks = (
+        Task(1, "check_state", doc.span(2, 2), (argument(doc, "object", 1, 1),)),
+        Task(2, "bringing", doc.span(4, 4), (argument(doc, "recipient", 5, 5), argument(doc, "object", 6, 7))),
+    )
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([{"if": 1, "then": [2]}]))
+    gap = gap_of(doc, tasks[0], tasks[0].arguments[0])
+    assert {option.text for option in options_of(context, gap)} == {""}
+
+
+def test_him_in_the_branch_of_who_it_is_is_that_person():
+    doc = document(*"somebody/NN rings/VBZ ,/, if/IN it/PRP is/VBZ the/DT vicar/NN ,/, tell/VB him/PRP".split())
+    tasks = (
+        Task(1, "check_state", doc.span(5, 5), (argument(doc, "object", 4, 4), argument(doc, "state", 6, 7))),
+        Task(2, "informing", doc.span(9, 9), (argument(doc, "recipient", 10, 10),)),
+    )
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([{"if": 1, "then": [2]}]))
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    assert {option.text for option in options_of(context, gap)} - {""} == {"the vicar"}
