@@ -10,7 +10,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import gap_of
-from decomplex_bt.understanding.prohibitions import forbidden
+from decomplex_bt.understanding.prohibitions import forbidden, is_needless
 
 NO_TASK = "no task that this robot knows was found in the text"
 
@@ -55,6 +55,8 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     """One line each: no task found, a prohibition that is not watched, repetition that is read as once."""
     document = observed.document
     for verb in forbidden(observed):
+        if is_needless(document, verb):
+            continue
         marks = (i for i in range(verb + 1, len(document)) if document.tokens[i].text in _END)
         end = min(next(marks, len(document)), verb + 5)
         yield f"{document.span(verb, end - 1).of(document.text)!r} is forbidden: a prohibition is not watched"

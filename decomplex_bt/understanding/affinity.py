@@ -199,13 +199,17 @@ def _identity(context: Context, gap: Gap) -> range:
 
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
-    is none of, or what is named after a "she" and no person ("if she's hungry, bring her the cake")."""
+    is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
+    before somebody is told or given something ("bring her the cake and tell her ...")."""
     if gap.word not in _ELSEWHERE:
         return False
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
-    return (is_ahead and _kind(context, candidate) not in _ANIMATE) or _is_absent(context, gap, candidate)
+    is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
+    if (is_ahead or is_given) and _kind(context, candidate) not in _ANIMATE:
+        return True
+    return _is_absent(context, gap, candidate)
 
 
 def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -225,6 +229,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     thing itself, and "the black one" no grey hoodie."""
     tokens = observed.document.tokens
     worded = list(spellings(observed.document, gap, candidate))
+    if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
     is_measure = (  # "a glass of it" is no bottle
         gap.form == "part"
@@ -242,11 +248,13 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
 
 
+_LACKING = frozenset(("no", "few"))
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
+_HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _TOGETHER = frozenset("both them they those these either".split())
 

@@ -7,9 +7,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
-from decomplex_bt.understanding.asides import asides
+from decomplex_bt.understanding.asides import asides, reasons, whereabouts
+from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.idioms import predicated
+from decomplex_bt.understanding.idioms import for_somebody, predicated
+from decomplex_bt.understanding.prohibitions import prohibitions
 from decomplex_bt.understanding.withdrawals import Withdrawals
 
 CERTAIN = 0.9
@@ -24,30 +26,54 @@ _OF_CHECKS = frozenset(("object", "state", "location"))
 def amended(
     observed: Observed, tasks: Mapping[int, str], withdrawals: Withdrawals, found: FoundArguments
 ) -> FoundArguments:
-    """The arguments without those that are taken back or said aside, and with what corrections and idioms say instead;
-    where a thing is may be said aside ("since it's still in the sink, fish it out")."""
-    aside = asides(observed.document, tasks)
-    kept = [a for a in found.arguments if a.tokens.start not in aside or a.type in _PLACES]
-    kept = [a for a in kept if a.tokens.start not in withdrawals.tokens]
+    """The arguments without those that are taken back, forbidden or said aside, and with what corrections and idioms
+    say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
+    document = observed.document
+    idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks)
+    why = reasons(document, tasks)
+    kept = [a for a in found.arguments if a.tokens.start not in idle]
+    kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
+    kept = [_meant(document, tasks, a) for a in kept]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
+        if kind == "bringing":
+            kept = _given(kept, token, for_somebody(document, token))
         if kind == "check_state":
-            kept = _told(kept, token, predicated(observed.document, token))
+            kept = _told(kept, token, predicated(document, token))
             kept = _identified(observed, kept, token)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 
 def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: range) -> list[FoundArgument]:
-    """The arguments with a phrase in place of the last one before it that begins alike, with a preposition or not."""
+    """The arguments with a phrase in place of the last one before it that it may stand for."""
     tokens = observed.document.tokens
     others = [a for a in arguments if not set(a.tokens) & set(phrase)]
-    before = [a for a in others if a.tokens.stop <= phrase.start]
-    alike = [a for a in before if (tokens[a.tokens.start].pos == "ADP") == (tokens[phrase.start].pos == "ADP")]
-    wrong = max(alike or before, key=lambda a: a.tokens.stop, default=None)
+    before = [a for a in others if a.tokens.stop <= phrase.start and a.type not in ("state", "manner")]
+    if tokens[phrase.start].pos == "ADP":
+        before = [a for a in before if tokens[a.tokens.start].pos == "ADP"] or before
+    wrong = max(before, key=lambda a: a.tokens.stop, default=None)
     if wrong is None:
         return list(arguments)
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
+
+
+def _meant(document: Document, tasks: Mapping[int, str], argument: FoundArgument) -> FoundArgument:
+    """The argument; where somebody is to whom something is brought is no source but the goal ("he's in the garden")."""
+    if argument.type != "source" or tasks.get(argument.owner) != "bringing":
+        return argument
+    first = argument.tokens.start
+    starts = range(max(0, first - 4), first)
+    is_of_somebody = any(first in (whereabouts(document, at) or ()) for at in starts)
+    return replace(argument, type="goal") if is_of_somebody else argument
+
+
+def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:
+    """The arguments with the recipient that a "for Ella" tells, where nobody else gets it."""
+    is_taken = any(
+        set(a.tokens) & set(whom) or (a.owner == bringing and a.type in ("recipient", "goal")) for a in arguments
+    )
+    return [*arguments, FoundArgument("recipient", bringing, whom, CERTAIN)] if whom and not is_taken else [*arguments]
 
 
 def _identified(observed: Observed, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:

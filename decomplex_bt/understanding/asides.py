@@ -1,8 +1,8 @@
-"""Asides: words between the orders that ask nothing and order nothing: tag questions, musings, reasons."""
+"""Asides: words between the orders that ask nothing and order nothing: tag questions, musings, reasons, whereabouts."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Sequence
 
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
@@ -11,17 +11,29 @@ _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())
 _MUSING = frozenset("think see remember recall guess".split())
 _REASONS = frozenset(("since", "because", "cause", "cos", "cuz"))
+_PERSONS = frozenset(("he", "she", "i", "we"))
+_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
 _ENDS = frozenset((".", "?", "!", ";", ",", ":", "and", "or", "but", "so"))
 
 
 def asides(document: Document, tasks: Collection[int]) -> frozenset[int]:
-    """The tokens of all asides in which no token is among the `tasks`."""
+    """The tokens of all asides but reasons in which no token is among the `tasks`."""
+    return _all_of(document, tasks, (tag_question, musing))
+
+
+def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
+    """The tokens of all reasons in which no token is among the `tasks`."""
+    return _all_of(document, tasks, (reason,))
+
+
+def _all_of(
+    document: Document, tasks: Collection[int], kinds: Sequence[Callable[[Document, int], range | None]]
+) -> frozenset[int]:
     found: set[int] = set()
-    for i in range(len(document)):
-        for words in (tag_question(document, i), musing(document, i), reason(document, i)):
-            if words is not None and not any(j in tasks for j in words):
-                found.update(words)
+    for words in (kind(document, i) for kind in kinds for i in range(len(document))):
+        if words is not None and not any(i in tasks for i in words):
+            found.update(words)
     return frozenset(found)
 
 
@@ -42,17 +54,47 @@ def musing(document: Document, at: int) -> range | None:
     return range(at, at + 3) if said[3:] == [] or not said[3].isalpha() else None
 
 
+def whereabouts(document: Document, at: int) -> range | None:
+    """The clause from token `at` on that tells where somebody is ("he's in the garden"); or None."""
+    tokens, sentences = document.tokens, document.sentences
+    before = tokens[at - 1].lower if at and sentences[at - 1] == sentences[at] else "."
+    said = [normal_form(token.lower) for token in tokens[at : at + 2]]
+    if before not in _ENDS or tokens[at].lower not in _PERSONS or said[1:] not in (["is"], ["'m"], ["am"]):
+        return None
+    stop = at + 2
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+        stop += 1
+    behind = next((token for token in tokens[at + 2 : stop] if token.pos != "ADV"), None)
+    return range(at, stop) if behind is not None and behind.pos == "ADP" else None
+
+
 def reason(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it only tells why ("since the fan is broken"); or None."""
     tokens, sentences = document.tokens, document.sentences
     if tokens[at].lower in _ENDS:
         return None
-    start = stop = at
+    start = at
     while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _ENDS:
         if tokens[start].lower in _REASONS:
             break
         start -= 1
+    stop = start
     while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+        if stop > start + 2 and _is_order(document, stop):
+            break  # "since you're in the kitchen check the oven"
         stop += 1
+    if not start <= at < stop:
+        return None
     said = [token.lower for token in tokens[start:stop]]
+    if sum(token.tag in _FINITE for token in tokens[start:stop]) > 1:
+        return None  # "because it's late check that the kids are asleep": where it ends nothing tells
     return range(start, stop) if said[0] in _REASONS and _CONDITIONS.isdisjoint(said) else None
+
+
+def _is_order(document: Document, at: int) -> bool:
+    """Whether a verb in its bare form begins an order within a clause."""
+    tokens = document.tokens
+    before = tokens[at - 1]
+    is_led = before.tag in ("TO", "MD") or before.lower in ("do", "does", "n't", "not", "n\u2019t", "to")
+    has_subject = any(tokens[i].dep in ("nsubj", "nsubjpass") and i < at for i in document.children[at])
+    return tokens[at].tag in ("VB", "VBP") and tokens[at].pos == "VERB" and not is_led and not has_subject

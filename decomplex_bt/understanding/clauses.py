@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 from decomplex_bt.understanding.arcs import Wording
 from decomplex_bt.understanding.asides import tag_question
-from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS
+from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS, are_apart
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.phrases import PERSON_NOUNS, head_of
+from decomplex_bt.understanding.prohibitions import is_forbidden
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,8 @@ class Clause:
     the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
     `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
     is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
-    whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something.
+    whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
+    `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it.
     """
 
     task: MarkedTask
@@ -48,6 +50,8 @@ class Clause:
     number: str = ""
     asks_where: bool = False
     asks_whether_any: bool = False
+    is_forbidden: bool = False
+    is_alternative: bool = False
 
     def is_of_what_there_is(self, first: Clause) -> bool:
         """Whether it tests how something is of which an earlier condition asks whether it is there: "is there a bike?
@@ -57,6 +61,14 @@ class Clause:
             return False
         is_of_it = "object" in own and not self.objects and self.has_pronoun and "location" not in own
         return is_of_it and "state" in own and self.wording.state not in _PRESENT
+
+    def is_of_other_state(self, first: Clause) -> bool:
+        """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
+        done, and if it's burnt, ...")."""
+        state, other = self.wording.state, first.wording.state
+        if state is None or other is None or "whether" not in first.behind or "still" in self.near:
+            return False
+        return not self.objects and self.has_pronoun and are_apart(state, other)
 
     def is_of_another(self, first: Clause) -> bool:
         """Whether its words say that it is no mention of an earlier condition: it tests a state, and that of many
@@ -80,6 +92,9 @@ class Clause:
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
+_DEFINITE = frozenset("the my your his her our their this that these those".split())
+_JOINTS = frozenset(("and", "but", "or"))
+_DENYING = frozenset("no not n't n\u2019t".split())
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
 _JOINING = frozenset(("and", "or", "of", "&"))
 _PRESENT = frozenset(
@@ -155,11 +170,25 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         number=next((_number(document, indices) for kind, indices in tasks[k].arguments if kind == "object"), ""),
         asks_where=_asks_where(document, tasks[k], behind),
         asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
+        is_forbidden=is_forbidden(document, token),
+        is_alternative=any(
+            cue.name == "if" and previous < cue.first - 1 and document.tokens[cue.first - 1].lower == "or"
+            for cue in cues
+            if cue.first < token
+        ),
     )
+
+
+def _is_sought(document: Document, indices: range) -> bool:
+    """Whether something of a certain kind is meant, no certain thing: "clean towels", "a free chair"."""
+    tokens = [document.tokens[j] for j in indices]
+    return any(token.pos == "ADJ" for token in tokens) and tokens[0].lower not in _DEFINITE
 
 
 def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> bool:
     kinds = {kind for kind, _ in task.arguments}
+    if any(kind == "object" and _is_sought(document, indices) for kind, indices in task.arguments):
+        return False  # "are there clean towels in the bathroom?" asks how they are as well
     is_asked = document.tokens[task.token].lemma in _BEING or not {"whether", "if"}.isdisjoint(behind)
     return task.type == "check_state" and "location" in kinds and "state" not in kinds and is_asked
 
@@ -179,6 +208,8 @@ def _number(document: Document, indices: range) -> str:
     if len(tokens) == 1 and tokens[0].lower in _NUMBERS:
         return _NUMBERS[tokens[0].lower]
     head = document.tokens[head_of(document, indices)]
+    if _is_sought(document, indices):  # "clean towels ... if they're all dirty"
+        return ""
     if head.lemma in PERSON_NOUNS or head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
         return ""
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
@@ -189,14 +220,7 @@ _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 
 def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
     far, near, behind = cues
-    words = [observed.document.tokens[j].lower for j in range(first, last + 1)]
-    nots = [cue for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
-    nots = [cue for cue in nots if not _is_polite(observed.document, cue.first)]
-    if last + 2 < len(observed.document) and tag_question(observed.document, last + 2) is not None:
-        nots = []  # "the light isn't on, is it?" asks whether it is
-    if "neither" in words:  # "neither hot nor full" denies once
-        nots = [cue for cue in nots if observed.document.tokens[cue.first].lower != "nor"]
-    negations = len(nots) + ("unless" in near)
+    negations = len(_negations(observed, task, first, last)) + ("unless" in near)
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
@@ -212,6 +236,41 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
         bool(lemmas & _CONTRARY) or state in _CONTRARY,
+    )
+
+
+def _negations(observed: Observed, task: MarkedTask, first: int, last: int) -> list[int]:
+    """The tokens that deny what a task's clause says: of its verb, its subject or what it says of it, and not of a part
+    of these ("a mug that isn't dirty", "with no sound", "hot but not too hot")."""
+    document = observed.document
+    if last + 2 < len(document) and tag_question(document, last + 2) is not None:
+        return []  # "the light isn't on, is it?" asks whether it is
+    found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
+    found = [i for i in found if not _is_polite(document, i) and _is_of(document, i, task.token, last)]
+    if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
+        found = [i for i in found if document.tokens[i].lower != "nor"]
+    # "if there is no answer" is a cue for a failure, but its verb may be a task as well
+    wholes = [cue for cue in observed.cues if cue.name in PRO_FORMS and cue.first <= task.token <= cue.last]
+    said = [i for cue in wholes for i in range(cue.first, cue.last + 1)]
+    if any(document.tokens[i].lower == "there" for i in said):
+        found += [i for i in said if document.tokens[i].lower in _DENYING and i not in found]
+    return found
+
+
+def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
+    """Whether a negation is of the task's own clause: not of a verb behind it ("if it is on and nobody is there"), nor
+    of a part of what it says. By the words around it, for where marks are lacking the parse is often wrong."""
+    if negation <= task:
+        return True
+    tokens = document.tokens
+    before = tokens[negation - 1]
+    if before.lower in _JOINTS or (before.pos == "ADP" and tokens[negation].lower == "no"):
+        return False
+    if before.lower in ("do", "does") and negation > task + 1 and document.tokens[last].i <= negation:
+        return False
+    relatives = [j for j in range(task + 1, negation) if tokens[j].tag in ("WDT", "WP")]
+    return not (relatives or before.lower == "that") or not any(
+        tokens[i].dep in ("relcl", "acl") for i in (negation, *document.ancestors(negation))
     )
 
 

@@ -148,8 +148,11 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         length, names = _longest(words, position)
         if _PRO_BEFORE.intersection(names) and _opens_clause(document, position, position + length - 1):
             length, names = 1, ("before",)
-        if "else" in names and words[position + length - 1] == "no" and _has_verb(document, position + length):
-            length, names = 1, ("if",)  # "if no cup is clean"
+        if PRO_FORMS.intersection(names) and _goes_on(document, words, position, position + length):
+            length, names = (
+                1,
+                _TABLE.get((words[position],), ()),
+            )  # "if no cup is clean", "if you are unable to reach it"
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
@@ -162,14 +165,21 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     return tuple(sorted(cues, key=lambda cue: cue.first))
 
 
-def _has_verb(document: Document, start: int) -> bool:
-    """Whether a clause goes on with a finite verb before its next mark."""
-    stop = next((token.i for token in document.tokens[start:] if token.text in _MARKS), len(document))
+def _goes_on(document: Document, words: Sequence[str], position: int, end: int) -> bool:
+    """Whether words that may stand for a whole condition only begin one: "if no cup is clean"; where nothing was said
+    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"."""
+    is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
+    if words[position] != "if" or not (is_first or words[end - 1] == "no"):
+        return False
+    rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in _MARKS), len(document))]
+    if words[end - 1] in ("able", "unable", "possible", "impossible", "to"):
+        return any(token.tag == "VB" for token in rest[:2])
+    if words[end - 1] not in ("no", "nothing", "none", "neither"):
+        return False
     finite = ("VBZ", "VBP", "VBD", "MD")
     return any(
-        token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj")
-        for token in document.tokens[start + 1 : stop]
-    )
+        token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj") for token in rest
+    ) or words[end : end + 1] in (["one"], ["body"])
 
 
 def _is_named(words: Sequence[str], position: int) -> bool:
@@ -309,6 +319,28 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
     }
 )  # fmt: skip
 """States to an opposite, for mentions such as "if it is on … if it is off"; open vocabulary, not only the domain's."""
+
+
+SCALES: tuple[frozenset[str], ...] = tuple(
+    frozenset(words.split())
+    for words in (
+        "hot warm lukewarm tepid cold cool chilled frozen freezing boiling", "wet dry damp moist soaked soaking soggy",
+        "clean dirty filthy muddy dusty stained spotless grubby", "locked unlocked open closed shut ajar",
+        "asleep awake sleeping dozing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
+        "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
+        "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
+        "crying fussing", "sick ill poorly feverish", "on off running stopped", "empty full half-full half-empty",
+        "heavy", "blue red green yellow black white grey gray brown pink orange purple", "dead alive wilting wilted",
+    )
+)  # fmt: skip
+"""States that tell of one and the same matter."""
+
+
+def are_apart(state: str, other: str) -> bool:
+    """Whether two states tell of different matters: "done" and "burnt", "asleep" and "cold"; not where that is not
+    known of one."""
+    scales, others = ({i for i, scale in enumerate(SCALES) if word in scale} for word in (state, other))
+    return bool(scales) and bool(others) and scales.isdisjoint(others)
 
 
 def last_of(names: Sequence[str], wanted: frozenset[str]) -> str:

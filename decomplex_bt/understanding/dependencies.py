@@ -119,6 +119,9 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
         firsts = [clauses[j] for j in range(k) if mended[j] == "condition"]
         if mended[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
             mended[k] = "condition"
+        is_bare = mended[k] == "mention" and mended[k - 1] == "condition" and "mention" not in mended[k + 1 :]
+        if is_bare and clause.is_of_other_state(clauses[k - 1]):
+            mended[k - 1 : k + 1] = "task", "condition"  # "check if it is done, and if it's burnt, ..."
     return tuple(mended)
 
 
@@ -127,7 +130,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     where it does not, unless an "otherwise" or the like stands between; and what a "failing that" opens is not done
     where something held.
 
-    A check of how something is stands where it is there, if nothing else was named ("is there a bike? If it is mine,
+    What is forbidden in a case is done in the other, as is what an "or if ..." follows. A check of how something is
+    stands where it is there, if nothing else was named ("is there a bike? If it is mine,
     ...").
 
     In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
@@ -136,6 +140,15 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     mended = list(attachments)
     for k in range(1, len(clauses)):
         clause, before = clauses[k], clauses[k - 1]
+        if roles[k] == "task" and clause.is_forbidden and roles[k - 1] in CONDITION_ROLES and mended[k] in _DIRECT:
+            mended[k] = "<1-"  # "if it isn't full, don't empty it": done where it is
+            for j in range(k + 1, len(clauses)):  # "if it's wet, don't iron it, hang it up"
+                follows = clauses[j].sentence == clause.sentence and roles[j] == "task"
+                if not follows or clauses[j].is_forbidden or {*clauses[j].far, *clauses[j].near} & _TURNING:
+                    break
+                mended[j] = "<1+" if mended[j] == "<1-" else mended[j]
+        if roles[k] == "condition" and roles[k - 1] == "task" and mended[k - 1] == ">1+" and clause.is_alternative:
+            mended[k - 1] = ">1-"  # "bring me tea, or if there is none, ..."
         if roles[k] == roles[k - 1] == "condition" and mended[k] == "<1-" and clause.is_of_what_there_is(before):
             mended[k] = "<1+"
         is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
@@ -155,6 +168,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     return tuple(mended)
 
 
+_DIRECT = frozenset(("<1+", "<1-"))
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
 _TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Container, Sequence
 from dataclasses import replace
-from itertools import pairwise, zip_longest
+from itertools import dropwhile, pairwise, zip_longest
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.asides import musing, reason, tag_question
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.idioms import idiomatic
+from decomplex_bt.understanding.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -34,6 +34,8 @@ _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
     "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
 )
+_OF_SOMEBODY = frozenset("eaten driven returned pulled".split())
+_SUBJECTS = frozenset(("he", "she", "who"))
 _ADJECTIVES = frozenset(("drunk", "grown"))
 """Of the participles those that tell as well how somebody is."""
 _ASKING = frozenset("check see verify confirm look find".split())
@@ -42,22 +44,27 @@ _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _BEFORE_WEATHER = (
     _BETWEEN
     | _BE
-    | frozenset("still it started starts starting getting gets turned really so very only outside a an the".split())
+    | frozenset("still it started starts starting getting gets turned really so too very only outside a an the".split())
 )
 """What may stand between the verb of a check and the word for the weather or the day."""
+_TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
+_OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
 _WEATHER = frozenset(
-    "raining rains rained snowing snows snowed hailing hails pouring pours drizzling bucketing chucking teeming "
-    "lashing thundering sunny windy foggy stormy monday tuesday wednesday thursday friday saturday sunday "
-    "weekend".split()
+    "rain snow hail pour drizzle raining rains rained snowing snows snowed hailing hails pouring pours drizzling "
+    "bucketing chucking teeming lashing thundering sunny windy foggy stormy dark weekend monday tuesday wednesday "
+    "thursday friday saturday sunday".split()
 )
 _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
 _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
+_NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into"))
+_PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_ADDING = frozenset(("too", "also", "well"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
@@ -134,10 +141,12 @@ def reported(arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
 def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
     that tells of things as well ("if it is foggy") only where nothing is named before."""
-    said = [token for token in document.tokens[verb : verb + 6] if token.lower not in _BEFORE_WEATHER]
-    if not said or said[0].lower not in _WEATHER:
+    words = [token.lower for token in document.tokens[verb : verb + 7]]
+    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
+    is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
+    if not said or not (is_outside or said[0] in _WEATHER):
         return list(arguments)
-    if said[0].lower in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
+    if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
         return list(arguments)
     return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
 
@@ -163,20 +172,25 @@ def retracted(document: Document, arguments: Sequence[FoundArgument]) -> list[Fo
     taken_back = {
         id(argument)
         for argument, after in pairwise(in_order)
-        if argument.type == after.type and _is_taken_back(document.tokens[argument.tokens.stop : after.tokens.start])
+        if argument.type == after.type
+        and _is_taken_back(document.tokens[argument.tokens.stop : after.tokens.start])
+        and not {token.lower for token in document.tokens[after.tokens.stop : after.tokens.stop + 2]} & _ADDING
     }
     return [argument for argument in arguments if id(argument) not in taken_back]
 
 
 def completed(document: Document, tokens: range, taken: Container[int]) -> range:
-    """The tokens of an argument; where they end in an article or the like, with the words up to its noun as well, as
-    far as those are not `taken`. The "rid" of "get rid of it" belongs to the verb."""
+    """The tokens of an argument; where they end in an article, a preposition or the like, with the words up to its
+    noun as well, as far as those are not `taken`. The "rid of" of "get rid of it" belongs to the verb."""
     start, stop = tokens.start, tokens.stop
     if len(tokens) > 1 and document.tokens[start].lower == "rid":
         start += 1
-    if document.tokens[stop - 1].lower in _NEEDING_A_NOUN:
-        while stop < len(document) and stop not in taken and document.tokens[stop].pos in _NOUN_PARTS:
-            stop += 1
+    if len(tokens) > 1 and document.tokens[start].lower == "of" and start and document.tokens[start - 1].lower == "rid":
+        start += 1
+    last = document.tokens[stop - 1].lower
+    parts = _NOUN_PARTS if last in _NEEDING_A_NOUN else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
+    while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:
+        stop += 1
     return range(start, stop)
 
 
@@ -198,6 +212,8 @@ def _place(document: Document, at: int) -> int:
         return at
     if participle.tag == "JJ" and participle.lower in _ADJECTIVES:
         return at
+    if participle.lower in _OF_SOMEBODY and (at == 0 or tokens[at - 1].lower not in _SUBJECTS):
+        return at  # "the cake's eaten" is no perfect
     is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
     return participle.i if is_perfect else at
 
@@ -219,6 +235,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "placing" if _is_put_somewhere(said) else task.type
     if task.type == "placing" and (_is_put_on(said) if lemma == "put" else lemma in _LAYING and _is_the_table(said)):
         return "change_state"
+    if task.type == "taking" and for_somebody(document, task.token):
+        return "bringing"
     if task.type == "check_state" and _is_made_sure_of(document, task.token):
         return "change_state"
     return task.type
@@ -232,7 +250,13 @@ def _is_put_somewhere(said: Sequence[Token]) -> bool:
 
 
 def _is_put_on(said: Sequence[Token]) -> bool:
-    """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch."""
+    """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch; not "put out
+    the plates on the table"."""
+    clause = said[: next((i for i, token in enumerate(said) if token.lower in _CLAUSE_ENDS), len(said))]
+    if any(
+        one.lower in ("on", "in", "onto", "into") and two.tag in ("DT", "PRP$") for one, two in pairwise(clause[2:])
+    ):
+        return False
     return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
 
 
@@ -259,6 +283,8 @@ def _is_made_sure_of(document: Document, at: int) -> bool:
         return False
     be = next((i for i in range(start, len(said)) if said[i].lower in _BE or said[i].lower in _ENDS), len(said))
     predicate = [token for token in said[be + 1 :] if token.lower not in _MANNERS]
+    if any(token.lower in ("there", "nobody") for token in said[start:be]):
+        return False
     if be == len(said) or said[be].lower in _ENDS or not _is_state(predicate[:2]):
         return False
     last = document.sentences[at] + 1

@@ -138,6 +138,8 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
     for group in ontology.task_types[task.type].required:
         if group[0] == "goal" and observed.gazetteer.ending_type(document, position) == task.type:
             continue
+        if group[0] == "goal" and observed.gazetteer.particle(document, position) in ("away", "up"):
+            continue  # "put the cups away", "hang up the washing"
         if group[0] in ("object", "goal") and not said & set(group):
             yield Gap(task, group[0], position, "", is_required=group[0] == "object")
     if task.type == "check_state" and not said & {"state", "location"}:
@@ -147,8 +149,10 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
 def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:
     """How a candidate may be put into words for a gap, each with the name of the way."""
     text = candidate.text
+    is_open = document.tokens[candidate.tokens.start].lower in QUANTIFIERS | {"a", "an"} and len(candidate.tokens) > 1
     if gap.form == "part":
-        yield f"{_text(document, gap.tokens[:-1])} {text}", "of"
+        whole = bare_of(document, candidate, is_plural=None) if is_open else text  # of "any milk", "a cup of milk"
+        yield f"{_text(document, gap.tokens[:-1])} {whole}", "of"
         first = document.tokens[gap.tokens.start]
         if len(gap.tokens) == 3 and (first.pos == "NUM" or first.lower in ("some", "any", "few")):
             yield f"{first.text} {bare_of(document, candidate, is_plural=None)}", "counted"
@@ -188,7 +192,7 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         if gap.word == "one":
             yield f"one {bare}", "one"
     yield text, "same"
-    if document.tokens[candidate.tokens.start].lower in QUANTIFIERS | {"a", "an"} and len(candidate.tokens) > 1:
+    if is_open:
         yield bare_of(document, candidate, is_plural=None), "bare"
 
 

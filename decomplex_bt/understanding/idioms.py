@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.phrases import PERSON_NOUNS
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(
@@ -22,9 +23,14 @@ _ASKING = frozenset(("check_state", "searching"))
 _SPEAKERS = frozenset(("i", "we"))
 _PRONOUNS = frozenset("it they he she that this these those".split())
 _RELATIVES = frozenset(("that", "which", "who"))
-_PLACES = frozenset("there here too already so not yet then".split())
+_LOCATIONS = frozenset("home here there inside outside upstairs downstairs indoors outdoors nearby".split())
+_GETTING = frozenset(("get", "fetch", "grab", "pick"))
+_SPEAKER = frozenset(("me", "us"))
+_PEOPLE = frozenset(("me", "us", "him", "her", "them"))
+_NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _CLAUSE_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—"))
+_AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 _WEATHER = frozenset("rain snow hail drizzle pour".split())
 
@@ -131,6 +137,27 @@ def _participle(document: Document, have: int) -> int:
     return found
 
 
+def for_somebody(document: Document, verb: int) -> range:
+    """The "for Ella" of "get a coke for Ella", in the clause of a verb of getting; empty where there is none. "Pick
+    them up for me" asks a favour."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[verb].lemma not in _GETTING:
+        return range(0)
+    for i in range(verb + 1, len(tokens) - 1):
+        if tokens[i].lower in _CLAUSE_ENDS | _JOINING or tokens[i].pos == "VERB" or sentences[i] != sentences[verb]:
+            break
+        if tokens[i].lower != "for":
+            continue
+        noun = i + 1 + (tokens[i + 1].tag in ("PRP$", "DT"))
+        if tokens[i + 1].lower in _SPEAKER and tokens[verb].lemma not in ("get", "fetch"):
+            return range(0)
+        if tokens[i + 1].lower in _PEOPLE:
+            return range(i, i + 2)
+        if noun < len(tokens) and (tokens[noun].lemma in PERSON_NOUNS or tokens[noun].tag == "NNP"):
+            return range(i, noun + 1)
+    return range(0)
+
+
 def predicated(document: Document, check: int) -> dict[str, range]:
     """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
     ("the attic door might be locked") or else the `location` ("the keys might be in the car"); nothing for any other
@@ -147,16 +174,17 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         return found
     behind = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
     adverb = tokens[check + 1] if behind is not None and check + 1 < behind.i else None
-    if behind is None or (behind.lower in _CLAUSE_ENDS and adverb is not None and adverb.lower not in _PLACES):
-        behind = adverb  # "poorly" is an adverb to the tagger
-        if behind is not None:
-            found["state"] = range(behind.i, behind.i + 1)
+    if behind is None or (behind.lower in _CLAUSE_ENDS and adverb is not None and adverb.lower not in _NO_STATES):
+        if adverb is not None:  # "poorly" and "upstairs" are adverbs to the tagger
+            found["location" if adverb.lower in _LOCATIONS else "state"] = range(adverb.i, adverb.i + 1)
+    elif behind.lower in _LOCATIONS:
+        found["location"] = range(behind.i, behind.i + 1)
     elif behind.tag in ("JJ", "VBN", "VBG"):
         after = tokens[behind.i + 1] if behind.i + 1 < len(tokens) else None
         found["state"] = range(behind.i, behind.i + 1 + (after is not None and after.dep == "prt"))
     elif behind.pos == "ADP":
         stop = behind.i
-        while stop < len(tokens) and tokens[stop].lower not in _CLAUSE_ENDS | _JOINING:
+        while stop < len(tokens) and tokens[stop].lower not in _CLAUSE_ENDS | _JOINING | _AGAIN:
             stop += 1
         is_lack = behind.lower == "out" and tokens[behind.i + 1 : behind.i + 2] and tokens[behind.i + 1].lower == "of"
         found["state" if is_lack else "location"] = range(behind.i, stop)  # "out of milk"
@@ -170,7 +198,13 @@ def _subject(document: Document, may: int, check: int) -> range:
     heads = {check, tokens[check].head, tokens[may].head}
     subjects = [j for head in heads for j in document.children[head] if tokens[j].dep in ("nsubj", "nsubjpass")]
     head = max((j for j in subjects if j < may), default=None)
-    if head is None or tokens[head].lower in _RELATIVES or tokens[head].pos not in ("NOUN", "PROPN", "PRON"):
+    is_of_weather = head is not None and tokens[head].lower == "it" and tokens[check].lemma in _WEATHER
+    if (
+        head is None
+        or is_of_weather
+        or tokens[head].lower in _RELATIVES
+        or tokens[head].pos not in ("NOUN", "PROPN", "PRON")
+    ):
         return range(0)
     start = min([head, *(j for j in document.children[head] if j < head)])
     last = head

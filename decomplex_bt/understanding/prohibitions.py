@@ -3,11 +3,18 @@ says of them."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
+from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
-_BETWEEN = frozenset("please ever even just".split())
+_BETWEEN = frozenset("please ever even".split())
+_LIMITS = frozenset("only just merely simply".split())
+"""What is "not only" done is done as well."""
+_NEEDING = frozenset(("need", "have"))
+_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—", "and", "but", "just", "then"))
 _CONDITIONAL = frozenset(
     (
         "if only_if unless when until before before_that before_all after so else fail instead depending even_if "
@@ -37,17 +44,62 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         if tokens[i].lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
             continue
         verb = i + 1
+        if verb < len(tokens) and tokens[verb].lower in _LIMITS:
+            continue
         while verb < len(tokens) and (tokens[verb].tag == "RB" or tokens[verb].lower in _BETWEEN):
             verb += 1
-        if verb < len(tokens) and tokens[verb].tag in ("VB", "VBP") and not _has_subject(observed, verb):
-            found.append(verb)
+        if verb + 2 < len(tokens) and tokens[verb].lower in _NEEDING and tokens[verb + 1].lower == "to":
+            verb += 2  # "you don't need to wash it"
+        if verb < len(tokens) and tokens[verb].tag in ("VB", "VBP") and not _has_subject(document, verb):
+            found += [verb, *_joined(document, verb)]
     return tuple(found)
 
 
-def _has_subject(observed: Observed, verb: int) -> bool:
-    """Whether somebody but the one spoken to is said not to do it: "they don't open on Sundays"."""
+def is_needless(document: Document, verb: int) -> bool:
+    """Whether a verb of `forbidden` is only not needed ("you don't need to wash it")."""
+    return document.tokens[verb - 1].lower == "to" and document.tokens[verb - 2].lower in _NEEDING
+
+
+def _joined(document: Document, verb: int) -> list[int]:
+    """The verbs that an "or" joins to a forbidden one: "never boil or fry it"."""
+    tokens = document.tokens
+    joints = [i for i in document.children[verb] if tokens[i].lower in ("or", "nor")]
+    return [
+        i
+        for i in document.children[verb]
+        if tokens[i].dep == "conj" and tokens[i].tag in ("VB", "VBP") and any(joint < i for joint in joints)
+    ]
+
+
+def prohibitions(observed: Observed, tasks: Collection[int]) -> frozenset[int]:
+    """The tokens of what is forbidden, up to the end of its clause, where none of them is a task's: the words of "don't
+    put it in the closet" are no other task's."""
     tokens = observed.document.tokens
+    found: set[int] = set()
+    for verb in forbidden(observed):
+        stop = verb
+        while stop < len(tokens) and tokens[stop].lower not in _ENDS:
+            stop += 1
+        if not any(verb <= task < stop for task in tasks):
+            found.update(range(verb, stop))
+    return frozenset(found)
+
+
+def is_forbidden(document: Document, verb: int) -> bool:
+    """Whether a verb is in the bare form right behind a "do not", "never" or the like, said to the one spoken to."""
+    tokens = document.tokens
+    i = verb - 1
+    while i >= 0 and (tokens[i].lower in _BETWEEN or tokens[i].lower == "you"):  # "don't you dare", "don't ever"
+        i -= 1
+    is_negated = i >= 0 and tokens[i].lower in _NEGATIONS
+    is_order = is_negated and (tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in ("do", "must")))
+    return is_order and tokens[verb].tag in ("VB", "VBP") and not _has_subject(document, verb)
+
+
+def _has_subject(document: Document, verb: int) -> bool:
+    """Whether somebody but the one spoken to is said not to do it: "they don't open on Sundays"."""
+    tokens = document.tokens
     return any(
         tokens[child].dep in ("nsubj", "nsubjpass", "expl") and tokens[child].lower != "you" and child < verb
-        for child in observed.document.children[verb]
+        for child in document.children[verb]
     )

@@ -33,16 +33,19 @@ _DENIALS = tuple(
 """What does so behind a "no" or the like alone."""
 _ORDERS = frozenset(("cancel", "ignore", "disregard", "scratch", "scrap", "strike"))
 """Marks that may be orders, of what a statement before them names."""
+_ARGUING = frozenset(("scratch", "scrap", "strike", "cancel", "forget"))
+"""Marks that may take back an argument alone, before a "that"."""
 _LEAVING = frozenset(("it", "that", "them"))
 _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"))
 """What takes back the orders before it that are about the thing named next."""
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
+_DENYING = frozenset(("no", "nope", "nah"))
 _OPENERS = _REVERSING | frozenset("well ok okay on um uh er erm ah hmm but and so you know what or then just".split())
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
 _LAST = frozenset(("one", "bit"))
-_CONDITIONAL = frozenset("if only_if unless when fail so instead until depending whether".split())
+_CONDITIONAL = frozenset("if only_if unless when fail so until depending".split())
 _ELSE = frozenset(("otherwise", "else", "alternatively"))
 _ENDS = frozenset((".", "?", "!", ";"))
 _BREAKS = _ENDS | frozenset((",", ":", "-", "–", "—", "...", "…"))
@@ -50,6 +53,7 @@ _CLAUSE_BREAKS = _BREAKS | frozenset(("and", "but", "then", "or"))
 _OF_VERBS = frozenset(("for", "at", "after"))
 """Prepositions whose noun is what a verb is about: "look for the keys"."""
 _AGAIN = frozenset(("it", "them", "those", "these"))
+_NO_ARGUMENTS = frozenset("no thanks thank sorry please next one my our".split())
 _NOMINAL = frozenset(("NOUN", "PROPN", "ADJ", "NUM"))
 _SUBJECT_WORDS = frozenset(("i", "we", "you", "he", "she", "they", "it", "there"))
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
@@ -113,6 +117,11 @@ class _Words:
         """Whether the speaker turns round right before here: "no, ...", "actually ..."."""
         return any(word in _REVERSING for word in self.said[self._lead(at) : at])
 
+    def is_denied(self, at: int) -> bool:
+        """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
+        lead = self.said[self._lead(at) : at]
+        return not _DENYING.isdisjoint(lead) or ("actually" in lead and {"and", "just", "so"}.isdisjoint(lead))
+
     def closes(self, stop: int, is_reversed: bool) -> bool:
         """Whether a clause ends before `stop`; behind a "no" also where another verb follows without a mark."""
         if stop >= len(self.said) or self.said[stop] in _BREAKS or self._begins_sentence(stop):
@@ -154,9 +163,10 @@ def _taken_back(words: _Words, at: int) -> Withdrawals:
                 return _NOTHING  # "The timer is on. Cancel that."
             if words.is_verbless_before(at):
                 return _NOTHING  # "Full, forget it. Empty, throw it away."
-            own, phrase = frozenset(range(at, stop)), _phrase(words, stop)
+            own = frozenset(range(at, stop))
+            phrase = _phrase(words, stop) if mark[0] in _ARGUING and mark[-1] == "that" else range(0)
             return Withdrawals(own, (phrase,)) if phrase else Withdrawals(own | before, ())
-    if is_reversed and words.said[at] == "leave" and set(words.said[at + 1 : at + 2]) & _LEAVING:
+    if words.is_denied(at) and words.said[at] == "leave" and set(words.said[at + 1 : at + 2]) & _LEAVING:
         return Withdrawals(_before(words, at, is_last=True), ())  # "no, leave it on the table"
     for mark in _OF_THINGS:
         stop = at + len(mark)
@@ -177,6 +187,8 @@ def _phrase(words: _Words, at: int) -> range:
     phrase = words.tokens[at:stop]
     if not phrase or phrase[0].pos not in ("ADP", "DET", "NUM", "ADJ", "NOUN", "PROPN", "PRON"):
         return range(0)
+    if phrase[0].lower in _NO_ARGUMENTS:
+        return range(0)
     if (
         any(token.pos in ("VERB", "AUX") or _is_being(words, token.i) for token in phrase)
         or phrase[0].lower in _SUBJECT_WORDS
@@ -194,13 +206,13 @@ def _is_being(words: _Words, at: int) -> bool:
 
 def _before(words: _Words, at: int, *, is_last: bool) -> frozenset[int]:
     """What a mark at `at` takes back: the order before it in its sentence, else the sentence before it (`is_last`: the
-    last order of that), unless a condition is in it; with what stands between."""
+    last order of that); nothing where a condition is in its own sentence. With what stands between."""
     sentences = words.document.sentences
     said = [i for i in range(at) if sentences[i] == sentences[at]]
     own = any(words.said[i].isalpha() and words.said[i] not in _OPENERS for i in said)
     if not own:
         said = [i for i in range(at) if sentences[i] == sentences[at] - 1]
-    if not said or sentences[said[0]] in words.conditional:
+    if not said or (own and sentences[said[0]] in words.conditional):
         return frozenset()
     start = _order(words, said) if own or is_last else said[0]
     return frozenset(range(start, at))
@@ -279,4 +291,5 @@ def _is_object(document: Document, noun: int, details: set[str]) -> bool:
         if preposition.lower not in _OF_VERBS or tokens[preposition.head].pos != "VERB":
             return False
     own = {tokens[i].lemma for i in document.children[noun]}
-    return details <= own
+    is_joined = tokens[noun].dep == "conj" or any(tokens[i].dep == "conj" for i in document.children[noun])
+    return details <= own and not is_joined  # of "the shirt and the socks" one is left

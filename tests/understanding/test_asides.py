@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.understanding.asides import asides, musing, reason, tag_question
+from decomplex_bt.understanding.asides import asides, musing, reason, reasons, tag_question, whereabouts
 from decomplex_bt.understanding.document import Parser
 
 
@@ -15,7 +15,7 @@ def parser() -> Parser:
 
 def words(parser: Parser, text: str) -> str:
     document = parser.parse(text)
-    return " ".join(document.tokens[i].text for i in sorted(asides(document, ())))
+    return " ".join(document.tokens[i].text for i in sorted(asides(document, ()) | reasons(document, ())))
 
 
 @pytest.mark.parametrize(
@@ -41,6 +41,8 @@ def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
         "Let me know whether it is on.",
         "Because if the fan is broken, open the window.",
         "If it is on, turn it off.",
+        "Because it's late check that the kids are asleep.",
+        "Bring him his cane, he's in the garden.",
     ],
 )
 def test_what_is_none(parser: Parser, text: str) -> None:
@@ -59,3 +61,9 @@ def test_an_aside_is_known_by_the_token_that_it_is_asked_of(parser: Parser) -> N
     assert tag_question(document, 4) == range(4, 7)
     assert musing(document, 10) == range(10, 13)
     assert reason(document, 0) is None
+
+
+def test_where_somebody_is_is_told_in_a_clause(parser: Parser) -> None:
+    assert whereabouts(parser.parse("Bring him his cane, he's in the garden."), 5) == range(5, 10)
+    assert whereabouts(parser.parse("Bring me the cane, it's in the garden."), 5) is None
+    assert whereabouts(parser.parse("Tell Ann she's in the garden."), 2) is None

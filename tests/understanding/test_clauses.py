@@ -142,3 +142,68 @@ def test_what_there_is_none_of_has_no_state(markup: str, expected: str) -> None:
     found = clauses(markup)
     roles = ("condition", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1-", "<1+"))[1] == expected
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        ("If [the door](1:object) [is](1:check_state)n't [locked](1:state), [lock](2:change_state) it.", True),
+        ("If there [is](1:check_state) no [milk](1:object), [bring](2:bringing) [tea](2:object).", True),
+        ("If nothing [is](1:check_state) [in the oven](1:location), [clean](2:change_state) [it](2:object).", True),
+        ("If no [cup](1:object) [is](1:check_state) [clean](1:state), [wash](2:change_state) one.", True),
+        ("[Ring](1:informing) Ann. If there['s](2:check_state) no [answer](2:object), [ring](3:informing) Tom.", True),
+        ("if theres none [there](1:check_state) [bring](2:bringing) [tea](2:object)", True),
+        ("If there['s](1:check_state) [tea](1:object) but no milk, [bring](2:bringing) [it](2:object).", False),
+        ("If [it](1:object)['s](1:check_state) [hot](1:state) but not too hot, [bring](2:bringing) it.", False),
+        ("If [it](1:object) [is](1:check_state) [on](1:state) for no reason, [dust](2:change_state) it.", False),
+        ("If there [is](1:check_state) [a chair](1:object) that nobody uses, [bring](2:bringing) it.", False),
+        ("If [it](1:object)['s](1:check_state) [on](1:state) and nobody [is](2:check_state) [in](2:state), go.", False),
+        ("If [it](1:object) [is](1:check_state) [wet](1:state) don't [iron](2:change_state) [it](2:object).", False),
+    ],
+)
+def test_a_negation_denies_what_it_belongs_to(markup: str, is_negated: bool) -> None:
+    found = clauses(markup)
+    check = next(k for k, clause in enumerate(found) if clause.task.type == "check_state")
+    assert found[check].wording.is_negated == is_negated
+
+
+@pytest.mark.parametrize("attachment", ["<1+", "<1-"])
+@pytest.mark.parametrize("negation", ["", "n't"])
+def test_what_is_forbidden_in_a_case_is_done_in_the_other(negation: str, attachment: str) -> None:
+    found = clauses(
+        f"If [the bin](1:object) [is](1:check_state){negation} [full](1:state), don't [empty](2:change_state) it."
+    )
+    assert found[1].is_forbidden
+    assert stated_sides(found, ("condition", "task"), ("top", attachment)) == ("top", "<1-")
+
+
+def test_what_an_or_if_follows_is_done_where_that_is_not_so() -> None:
+    found = clauses(
+        "[Bring](1:bringing) [the cap](1:object), or if [it](2:object)['s](2:check_state) [wet](2:state), mine."
+    )
+    assert stated_sides(found, ("task", "condition"), (">1+", "top")) == (">1-", "top")
+    plain = clauses("[Bring](1:bringing) [the cap](1:object) if [it](2:object)['s](2:check_state) [dry](2:state).")
+    assert stated_sides(plain, ("task", "condition"), (">1+", "top")) == (">1+", "top")
+
+
+@pytest.mark.parametrize(
+    ("state", "expected"),
+    [("burnt", ("task", "condition", "task")), ("raw", ("condition", "mention", "task"))],
+)
+def test_a_state_that_has_nothing_to_do_with_the_one_asked_is_a_condition_of_its_own(
+    state: str, expected: tuple[str, ...]
+) -> None:
+    found = clauses(
+        "[Check](1:check_state) if [the cake](1:object) is [done](1:state), and if [it](2:object)['s](2:check_state) "
+        f"[{state}](2:state), [cover](3:change_state) [it](3:object)."
+    )
+    assert chained_roles(found, ("condition", "mention", "task")) == expected
+
+
+def test_what_is_done_instead_of_what_is_forbidden_is_done_in_its_case() -> None:
+    found = clauses(
+        "If [the rug](1:object) [is](1:check_state) [wet](1:state), don't [roll](2:change_state) it, "
+        "[hang](3:placing) it up."
+    )
+    sides = stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1-"))
+    assert sides == ("top", "<1-", "<1+")

@@ -214,3 +214,36 @@ def test_him_in_the_branch_of_who_it_is_is_that_person():
     context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([{"if": 1, "then": [2]}]))
     gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
     assert {option.text for option in options_of(context, gap)} - {""} == {"the vicar"}
+
+
+def test_nobody_is_given_or_told_what_was_handled():
+    doc = document(*"bring/VB her/PRP the/DT scarf/NN and/CC tell/VB her/PRP".split())
+    tasks = (
+        Task(1, "bringing", doc.span(0, 0), (argument(doc, "recipient", 1, 1), argument(doc, "object", 2, 3))),
+        Task(2, "informing", doc.span(5, 5), (argument(doc, "recipient", 6, 6),)),
+    )
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([1, 2]))
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    assert {option.text for option in options_of(context, gap)} == {""}
+
+
+def test_what_there_is_none_of_is_brought_by_its_name():
+    doc = document(*"no/DT paper/NN left/VBN ?/. bring/VB some/DT".split())
+    tasks = (
+        Task(1, "check_state", doc.span(2, 2), (argument(doc, "object", 0, 1),)),
+        Task(2, "bringing", doc.span(4, 4), (argument(doc, "object", 5, 5),)),
+    )
+    context = Context(Observed(doc, GAZETTEER), tasks, Flow.from_json([{"if": 1, "else": [2]}]))
+    gap = gap_of(doc, tasks[1], tasks[1].arguments[0])
+    texts = {option.text for option in options_of(context, gap)}
+    assert "some paper" in texts
+    assert not any(text.startswith("no ") for text in texts)
+
+
+def test_what_is_put_away_or_hung_up_says_where_itself():
+    doc = document(*"hang/VB up/RP the/DT shirt/NN".split())
+    (task,) = (Task(1, "placing", doc.span(0, 0), (argument(doc, "object", 2, 3),)),)
+    ontology = load_domain("household").ontology
+    assert [gap.type for gap in unsaid_gaps(Observed(doc, GAZETTEER), task, ontology)] == []
+    laid = document(*"lay/VB down/RP the/DT shirt/NN".split())
+    assert [gap.type for gap in unsaid_gaps(Observed(laid, GAZETTEER), task, ontology)] == ["goal"]

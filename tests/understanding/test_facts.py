@@ -48,6 +48,8 @@ def test_what_somebody_makes_sure_of_is_brought_about(words: str) -> None:
         "make/VB sure/JJ mum/NN is/VBZ asleep/JJ",
         "make/VB sure/JJ mum/NN is/VBZ in/IN the/DT garden/NN",
         "make/VB sure/JJ ./. is/VBZ it/PRP locked/VBN",
+        "make/VB sure/JJ there/EX is/VBZ clean/JJ water/NN",
+        "make/VB sure/JJ nobody/NN is/VBZ locked/VBN in/RP",
         "check/VB that/IN the/DT door/NN is/VBZ locked/VBN",
         "make/VB sure/JJ",
     ],
@@ -69,6 +71,7 @@ def test_a_domain_without_the_type_keeps_its_own() -> None:
         ("put/VB on/IN the/DT shelf/NN the/DT cup/NN", "placing"),
         ("lay/VB the/DT kitchen/NN table/NN for/IN two/CD", "change_state"),
         ("set/VB the/DT cup/NN on/IN the/DT table/NN", "placing"),
+        ("put/VB out/RP the/DT plates/NNS on/IN the/DT table/NN", "placing"),
         ("move/VB the/DT table/NN", "placing"),
         ("set/VB", "placing"),
     ],
@@ -129,7 +132,8 @@ def test_a_phrase_does_not_end_in_an_article() -> None:
 
 def test_rid_belongs_to_its_verb() -> None:
     said = document(*(f"{word}/dep/0" for word in "get/VB rid/JJ of/IN it/PRP".split()))
-    assert completed(said, range(1, 4), ()) == range(2, 4)
+    assert completed(said, range(1, 4), ()) == range(3, 4)
+    assert completed(said, range(2, 4), ()) == range(3, 4)
 
 
 @pytest.mark.parametrize(("thing", "kept"), [("water", ("bring",)), ("some", ("there", "bring"))])
@@ -189,6 +193,24 @@ def test_the_it_of_weather_names_nothing() -> None:
     assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it
     assert naming(document("if", "it", "is", "due", "Monday"), 2, it) == it
     assert naming(document("if", "it", "'s", "a", "Tuesday"), 2, it) == []
+
+
+def test_the_it_of_cold_weather_names_nothing() -> None:
+    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
+    assert naming(document("if", "it", "'s", "too", "cold", "outside"), 2, it) == []
+    assert naming(document("if", "it", "'s", "cold"), 2, it) == it
+    assert naming(document("if", "it", "'s", "dark"), 2, it) == []
+
+
+def test_what_comes_on_top_corrects_nothing() -> None:
+    said = document(*(f"{word}/NN/dep/0" for word in "bring the salt sorry the pepper too".split()))
+    salt, pepper = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(4, 6)))
+    assert retracted(said, [salt, pepper]) == [salt, pepper]
+
+
+def test_an_argument_does_not_end_in_a_preposition() -> None:
+    said = document(*(f"{word}/dep/0" for word in "get/VB it/PRP for/IN the/DT old/JJ man/NN now/RB".split()))
+    assert completed(said, range(2, 3), ()) == range(2, 6)
 
 
 def test_the_it_of_what_is_foggy_is_what_was_named() -> None:

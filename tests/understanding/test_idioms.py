@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.idioms import idiomatic, predicated
+from decomplex_bt.understanding.idioms import for_somebody, idiomatic, predicated
 
 
 @pytest.fixture(scope="module")
@@ -106,6 +106,24 @@ def test_a_look_that_the_robot_is_to_have_is_one(parser: Parser) -> None:
     assert found(parser, "I need you to have a look in the shed.") == [("have", "searching")]
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Get a coke for Ella from the fridge.", "for Ella"),
+        ("Grab a towel for my husband.", "for my husband"),
+        ("Get us a pen for me.", "for me"),
+        ("Grab that box for me.", ""),
+        ("Get a glass for the milk.", ""),
+        ("Get a chair before you open the door for Ella.", ""),
+        ("Carry his bag for him.", ""),
+    ],
+)
+def test_who_gets_something_for_somebody(parser: Parser, text: str, expected: str) -> None:
+    read = parser.parse(text)
+    found = for_somebody(read, 0)
+    assert (read.span(found.start, found.stop - 1).of(text) if found else "") == expected
+
+
 def test_what_may_be_tells_of_what_and_how(parser: Parser) -> None:
     assert told(parser, "The attic door might already be locked. If so, go.") == {
         "object": "The attic door",
@@ -122,6 +140,8 @@ def test_what_may_be_tells_of_what_and_how(parser: Parser) -> None:
         ("The red light on the boiler might be blinking.", {"object": "The red light", "state": "blinking"}),
         ("We might be out of milk.", {"object": "We", "state": "out of milk"}),
         ("Gwyneth might be poorly, she says.", {"object": "Gwyneth", "state": "poorly"}),
+        ("The kids may be outside.", {"object": "The kids", "location": "outside"}),
+        ("The lamp might be out of oil again.", {"object": "The lamp", "state": "out of oil"}),
     ],
 )
 def test_what_may_be_tells_of_its_subject_and_of_its_place(parser: Parser, text: str, expected: dict[str, str]) -> None:

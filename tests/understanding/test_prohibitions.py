@@ -19,6 +19,7 @@ def interpreter() -> Interpreter:
         ("You must not touch the lamp.", "touch", []),
         ("Never turn off the fridge. Bring me a pen.", "turn", ["Bring"]),
         ("Close the door and do not wash the cup.", "wash", ["Close"]),
+        ("Never boil or fry the eggs. Bring me a pen.", "boil", ["Bring"]),
     ],
 )
 def test_a_prohibition_is_no_task_and_is_warned_of(
@@ -27,6 +28,38 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
     found = interpreter.interpret(text)
     assert [task.span.of(text) for task in found.tasks] == tasks
     assert any(f"'{verb}" in warning and "prohibition" in warning for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "tasks"),
+    [
+        ("Don't only close the door, close the window too.", ["close", "close"]),
+        ("Do not just rinse the pan, scrub it as well.", ["rinse", "scrub"]),
+        ("You don't need to wash the cup, just bring it.", ["bring"]),
+        ("Don't have a look in the drawer.", []),
+    ],
+)
+def test_what_is_done_all_the_same_and_what_is_not(interpreter: Interpreter, text: str, tasks: list[str]) -> None:
+    found = interpreter.interpret(text)
+    assert [task.span.of(text) for task in found.tasks] == tasks
+    assert not any("need" in warning or "wash" in warning for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Don't put the jacket in the closet, hang it on the chair.",
+            {("object", "the jacket"), ("goal", "on the chair")},
+        ),
+        ("Don't turn the radio off, dust it.", {("object", "the radio")}),
+    ],
+)
+def test_the_words_of_what_is_forbidden_are_no_other_tasks(
+    interpreter: Interpreter, text: str, expected: set[tuple[str, str]]
+) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert {(a.type, a.value) for a in task.arguments} == expected
 
 
 @pytest.mark.parametrize("text", ["Don't open the window unless the oven is hot.", "Why don't you bring me a pen?"])

@@ -106,6 +106,9 @@ def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken
         "Empty the bin. Never mind the bin if it is empty.",
         "The timer is on. Cancel that.",
         "Inspect the carton. Full, forget it. Empty, toss it out.",
+        "Wash the car. Oh, and leave it in the garage.",
+        "Look for my glasses and my watch. Forget the glasses, I've got them on.",
+        "Wash the shirt and the socks. Never mind the socks.",
     ],
 )
 def test_what_is_not(parser: Parser, text: str) -> None:
@@ -117,10 +120,31 @@ def test_what_is_not(parser: Parser, text: str) -> None:
     [
         ("Bring me the blue cup, scratch that, the red one.", "the red one"),
         ("Put the milk in the fridge, no, forget that, in the freezer.", "in the freezer"),
+        ("Bring me the keys from the hall, scratch that, the kitchen.", "the kitchen"),
     ],
 )
 def test_before_a_bare_phrase_only_an_argument_is_taken_back(parser: Parser, text: str, phrase: str) -> None:
     assert withdrawals(parser, text)[1] == [phrase]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a chair. Never mind, Tom.",
+        "Find my keys. Never mind, in my hand.",
+        "Bring me a chair. Forget it, thanks.",
+    ],
+)
+def test_a_never_mind_corrects_nothing(parser: Parser, text: str) -> None:
+    words, corrections = withdrawals(parser, text)
+    assert text.startswith(words[:8])
+    assert corrections == []
+
+
+def test_a_condition_may_be_taken_back_as_a_whole(parser: Parser) -> None:
+    words, _ = withdrawals(parser, "If the bin is full, empty it. No, leave it.")
+    assert words == "If the bin is full , empty it . No , leave it"
+    assert withdrawals(parser, "Check if the oven is on. Never mind.")[0] == "Check if the oven is on . Never mind"
 
 
 def test_a_task_that_is_taken_back_is_none(interpreter: Interpreter) -> None:
