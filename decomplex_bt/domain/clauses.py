@@ -7,6 +7,12 @@ from collections.abc import Iterable
 
 from decomplex_bt.instruction import Span
 
+WEATHER = frozenset(
+    "rain snow hail pour drizzle raining rains rained snowing snows snowed hailing hails pouring pours drizzling "
+    "bucketing chucking teeming lashing thundering sunny windy foggy stormy dark weekend monday tuesday wednesday "
+    "thursday friday saturday sunday".split()
+)
+"""What "it" is where it names nothing."""
 _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
 _THERE = re.compile(r"\bthere('s|\u2019s|s| is| are| be| was)\b", re.IGNORECASE)
@@ -29,3 +35,9 @@ def is_of_nobody(clause: str) -> bool:
 def asks_presence(clause: str) -> bool:
     """Whether it asks only if something is there ("see if there's any milk")."""
     return _THERE.search(clause) is not None
+
+
+def is_of_weather(verb: str, clause: str) -> bool:
+    """Whether it is of the weather or the day ("if it's raining", "should it snow"), so that "it" names nothing."""
+    words = re.findall(r"[a-z]+", f"{verb} {clause}".lower())
+    return "it" in words and not WEATHER.isdisjoint(words)

@@ -251,6 +251,11 @@ class _Grounder:
         given = {argument.type for argument in task.arguments}
         if task.type in ("bringing", "informing"):
             given.add("recipient")
+        if self.wording.is_of_weather(task):
+            said = task.value("state") or task.span.of(self.instruction.text)
+            raise ImpossibleGoalError(
+                f"nothing here tells the weather or the day ({said!r}); ask about a thing or a person"
+            )
         if has_state or (task.type == "check_state" and self.wording.says_state(task)):
             given.add("state")
         for group in task_type.required:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody, is_of_weather
 from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
@@ -34,6 +34,12 @@ class Wording:
         if task.type != "check_state" or task.value("object") not in (None, "one", "no one"):
             return False
         return is_of_nobody(self._clause(task))
+
+    def is_of_weather(self, task: Task) -> bool:
+        """Whether a check is of the weather or the day, which no thing tells."""
+        if task.type != "check_state" or task.value("object") is not None:
+            return False
+        return is_of_weather(task.span.of(self._instruction.text), self._clause(task))
 
     def has_presence_verb(self, task: Task) -> bool:
         """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""

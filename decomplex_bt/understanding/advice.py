@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody, is_of_weather
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
@@ -36,6 +36,8 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         if task.type == "check_state":
             clause = clause_around(observed.document.text, task.span, verbs)
             given |= {"object"} if is_of_nobody(clause) else {"state"} if asks_presence(clause) else set()
+            if is_of_weather(task.span.of(observed.document.text), clause):
+                given |= {"object", "state"}
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
             given.add("goal")

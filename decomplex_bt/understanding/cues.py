@@ -329,7 +329,7 @@ SCALES: tuple[frozenset[str], ...] = tuple(
         "asleep awake sleeping dozing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
         "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
-        "crying fussing", "sick ill poorly feverish", "on off running stopped", "empty full half-full half-empty",
+        "crying fussing", "sick ill poorly feverish", "on off running stopped",
         "heavy", "blue red green yellow black white grey gray brown pink orange purple", "dead alive wilting wilted",
     )
 )  # fmt: skip

@@ -6,6 +6,7 @@ from collections.abc import Collection, Container, Sequence
 from dataclasses import replace
 from itertools import dropwhile, pairwise, zip_longest
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.asides import musing, reason, tag_question
 from decomplex_bt.understanding.document import Document, Token
@@ -50,11 +51,6 @@ _BEFORE_WEATHER = (
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
-_WEATHER = frozenset(
-    "rain snow hail pour drizzle raining rains rained snowing snows snowed hailing hails pouring pours drizzling "
-    "bucketing chucking teeming lashing thundering sunny windy foggy stormy dark weekend monday tuesday wednesday "
-    "thursday friday saturday sunday".split()
-)
 _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
@@ -144,7 +140,7 @@ def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) ->
     words = [token.lower for token in document.tokens[verb : verb + 7]]
     said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
     is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
-    if not said or not (is_outside or said[0] in _WEATHER):
+    if not said or not (is_outside or said[0] in WEATHER):
         return list(arguments)
     if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
         return list(arguments)

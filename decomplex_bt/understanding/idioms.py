@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.phrases import PERSON_NOUNS
@@ -32,7 +33,6 @@ _OTHERS = frozenset("me him her us them they he she we i who".split())
 _CLAUSE_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—"))
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
-_WEATHER = frozenset("rain snow hail drizzle pour".split())
 
 
 def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
@@ -53,7 +53,7 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         for i, token in enumerate(tokens[:-2])
         if token.lower == "should"
         and tokens[i + 1].lower == "it"
-        and tokens[i + 2].lemma in _WEATHER
+        and tokens[i + 2].lemma in WEATHER
         and not _is_told(document, tasks, i)
     )
 
@@ -198,7 +198,7 @@ def _subject(document: Document, may: int, check: int) -> range:
     heads = {check, tokens[check].head, tokens[may].head}
     subjects = [j for head in heads for j in document.children[head] if tokens[j].dep in ("nsubj", "nsubjpass")]
     head = max((j for j in subjects if j < may), default=None)
-    is_of_weather = head is not None and tokens[head].lower == "it" and tokens[check].lemma in _WEATHER
+    is_of_weather = head is not None and tokens[head].lower == "it" and tokens[check].lemma in WEATHER
     if (
         head is None
         or is_of_weather

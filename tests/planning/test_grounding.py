@@ -199,6 +199,7 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Open](1:change_state) [the pen](1:object)", ImpossibleGoalError, "open"),
         ("[Heat](1:change_state) [the sofa](1:object)", ImpossibleGoalError, "hot"),
         ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
+        ("If it['s](1:check_state) [raining](1:state)", ImpossibleGoalError, "weather"),
         ("[Bring](1:bringing) [me](1:recipient) [the fridge](1:object)", ImpossibleGoalError, "cannot be carried"),
         ("[Walk](1:following) [me](1:object) [to the pen](1:goal)", ImpossibleGoalError, "lead the way"),
         ("[Put](1:placing) [the pen](1:object) [on the tv](1:goal)", ImpossibleGoalError, "on the tv"),

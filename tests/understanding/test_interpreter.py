@@ -95,6 +95,11 @@ def test_a_missing_argument_asks_its_question(interpreter):
     assert [(m.task, m.argument, m.question) for m in missing] == [(1, "goal", "Where should I put it?")]
 
 
+@pytest.mark.parametrize("text", ["If it's raining, close the window.", "Should it snow, close the window."])
+def test_the_weather_lacks_nothing(interpreter, text):
+    assert interpreter.interpret(text).missing == ()
+
+
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
