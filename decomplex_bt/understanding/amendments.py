@@ -50,11 +50,18 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
     tokens = observed.document.tokens
     others = [a for a in arguments if not set(a.tokens) & set(phrase)]
     before = [a for a in others if a.tokens.stop <= phrase.start and a.type not in ("state", "manner")]
-    if tokens[phrase.start].pos == "ADP":
-        before = [a for a in before if tokens[a.tokens.start].pos == "ADP"] or before
-    wrong = max(before, key=lambda a: a.tokens.stop, default=None)
-    if wrong is None:
+    known = next((a for a in arguments if a.type == "object" and set(a.tokens) & set(phrase)), None)
+    if known is not None and not any((a.owner, a.type) == (known.owner, known.type) for a in before):
+        return list(arguments)  # found as it is, and what it corrects was not
+    sentences = observed.document.sentences
+    before.sort(key=lambda a: a.tokens.stop)
+    is_new = bool(before) and sentences[phrase.start] != sentences[before[-1].tokens.start]
+    is_led = tokens[phrase.start].pos == "ADP"
+    if is_led or is_new or tokens[phrase.stop - 1].lower in ("one", "ones"):
+        before = [a for a in before if (tokens[a.tokens.start].pos == "ADP") == is_led] or before
+    if not before:
         return list(arguments)
+    wrong = before[-1]
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
 
 

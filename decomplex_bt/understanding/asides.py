@@ -1,4 +1,5 @@
-"""Asides: words between the orders that ask nothing and order nothing: tag questions, musings, reasons, whereabouts."""
+"""Asides: words between the orders that ask nothing and order nothing: tag questions, musings, reasons, concessions,
+whereabouts."""
 
 from __future__ import annotations
 
@@ -11,6 +12,14 @@ _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())
 _MUSING = frozenset("think see remember recall guess".split())
 _REASONS = frozenset(("since", "because", "cause", "cos", "cuz"))
+_CONCEDING = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "even if", "even when", "even though", "whether or not", "no matter if", "no matter whether", "no matter how",
+        "regardless of whether", "irrespective of whether",
+    )
+)  # fmt: skip
+_MARKS = frozenset((".", "?", "!", ";", ",", ":"))
 _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
@@ -23,8 +32,8 @@ def asides(document: Document, tasks: Collection[int]) -> frozenset[int]:
 
 
 def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
-    """The tokens of all reasons in which no token is among the `tasks`."""
-    return _all_of(document, tasks, (reason,))
+    """The tokens of all reasons and concessions in which no token is among the `tasks`."""
+    return _all_of(document, tasks, (reason, concession))
 
 
 def _all_of(
@@ -52,6 +61,27 @@ def musing(document: Document, at: int) -> range | None:
     if len(said) < 3 or said[0] != "let" or said[1] not in ("me", "us") or said[2] not in _MUSING:
         return None
     return range(at, at + 3) if said[3:] == [] or not said[3].isalpha() else None
+
+
+def concession(document: Document, at: int) -> range | None:
+    """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
+    is on"); or None. "Even if it is" takes a condition up."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[at].lower in _ENDS:
+        return None
+    start = stop = at
+    while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _MARKS:
+        start -= 1
+        if any(_says(document, start, phrase) for phrase in _CONCEDING):
+            break
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+        stop += 1
+    is_conceded = any(_says(document, start, phrase) for phrase in _CONCEDING)
+    return range(start, stop) if is_conceded and tokens[stop - 1].pos != "AUX" else None
+
+
+def _says(document: Document, start: int, phrase: tuple[str, ...]) -> bool:
+    return tuple(token.lower for token in document.tokens[start : start + len(phrase)]) == phrase
 
 
 def whereabouts(document: Document, at: int) -> range | None:

@@ -32,7 +32,8 @@ class Clause:
     `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
     is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
     whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
-    `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it.
+    `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
+    `is_otherwise`: whether "otherwise" or the like does.
     """
 
     task: MarkedTask
@@ -52,6 +53,7 @@ class Clause:
     asks_whether_any: bool = False
     is_forbidden: bool = False
     is_alternative: bool = False
+    is_otherwise: bool = False
 
     def is_of_what_there_is(self, first: Clause) -> bool:
         """Whether it tests how something is of which an earlier condition asks whether it is there: "is there a bike?
@@ -93,6 +95,7 @@ _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "..."
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
+_OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 _JOINTS = frozenset(("and", "but", "or"))
 _DENYING = frozenset("no not n't n\u2019t".split())
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
@@ -171,6 +174,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         asks_where=_asks_where(document, tasks[k], behind),
         asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
         is_forbidden=is_forbidden(document, token),
+        is_otherwise=any(
+            cue.name == "else" and document.tokens[cue.first].lower in _OTHERWISE
+            for cue in cues
+            if previous < cue.first < token
+        ),
         is_alternative=any(
             cue.name == "if" and previous < cue.first - 1 and document.tokens[cue.first - 1].lower == "or"
             for cue in cues
@@ -266,7 +274,7 @@ def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
     before = tokens[negation - 1]
     if before.lower in _JOINTS or (before.pos == "ADP" and tokens[negation].lower == "no"):
         return False
-    if before.lower in ("do", "does") and negation > task + 1 and document.tokens[last].i <= negation:
+    if before.lower in ("do", "does") and negation > task + 1 and last <= negation:
         return False
     relatives = [j for j in range(task + 1, negation) if tokens[j].tag in ("WDT", "WP")]
     return not (relatives or before.lower == "that") or not any(

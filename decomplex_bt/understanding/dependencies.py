@@ -144,9 +144,15 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             mended[k] = "<1-"  # "if it isn't full, don't empty it": done where it is
             for j in range(k + 1, len(clauses)):  # "if it's wet, don't iron it, hang it up"
                 follows = clauses[j].sentence == clause.sentence and roles[j] == "task"
-                if not follows or clauses[j].is_forbidden or {*clauses[j].far, *clauses[j].near} & _TURNING:
+                turning = {*clauses[j].far, *clauses[j].near} & _TURNING
+                if follows and turning == {"else"} and mended[j] == "<1+":
+                    mended[j] = "<1-"  # "if it's hot don't touch it otherwise put it away"
+                if not follows or clauses[j].is_forbidden or turning:
                     break
                 mended[j] = "<1+" if mended[j] == "<1-" else mended[j]
+        is_plain = roles[k - 1] == "condition" and not before.wording.is_negated
+        if roles[k] == "task" and clause.is_otherwise and is_plain and mended[k] == "<1+":
+            mended[k] = "<1-"  # "if it's raining, fine, otherwise ..."
         if roles[k] == "condition" and roles[k - 1] == "task" and mended[k - 1] == ">1+" and clause.is_alternative:
             mended[k - 1] = ">1-"  # "bring me tea, or if there is none, ..."
         if roles[k] == roles[k - 1] == "condition" and mended[k] == "<1-" and clause.is_of_what_there_is(before):

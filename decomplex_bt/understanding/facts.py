@@ -8,7 +8,7 @@ from itertools import dropwhile, pairwise, zip_longest
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.asides import musing, reason, tag_question
+from decomplex_bt.understanding.asides import concession, musing, reason, tag_question
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, idiomatic
@@ -18,6 +18,7 @@ from decomplex_bt.understanding.tasks import FoundTask
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
 _ENDS = frozenset((".", "?", "!", ";"))
+_BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _SURE = frozenset(("sure", "certain"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
@@ -45,7 +46,10 @@ _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _BEFORE_WEATHER = (
     _BETWEEN
     | _BE
-    | frozenset("still it started starts starting getting gets turned really so too very only outside a an the".split())
+    | frozenset(
+        "still it started starts starting getting gets turned really so too very only outside a an the "
+        "stopped stops begun begins begin to".split()
+    )
 )
 """What may stand between the verb of a check and the word for the weather or the day."""
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
@@ -78,7 +82,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             _is_reported_state(document, task, found)
             or _is_tag(document, task.token, found)
             or musing(document, task.token) is not None
-            or (task.type == "check_state" and reason(document, task.token) is not None)
+            or (task.type == "check_state" and _is_beside(document, task.token))
         )
         if not is_none:
             found.append(task)
@@ -94,6 +98,11 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
+
+
+def _is_beside(document: Document, at: int) -> bool:
+    """Whether a check only tells why, or what makes no difference."""
+    return reason(document, at) is not None or concession(document, at) is not None
 
 
 def _is_tag(document: Document, at: int, before: Sequence[FoundTask]) -> bool:
@@ -183,6 +192,8 @@ def completed(document: Document, tokens: range, taken: Container[int]) -> range
         start += 1
     if len(tokens) > 1 and document.tokens[start].lower == "of" and start and document.tokens[start - 1].lower == "rid":
         start += 1
+    while stop - start > 1 and document.tokens[stop - 1].lower in ("and", "or", "but"):
+        stop -= 1
     last = document.tokens[stop - 1].lower
     parts = _NOUN_PARTS if last in _NEEDING_A_NOUN else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
     while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:
@@ -242,6 +253,8 @@ def _is_put_somewhere(said: Sequence[Token]) -> bool:
     """ "Put the cup" without "on", "off", "out" or "up" changes no state, it places, however little else is said."""
     words = [token.lower for token in said]
     words = words[: next((i for i, word in enumerate(words) if word in _ENDS), len(words))]
+    if "out" in words and _BURNING.isdisjoint(token.lemma for token in said[: len(words)]):
+        return True  # "put out six plates"
     return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
 
 
@@ -252,6 +265,8 @@ def _is_put_on(said: Sequence[Token]) -> bool:
     if any(
         one.lower in ("on", "in", "onto", "into") and two.tag in ("DT", "PRP$") for one, two in pairwise(clause[2:])
     ):
+        return False
+    if bool(said) and said[0].lower == "out" and _BURNING.isdisjoint(token.lemma for token in clause):
         return False
     return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 
@@ -13,12 +14,13 @@ _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even".split())
 _LIMITS = frozenset("only just merely simply".split())
 """What is "not only" done is done as well."""
+_NO_NEED = frozenset((("no", "need"), ("no", "reason"), ("no", "use")))
+_NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
 _ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—", "and", "but", "just", "then"))
 _CONDITIONAL = frozenset(
     (
-        "if only_if unless when until before before_that before_all after so else fail instead depending even_if "
-        "either_way"
+        "if only_if unless when until before before_that before_all after so else fail depending even_if either_way"
     ).split()
 )
 """With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
@@ -34,10 +36,13 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     document = observed.document
     tokens = document.tokens
     negations = [i for i, token in enumerate(tokens) if token.lower in _NEGATIONS]
-    if not negations:
+    needless = _needless(document)
+    if not negations and not needless:
         return ()
     conditional = {document.sentences[cue.first] for cue in observed.cues if cue.name in _CONDITIONAL}
-    found = []
+    found = [
+        i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
+    ]
     for i in negations:
         if document.sentences[i] in conditional or observed.question[i]:
             continue
@@ -50,14 +55,32 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
             verb += 1
         if verb + 2 < len(tokens) and tokens[verb].lower in _NEEDING and tokens[verb + 1].lower == "to":
             verb += 2  # "you don't need to wash it"
-        if verb < len(tokens) and tokens[verb].tag in ("VB", "VBP") and not _has_subject(document, verb):
+        if verb < len(tokens) and _is_bare(document, verb) and not _has_subject(document, verb):
             found += [verb, *_joined(document, verb)]
-    return tuple(found)
+    return tuple(sorted(set(found)))
+
+
+def _is_bare(document: Document, verb: int) -> bool:
+    """Whether a word behind a "don't" is a verb; of "don't empty the bin" the tagger takes it for an adjective."""
+    tokens = document.tokens
+    is_followed = verb + 1 < len(tokens) and tokens[verb + 1].tag in ("DT", "PRP$", "PRP")
+    return tokens[verb].tag in ("VB", "VBP") or (is_followed and tokens[verb].pos in ("ADJ", "NOUN"))
+
+
+def _needless(document: Document) -> list[int]:
+    """The verbs of what need not be done: "no need to mop", "it's not necessary to mop"."""
+    words = [normal_form(token.lower) for token in document.tokens]
+    return [
+        i + 3
+        for i in range(len(words) - 3)
+        if words[i + 2] == "to"
+        and ((words[i], words[i + 1]) in _NO_NEED or (words[i] == "not" and words[i + 1] in _NECESSARY))
+    ]
 
 
 def is_needless(document: Document, verb: int) -> bool:
     """Whether a verb of `forbidden` is only not needed ("you don't need to wash it")."""
-    return document.tokens[verb - 1].lower == "to" and document.tokens[verb - 2].lower in _NEEDING
+    return document.tokens[verb - 1].lower == "to" and document.tokens[verb - 2].lower in (_NEEDING | _NECESSARY)
 
 
 def _joined(document: Document, verb: int) -> list[int]:

@@ -40,6 +40,7 @@ _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"
 """What takes back the orders before it that are about the thing named next."""
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
+_CORRECTING = frozenset("no nope wait sorry actually".split())
 _DENYING = frozenset(("no", "nope", "nah"))
 _OPENERS = _REVERSING | frozenset("well ok okay on um uh er erm ah hmm but and so you know what or then just".split())
 """What says nothing ahead of a mark."""
@@ -79,10 +80,10 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
     tokens: set[int] = set()
     corrections: list[range] = []
     for at in range(len(words.tokens)):
-        if words.opens(at) and not words.is_conditional_before(at):
+        if (words.opens(at) or words.corrects(at)) and not words.is_conditional_before(at):
             found = _taken_back(words, at)
             tokens |= found.tokens
-            corrections += found.corrections
+            corrections += [phrase for phrase in found.corrections if phrase not in corrections]
     return Withdrawals(frozenset(tokens), tuple(corrections))
 
 
@@ -116,6 +117,14 @@ class _Words:
     def is_reversed(self, at: int) -> bool:
         """Whether the speaker turns round right before here: "no, ...", "actually ..."."""
         return any(word in _REVERSING for word in self.said[self._lead(at) : at])
+
+    def corrects(self, at: int) -> bool:
+        """Whether a speaker turns round right before here to put something right: "no wait, ...", "I mean ..."."""
+        lead = self.said[self._lead(at) : at]
+        if not {"and", "also", "or", "just", "so"}.isdisjoint(lead):
+            return False
+        is_meant = tuple(self.said[max(0, at - 2) : at]) in (("i", "mean"), ("i", "meant"), ("or", "rather"))
+        return is_meant or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
 
     def is_denied(self, at: int) -> bool:
         """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
@@ -168,6 +177,13 @@ def _taken_back(words: _Words, at: int) -> Withdrawals:
             return Withdrawals(own, (phrase,)) if phrase else Withdrawals(own | before, ())
     if words.is_denied(at) and words.said[at] == "leave" and set(words.said[at + 1 : at + 2]) & _LEAVING:
         return Withdrawals(_before(words, at, is_last=True), ())  # "no, leave it on the table"
+    phrase = _phrase(words, at) if words.corrects(at) else range(0)
+    if (
+        phrase
+        and _is_complete(words, phrase)
+        and any(_is_bare(words.document, i) for i in _before(words, at, is_last=True))
+    ):
+        return Withdrawals(frozenset(), (phrase,))  # "the green mug. No wait, the white one."
     for mark in _OF_THINGS:
         stop = at + len(mark)
         if tuple(words.said[at:stop]) == mark:
@@ -197,6 +213,16 @@ def _phrase(words: _Words, at: int) -> range:
     # "water the roses": what is no verb to the tagger may be one
     is_order = phrase[0].pos in ("NOUN", "PROPN", "ADJ") and len(phrase) > 1 and phrase[1].pos in ("DET", "PRON")
     return range(0) if is_order else range(at, stop)
+
+
+def _is_complete(words: _Words, phrase: range) -> bool:
+    """Whether a phrase names something by itself: "the white one", "in the kitchen"; neither "sugar" nor "thanks"."""
+    first, last = words.tokens[phrase.start], words.tokens[phrase.stop - 1]
+    is_last = (
+        phrase.stop >= len(words.said) or words.said[phrase.stop] in _ENDS or words.said[phrase.stop] in _CLAUSE_BREAKS
+    )
+    is_named = last.pos in ("NOUN", "PROPN") or last.lower in ("one", "ones")
+    return first.tag in ("DT", "PRP$", "IN", "CD") and is_named and is_last and len(phrase) > 1
 
 
 def _is_being(words: _Words, at: int) -> bool:

@@ -27,6 +27,9 @@ def words(parser: Parser, text: str) -> str:
         ("Then, let me think, hang it up.", "let me think"),
         ("Since the fan is broken, open the window.", "Since the fan is broken"),
         ("Open the window because the fan is broken.", "because the fan is broken"),
+        ("Whether or not it is done, turn it off.", "Whether or not it is done"),
+        ("Bring her the coat even if it's sunny.", "even if it 's sunny"),
+        ("Lock the door regardless of whether Tom is in.", "regardless of whether Tom is in"),
     ],
 )
 def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
@@ -41,6 +44,7 @@ def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
         "Let me know whether it is on.",
         "Because if the fan is broken, open the window.",
         "If it is on, turn it off.",
+        "Ask him unless it is on, and even if it is.",
         "Because it's late check that the kids are asleep.",
         "Bring him his cane, he's in the garden.",
     ],

@@ -207,3 +207,10 @@ def test_what_is_done_instead_of_what_is_forbidden_is_done_in_its_case() -> None
     )
     sides = stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1-"))
     assert sides == ("top", "<1-", "<1+")
+
+
+def test_what_an_otherwise_opens_is_never_done_where_the_condition_holds() -> None:
+    found = clauses(
+        "If [it](1:object)['s](1:check_state) [hot](1:state), fine, otherwise [put](2:placing) [it](2:object) away."
+    )
+    assert stated_sides(found, ("condition", "task"), ("top", "<1+")) == ("top", "<1-")

@@ -67,7 +67,8 @@ def test_a_domain_without_the_type_keeps_its_own() -> None:
     ("words", "kind"),
     [
         ("put/VB on/RP the/DT radio/NN", "change_state"),
-        ("put/VB out/RP the/DT candles/NNS", "change_state"),
+        ("put/VB out/RP the/DT candle/NN", "change_state"),
+        ("put/VB out/RP six/CD plates/NNS", "placing"),
         ("put/VB on/IN the/DT shelf/NN the/DT cup/NN", "placing"),
         ("lay/VB the/DT kitchen/NN table/NN for/IN two/CD", "change_state"),
         ("set/VB the/DT cup/NN on/IN the/DT table/NN", "placing"),

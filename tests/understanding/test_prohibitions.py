@@ -36,6 +36,9 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
         ("Don't only close the door, close the window too.", ["close", "close"]),
         ("Do not just rinse the pan, scrub it as well.", ["rinse", "scrub"]),
         ("You don't need to wash the cup, just bring it.", ["bring"]),
+        ("No need to wash the cup, just bring it.", ["bring"]),
+        ("It isn't necessary to wash the cup, bring it instead.", ["bring"]),
+        ("You needn't empty the bin, just close the door.", ["close"]),
         ("Don't have a look in the drawer.", []),
     ],
 )

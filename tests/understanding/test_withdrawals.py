@@ -109,6 +109,10 @@ def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken
         "Wash the car. Oh, and leave it in the garage.",
         "Look for my glasses and my watch. Forget the glasses, I've got them on.",
         "Wash the shirt and the socks. Never mind the socks.",
+        "Bring me tea. No sugar.",
+        "Bring me a cup. Oh, and a fork.",
+        "Take the bag upstairs. No, the door is locked.",
+        "Is it on? No, the other one is.",
     ],
 )
 def test_what_is_not(parser: Parser, text: str) -> None:
@@ -121,6 +125,10 @@ def test_what_is_not(parser: Parser, text: str) -> None:
         ("Bring me the blue cup, scratch that, the red one.", "the red one"),
         ("Put the milk in the fridge, no, forget that, in the freezer.", "in the freezer"),
         ("Bring me the keys from the hall, scratch that, the kitchen.", "the kitchen"),
+        ("Bring me the green mug. No wait, the white one.", "the white one"),
+        ("Fetch the yellow bucket, I mean the red one, and fill it.", "the red one"),
+        ("Bring me the long ruler, or rather the short one.", "the short one"),
+        ("Put the salt on the tray. Wait, no, the sugar.", "the sugar"),
     ],
 )
 def test_before_a_bare_phrase_only_an_argument_is_taken_back(parser: Parser, text: str, phrase: str) -> None:
