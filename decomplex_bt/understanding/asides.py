@@ -3,7 +3,7 @@ whereabouts."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import Document
@@ -40,7 +40,9 @@ def _all_of(
     document: Document, tasks: Collection[int], kinds: Sequence[Callable[[Document, int], range | None]]
 ) -> frozenset[int]:
     found: set[int] = set()
-    for words in (kind(document, i) for kind in kinds for i in range(len(document))):
+    said = {token.lower for token in document.tokens}
+    asked = [kind for kind in kinds if not said.isdisjoint(_TELLING[kind])]  # most instructions have no aside
+    for words in (kind(document, i) for kind in asked for i in range(len(document))):
         if words is not None and not any(i in tasks for i in words):
             found.update(words)
     return frozenset(found)
@@ -67,7 +69,7 @@ def concession(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
     is on"); or None. "Even if it is" takes a condition up."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[at].lower in _ENDS:
+    if tokens[at].lower in _ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
         return None
     start = stop = at
     while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _MARKS:
@@ -128,3 +130,12 @@ def _is_order(document: Document, at: int) -> bool:
     is_led = before.tag in ("TO", "MD") or before.lower in ("do", "does", "n't", "not", "n\u2019t", "to")
     has_subject = any(tokens[i].dep in ("nsubj", "nsubjpass") and i < at for i in document.children[at])
     return tokens[at].tag in ("VB", "VBP") and tokens[at].pos == "VERB" and not is_led and not has_subject
+
+
+_TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
+    tag_question: frozenset("?"),
+    musing: frozenset(("let",)),
+    reason: _REASONS,
+    concession: frozenset(phrase[0] for phrase in _CONCEDING),
+}
+"""For each kind of aside words of which it has one."""

@@ -100,6 +100,8 @@ def _stated(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     """The verbs of what may be so and is taken up in its own sentence or the next; not where another check that stands
     in between is what is taken up, or the statement only comments on a check before it ("it may be warm")."""
     tokens, sentences = document.tokens, document.sentences
+    if _MAY.isdisjoint(token.lower for token in tokens):
+        return frozenset()
     words = [normal_form(token.lower) for token in tokens]
     starts = {
         sentences[i]: i

@@ -42,6 +42,8 @@ _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
 _CORRECTING = frozenset("no nope wait sorry actually".split())
 _DENYING = frozenset(("no", "nope", "nah"))
+_TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_THINGS)} | {"mean", "meant", "rather"}
+"""Words of which every withdrawal has one."""
 _OPENERS = _REVERSING | frozenset("well ok okay on um uh er erm ah hmm but and so you know what or then just".split())
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
@@ -76,6 +78,8 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
     "never mind the shirt" takes back the earlier orders about the shirt. Behind a condition in their sentence they are
     said of one case alone, which is for the flow to say. Before a bare phrase they take back an argument.
     """
+    if _TELLING.isdisjoint(token.lower for token in observed.document.tokens):
+        return _NOTHING  # as with most instructions
     words = _Words.of(observed)
     tokens: set[int] = set()
     corrections: list[range] = []
