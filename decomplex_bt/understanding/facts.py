@@ -74,7 +74,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     found: list[FoundTask] = []
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
-        fact = _type(observed, task, end)
+        fact = "change_state" if _is_made_sure_too(document, task, found) else _type(observed, task, end)
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
@@ -299,7 +299,26 @@ def _is_made_sure_of(document: Document, at: int) -> bool:
     if be == len(said) or said[be].lower in _ENDS or not _is_state(predicate[:2]):
         return False
     last = document.sentences[at] + 1
-    return not any(token.lower in _TAKEN_UP and document.sentences[token.i] <= last for token in predicate)
+    later = (token for token in predicate if document.sentences[token.i] <= last)
+    return not any(token.lower in _TAKEN_UP and not _names(document, token.i + 1) for token in later)
+
+
+def _names(document: Document, at: int) -> bool:
+    """Whether a condition names something of its own ("if the light is on") where it might take up what was said."""
+    return at < len(document) and document.tokens[at].tag in ("DT", "PRP$", "NN", "NNS", "NNP", "JJ")
+
+
+def _is_made_sure_too(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:
+    """ "Make sure the window is shut and the heating is off": the second state is to be brought about like the first."""
+    tokens, at = document.tokens, task.token
+    if task.type != "check_state" or tokens[at].lower not in _BE or not before:
+        return False
+    first = before[-1].token
+    if document.sentences[first] != document.sentences[at] or not _is_made_sure_of(document, first):
+        return False
+    between = {token.lower for token in tokens[first:at]}
+    is_joined = "and" in between and _TAKEN_UP.isdisjoint(between) and between.isdisjoint(("whether", "when", "there"))
+    return is_joined and _is_state([token for token in tokens[at + 1 : at + 4] if token.lower not in _MANNERS][:2])
 
 
 def _is_state(predicate: Sequence[Token]) -> bool:

@@ -34,6 +34,7 @@ def found(words: str, *tasks: tuple[int, str], types: tuple[str, ...] = TYPES) -
         "ensure/VB it/PRP 's/VBZ off/RP and/CC go/VB",
         "be/VB certain/JJ both/DT windows/NNS are/VBP properly/RB shut/JJ",
         "see/VB to/IN it/PRP that/IN the/DT heating/NN is/VBZ on/RP",
+        "make/VB sure/JJ it/PRP is/VBZ off/RP ,/, and/CC if/IN the/DT fan/NN is/VBZ on/RP ,/, go/VB",
     ],
 )
 def test_what_somebody_makes_sure_of_is_brought_about(words: str) -> None:
@@ -56,6 +57,14 @@ def test_what_somebody_makes_sure_of_is_brought_about(words: str) -> None:
 )
 def test_what_is_asked_or_cannot_be_brought_about_stays_a_check(words: str) -> None:
     assert found(words, (0, "check_state")) == [(0, "check_state")]
+
+
+def test_a_second_state_is_made_sure_of_like_the_first() -> None:
+    sure = "make/VB sure/JJ the/DT door/NN is/VBZ shut/JJ"
+    tasks = (0, "check_state"), (9, "check_state")
+    assert found(f"{sure} and/CC the/DT fan/NN is/VBZ off/RP", *tasks) == [(0, "change_state"), (9, "change_state")]
+    assert found(f"{sure} when/WRB the/DT fan/NN is/VBZ off/RP", *tasks) == [(0, "change_state"), (9, "check_state")]
+    assert found(f"{sure} and/CC the/DT cat/NN is/VBZ asleep/JJ", *tasks) == [(0, "change_state"), (9, "check_state")]
 
 
 def test_a_domain_without_the_type_keeps_its_own() -> None:
