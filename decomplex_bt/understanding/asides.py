@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 
 _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())
@@ -19,11 +19,10 @@ _CONCEDING = tuple(
         "regardless of whether", "irrespective of whether",
     )
 )  # fmt: skip
-_MARKS = frozenset((".", "?", "!", ";", ",", ":"))
 _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
-_ENDS = frozenset((".", "?", "!", ";", ",", ":", "and", "or", "but", "so"))
+_ENDS = MARKS | {"and", "or", "but", "so"}
 
 
 def asides(document: Document, tasks: Collection[int]) -> frozenset[int]:
@@ -72,7 +71,7 @@ def concession(document: Document, at: int) -> range | None:
     if tokens[at].lower in _ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
         return None
     start = stop = at
-    while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _MARKS:
+    while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in MARKS:
         start -= 1
         if any(_says(document, start, phrase) for phrase in _CONCEDING):
             break

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -171,7 +171,7 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
     if words[position] != "if" or not (is_first or words[end - 1] == "no"):
         return False
-    rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in _MARKS), len(document))]
+    rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in MARKS), len(document))]
     if words[end - 1] in ("able", "unable", "possible", "impossible", "to"):
         return any(token.tag == "VB" for token in rest[:2])
     if words[end - 1] not in ("no", "nothing", "none", "neither"):
@@ -212,7 +212,7 @@ def _inverts(document: Document, i: int) -> bool:
     if tokens[i].lower not in _INVERTING or i + 1 >= len(tokens):
         return False
     opens = (
-        i == 0 or tokens[i - 1].text in _MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
+        i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in ("and", "but", "or", "so", "please", "kindly")
     )
     if tokens[i].lower == "should" and tokens[i + 1].tag in _SUBJECT_TAGS and tokens[i].dep == "aux":
         subject = next(
@@ -235,7 +235,7 @@ def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
     found = []
     start = 0
     for i, token in enumerate(document.tokens):
-        if token.text not in _MARKS:
+        if token.text not in MARKS:
             continue
         inside = words[start:i]
         if 2 < len(inside) <= _LONGEST_ANSWER + 1 and "or not" in " ".join(inside):  # "wet or not", "dry or not dry"
@@ -249,7 +249,6 @@ def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
     return found
 
 
-_MARKS = frozenset((".", ",", "?", "!", ";", ":", "-", "–", "—"))
 _NO = frozenset(("no", "not", "nope", "nothing", "none", "nowhere", "neither", "nobody"))
 _YES = frozenset(("yes", "yep", "yeah"))
 _LONGEST_ANSWER = 4

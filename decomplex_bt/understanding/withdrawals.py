@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 
 _MARKS = tuple(
@@ -50,8 +50,7 @@ _GOING_ON = frozenset("and but just please instead".split())
 _LAST = frozenset(("one", "bit"))
 _CONDITIONAL = frozenset("if only_if unless when fail so until depending".split())
 _ELSE = frozenset(("otherwise", "else", "alternatively"))
-_ENDS = frozenset((".", "?", "!", ";"))
-_BREAKS = _ENDS | frozenset((",", ":", "-", "–", "—", "...", "…"))
+_BREAKS = MARKS | {"...", "…"}
 _CLAUSE_BREAKS = _BREAKS | frozenset(("and", "but", "then", "or"))
 _OF_VERBS = frozenset(("for", "at", "after"))
 """Prepositions whose noun is what a verb is about: "look for the keys"."""
@@ -200,7 +199,7 @@ def _taken_back(words: _Words, at: int) -> Withdrawals:
 def _phrase(words: _Words, at: int) -> range:
     """The bare phrase that follows, in place of an argument: "scratch that, the red one"; empty where none does."""
     while at < len(words.said) and (words.said[at] in _OPENERS or words.said[at] in _BREAKS):
-        if words.said[at] in _ENDS:
+        if words.said[at] in ENDS:
             return range(0)
         at += 1
     stop = next((i for i in range(at, len(words.said)) if words.said[i] in _CLAUSE_BREAKS), len(words.said))
@@ -223,7 +222,7 @@ def _is_complete(words: _Words, phrase: range) -> bool:
     """Whether a phrase names something by itself: "the white one", "in the kitchen"; neither "sugar" nor "thanks"."""
     first, last = words.tokens[phrase.start], words.tokens[phrase.stop - 1]
     is_last = (
-        phrase.stop >= len(words.said) or words.said[phrase.stop] in _ENDS or words.said[phrase.stop] in _CLAUSE_BREAKS
+        phrase.stop >= len(words.said) or words.said[phrase.stop] in ENDS or words.said[phrase.stop] in _CLAUSE_BREAKS
     )
     is_named = last.pos in ("NOUN", "PROPN") or last.lower in ("one", "ones")
     return first.tag in ("DT", "PRP$", "IN", "CD") and is_named and is_last and len(phrase) > 1
