@@ -3,14 +3,17 @@ corrected or said aside, and what an idiom tells of its check."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
+from itertools import dropwhile, pairwise
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.asides import asides, reasons, whereabouts
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, predicated
+from decomplex_bt.understanding.phrases import is_pronoun
 from decomplex_bt.understanding.prohibitions import prohibitions
 from decomplex_bt.understanding.withdrawals import Withdrawals
 
@@ -21,6 +24,22 @@ _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _PLACES = frozenset(("source", "location"))
 _OF_CHECKS = frozenset(("object", "state", "location"))
+_OF_REPORTS = frozenset(("message", "recipient", "manner"))
+_BEFORE_WEATHER = frozenset(
+    "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
+    "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to".split()
+)
+"""What may stand between the verb of a check and the word for the weather or the day."""
+_TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
+_OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
+_OF_THINGS = frozenset(("foggy", "pours"))
+_NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
+_NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
+_NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into"))
+_PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
+_CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
+_AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_ADDING = frozenset(("too", "also", "well"))
 
 
 def amended(
@@ -112,3 +131,78 @@ def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, ran
         if not any(set(a.tokens) & set(tokens) for a in kept):
             kept.append(FoundArgument(name, check, tokens, CERTAIN))
     return kept
+
+
+def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a verb without those that only a question before it has: of "No milk in the fridge? Bring me
+    water", the milk and the fridge; of "Any milk in the fridge? Bring me some", the milk alone."""
+    of = document.sentences
+    asking = {of[token.i] for token in document.tokens if "?" in token.text and of[token.i] < of[verb]}
+    own = {argument.type: argument.tokens for argument in arguments if of[argument.tokens.start] == of[verb]}
+    refused = {of[a.tokens.start] for a in arguments if a.type in own and not is_pronoun(document, own[a.type])}
+    dropped = asking & refused
+    return [a for a in arguments if of[a.tokens.start] not in (asking if a.type in own else dropped)]
+
+
+def retracted(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a task without those that are taken back ("the knife, no, wait, the fork")."""
+    in_order = sorted(arguments, key=lambda argument: argument.tokens.start)
+    taken_back = {
+        id(argument)
+        for argument, after in pairwise(in_order)
+        if argument.type == after.type
+        and _is_taken_back(document.tokens[argument.tokens.stop : after.tokens.start])
+        and not {token.lower for token in document.tokens[after.tokens.stop : after.tokens.stop + 2]} & _ADDING
+    }
+    return [argument for argument in arguments if id(argument) not in taken_back]
+
+
+def _is_taken_back(between: Sequence[Token]) -> bool:
+    words = [token.lower for token in between if token.text[0].isalnum()]
+    return not _CORRECTING.isdisjoint(words) and _AROUND_CORRECTIONS.issuperset(words)
+
+
+def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
+    that tells of things as well ("if it is foggy") only where nothing is named before."""
+    words = [token.lower for token in document.tokens[verb : verb + 7]]
+    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
+    is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
+    if not said or not (is_outside or said[0] in WEATHER):
+        return list(arguments)
+    if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
+        return list(arguments)
+    return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
+
+
+def reported(arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a verb of informing: what stands right behind its message is part of it."""
+    found: list[FoundArgument] = []
+    for argument in sorted(arguments, key=lambda a: a.tokens.start):
+        before = found[-1] if found else None
+        if argument.type not in _OF_REPORTS and before and before.type == "message" and _adjoin(before, argument):
+            found[-1] = replace(before, tokens=range(before.tokens.start, argument.tokens.stop))
+        else:
+            found.append(argument)
+    return found
+
+
+def _adjoin(one: FoundArgument, other: FoundArgument) -> bool:
+    return one.tokens.stop == other.tokens.start
+
+
+def completed(document: Document, tokens: range, taken: Container[int]) -> range:
+    """The tokens of an argument; where they end in an article, a preposition or the like, with the words up to its
+    noun as well, as far as those are not `taken`. The "rid of" of "get rid of it" belongs to the verb."""
+    start, stop = tokens.start, tokens.stop
+    if len(tokens) > 1 and document.tokens[start].lower == "rid":
+        start += 1
+    if len(tokens) > 1 and document.tokens[start].lower == "of" and start and document.tokens[start - 1].lower == "rid":
+        start += 1
+    while stop - start > 1 and document.tokens[stop - 1].lower in ("and", "or", "but"):
+        stop -= 1
+    last = document.tokens[stop - 1].lower
+    parts = _NOUN_PARTS if last in _NEEDING_A_NOUN else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
+    while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:
+        stop += 1
+    return range(start, stop)

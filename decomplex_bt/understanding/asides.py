@@ -26,12 +26,13 @@ _ENDS = MARKS | {"and", "or", "but", "so"}
 
 
 def asides(document: Document, tasks: Collection[int]) -> frozenset[int]:
-    """The tokens of all asides but reasons in which no token is among the `tasks`."""
+    """The tokens of all tag questions and musings in which no token is among the `tasks`: they say nothing of any."""
     return _all_of(document, tasks, (tag_question, musing))
 
 
 def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
-    """The tokens of all reasons and concessions in which no token is among the `tasks`."""
+    """The tokens of all reasons and concessions in which no token is among the `tasks`: at most they tell where things
+    are."""
     return _all_of(document, tasks, (reason, concession))
 
 

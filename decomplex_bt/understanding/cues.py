@@ -149,10 +149,7 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         if _PRO_BEFORE.intersection(names) and _opens_clause(document, position, position + length - 1):
             length, names = 1, ("before",)
         if PRO_FORMS.intersection(names) and _goes_on(document, words, position, position + length):
-            length, names = (
-                1,
-                _TABLE.get((words[position],), ()),
-            )  # "if no cup is clean", "if you are unable to reach it"
+            length, names = 1, _TABLE.get((words[position],), ())  # "if no cup is clean"
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.construction import flow_of
 from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
 from decomplex_bt.understanding.derivation import arcs_of
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.sides import stated_sides
 from decomplex_bt.understanding.structure import (
     Chain,
     attachment_features,
@@ -123,61 +124,6 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
         if is_bare and clause.is_of_other_state(clauses[k - 1]):
             mended[k - 1 : k + 1] = "task", "condition"  # "check if it is done, and if it's burnt, ..."
     return tuple(mended)
-
-
-def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]) -> tuple[str, ...]:
-    """The attachments, with facts of English made certain: what follows an "if it does not ..." in its sentence is done
-    where it does not, unless an "otherwise" or the like stands between; and what a "failing that" opens is not done
-    where something held.
-
-    What is forbidden in a case is done in the other, as is what an "or if ..." follows. A check of how something is
-    stands where it is there, if nothing else was named ("is there a bike? If it is mine,
-    ...").
-
-    In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
-    it mentions, before one side of that has tasks (`arcs.flip_of`).
-    """
-    mended = list(attachments)
-    for k in range(1, len(clauses)):
-        clause, before = clauses[k], clauses[k - 1]
-        if roles[k] == "task" and clause.is_forbidden and roles[k - 1] in CONDITION_ROLES and mended[k] in _DIRECT:
-            mended[k] = "<1-"  # "if it isn't full, don't empty it": done where it is
-            for j in range(k + 1, len(clauses)):  # "if it's wet, don't iron it, hang it up"
-                follows = clauses[j].sentence == clause.sentence and roles[j] == "task"
-                turning = {*clauses[j].far, *clauses[j].near} & _TURNING
-                if follows and turning == {"else"} and mended[j] == "<1+":
-                    mended[j] = "<1-"  # "if it's hot don't touch it otherwise put it away"
-                if not follows or clauses[j].is_forbidden or turning:
-                    break
-                mended[j] = "<1+" if mended[j] == "<1-" else mended[j]
-        is_plain = roles[k - 1] == "condition" and not before.wording.is_negated
-        if roles[k] == "task" and clause.is_otherwise and is_plain and mended[k] == "<1+":
-            mended[k] = "<1-"  # "if it's raining, fine, otherwise ..."
-        if roles[k] == "condition" and roles[k - 1] == "task" and mended[k - 1] == ">1+" and clause.is_alternative:
-            mended[k - 1] = ">1-"  # "bring me tea, or if there is none, ..."
-        if roles[k] == roles[k - 1] == "condition" and mended[k] == "<1-" and clause.is_of_what_there_is(before):
-            mended[k] = "<1+"
-        is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
-        is_failure = is_mention and "fail" in before.near and not before.wording.is_contrary
-        is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
-        is_failure = is_failure and not before.wording.is_negated
-        leading = {*clause.far, *clause.near}
-        if roles[k] == "task" and mended[k] == "<1+" and "fail" in leading and leading.isdisjoint(_OTHERS):
-            mended[k] = "<1-"  # "failing that, ..." after what holds is never done where it does
-        said = {*leading, *before.behind}
-        if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or said & _TURNING:
-            continue
-        wrong, right = ("<1+", "<1-") if is_failure else ("<1-", "<1+")
-        while k < len(clauses) and mended[k] == wrong and clauses[k].sentence == before.sentence:
-            mended[k] = right
-            k += 1
-    return tuple(mended)
-
-
-_DIRECT = frozenset(("<1+", "<1-"))
-_OTHERS = frozenset("else so if unless when only_if".split())
-_IFS = frozenset(("if", "when"))
-_TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

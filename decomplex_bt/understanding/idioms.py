@@ -1,4 +1,4 @@
-"""Idioms: turns of phrase that are tasks whatever a model says of their words."""
+"""Idioms: turns of phrase that say a task, or what it is about, whatever a model says of their words."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _PRONOUNS = frozenset("it they he she that this these those".split())
 _RELATIVES = frozenset(("that", "which", "who"))
 _LOCATIONS = frozenset("home here there inside outside upstairs downstairs indoors outdoors nearby".split())
 _GETTING = frozenset(("get", "fetch", "grab", "pick"))
-_SPEAKER = frozenset(("me", "us"))
+_ONESELF = frozenset(("me", "us"))
 _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
 _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
@@ -150,7 +150,7 @@ def for_somebody(document: Document, verb: int) -> range:
         if tokens[i].lower != "for":
             continue
         noun = i + 1 + (tokens[i + 1].tag in ("PRP$", "DT"))
-        if tokens[i + 1].lower in _SPEAKER and tokens[verb].lemma not in ("get", "fetch"):
+        if tokens[i + 1].lower in _ONESELF and tokens[verb].lemma not in ("get", "fetch"):
             return range(0)
         if tokens[i + 1].lower in _PEOPLE:
             return range(i, i + 2)

@@ -13,12 +13,12 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
+from decomplex_bt.understanding.amendments import answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.facts import answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models

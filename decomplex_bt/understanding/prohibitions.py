@@ -19,9 +19,7 @@ _NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
 _ENDS = MARKS | {"and", "but", "just", "then"}
 _CONDITIONAL = frozenset(
-    (
-        "if only_if unless when until before before_that before_all after so else fail depending even_if either_way"
-    ).split()
+    "if only_if unless when until before before_that before_all after so else fail depending even_if either_way".split()
 )
 """With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
 the flow to say."""
@@ -79,8 +77,8 @@ def _needless(document: Document) -> list[int]:
 
 
 def is_needless(document: Document, verb: int) -> bool:
-    """Whether a verb of `forbidden` is only not needed ("you don't need to wash it")."""
-    return document.tokens[verb - 1].lower == "to" and document.tokens[verb - 2].lower in (_NEEDING | _NECESSARY)
+    """Whether a verb of `forbidden` is only not needed ("you don't need to wash it", "no use to wash it")."""
+    return document.tokens[verb - 1].lower == "to"
 
 
 def _joined(document: Document, verb: int) -> list[int]:

@@ -31,6 +31,7 @@ _DENIALS = tuple(
     )
 )  # fmt: skip
 """What does so behind a "no" or the like alone."""
+_LONGEST_FIRST = tuple(sorted((*_MARKS, *_DENIALS), key=len, reverse=True))
 _ORDERS = frozenset(("cancel", "ignore", "disregard", "scratch", "scrap", "strike"))
 """Marks that may be orders, of what a statement before them names."""
 _ARGUING = frozenset(("scratch", "scrap", "strike", "cancel", "forget"))
@@ -167,7 +168,9 @@ class _Words:
 def _taken_back(words: _Words, at: int) -> Withdrawals:
     """What the clause that begins at `at` takes back, with its own words; nothing where it takes nothing back."""
     is_reversed = words.is_reversed(at)
-    for mark in sorted((*_MARKS, *(_DENIALS if is_reversed else ())), key=len, reverse=True):
+    for mark in _LONGEST_FIRST:
+        if mark in _DENIALS and not is_reversed:
+            continue
         stop = at + len(mark)
         if tuple(words.said[at:stop]) == mark and words.closes(stop, is_reversed):
             before = _before(words, at, is_last=mark[-1] in _LAST)
@@ -221,11 +224,8 @@ def _phrase(words: _Words, at: int) -> range:
 def _is_complete(words: _Words, phrase: range) -> bool:
     """Whether a phrase names something by itself: "the white one", "in the kitchen"; neither "sugar" nor "thanks"."""
     first, last = words.tokens[phrase.start], words.tokens[phrase.stop - 1]
-    is_last = (
-        phrase.stop >= len(words.said) or words.said[phrase.stop] in ENDS or words.said[phrase.stop] in _CLAUSE_BREAKS
-    )
     is_named = last.pos in ("NOUN", "PROPN") or last.lower in ("one", "ones")
-    return first.tag in ("DT", "PRP$", "IN", "CD") and is_named and is_last and len(phrase) > 1
+    return first.tag in ("DT", "PRP$", "IN", "CD") and is_named and len(phrase) > 1
 
 
 def _is_being(words: _Words, at: int) -> bool:

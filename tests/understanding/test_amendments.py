@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 import pytest
 
-from decomplex_bt.understanding.amendments import amended
+sys.path.insert(0, str(Path(__file__).parent))
+from documents import document
+
+from decomplex_bt.understanding.amendments import amended, answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
@@ -21,19 +27,19 @@ def parser() -> Parser:
 
 def arguments(parser: Parser, text: str, tasks: dict[str, str], *found: tuple[str, str, str]) -> set[tuple[str, str]]:
     """The arguments after amendment, as types with words; `found`: a type, its words and the word of its task."""
-    document = parser.parse(text)
-    observed = Observed(document, GAZETTEER)
-    place = {word: next(t.i for t in document.tokens if t.text == word) for word in tasks}
+    read = parser.parse(text)
+    observed = Observed(read, GAZETTEER)
+    place = {word: next(t.i for t in read.tokens if t.text == word) for word in tasks}
 
     def tokens(words: str) -> range:
-        first = next(t.i for t in document.tokens if text[t.start :].startswith(words))
+        first = next(t.i for t in read.tokens if text[t.start :].startswith(words))
         return range(first, first + len(parser.parse(words)))
 
     before = tuple(FoundArgument(kind, place[task], tokens(words), 0.8) for kind, words, task in found)
     types = {place[word]: kind for word, kind in tasks.items()}
     after = amended(observed, types, withdrawals_of(observed), FoundArguments(before, 0.5))
     assert after.probability == 0.5
-    return {(a.type, document.span(a.tokens.start, a.tokens.stop - 1).of(text)) for a in after.arguments}
+    return {(a.type, read.span(a.tokens.start, a.tokens.stop - 1).of(text)) for a in after.arguments}
 
 
 def test_what_is_said_aside_is_no_argument_but_for_places(parser: Parser) -> None:
@@ -71,3 +77,92 @@ def test_who_it_is_is_the_state_of_somebody_spoken_of(
     text = f"{before} If it 's the plumber, go."
     found = [("object", "the plumber", "'s")]
     assert arguments(parser, text, {"'s": "check_state", "go": "motion"}, *found) == expected
+
+
+def test_a_phrase_does_not_end_in_an_article() -> None:
+    said = document(*(f"{word}/dep/0" for word in "in/IN the/DT old/JJ car/NN and/CC go/VB her/PRP$ bell/NN".split()))
+    assert completed(said, range(0, 2), ()) == range(0, 4)
+    assert completed(said, range(0, 2), {3}) == range(0, 3)
+    assert completed(said, range(0, 4), ()) == range(0, 4)
+    assert completed(said, range(6, 7), ()) == range(6, 7)
+
+
+def test_rid_belongs_to_its_verb() -> None:
+    said = document(*(f"{word}/dep/0" for word in "get/VB rid/JJ of/IN it/PRP".split()))
+    assert completed(said, range(1, 4), ()) == range(3, 4)
+    assert completed(said, range(2, 4), ()) == range(3, 4)
+
+
+@pytest.mark.parametrize(("thing", "kept"), [("water", ("bring",)), ("some", ("there", "bring"))])
+def test_what_a_question_asks_for_is_not_what_the_answer_brings(thing: str, kept: tuple[str, ...]) -> None:
+    said = document(*(f"{word}/dep/{i}" for i, word in enumerate(f"milk/NN there/RB ?/. bring/VB {thing}/NN".split())))
+    asked, brought = FoundArgument("object", 3, range(0, 1), 0.9), FoundArgument("object", 3, range(4, 5), 0.9)
+    there = FoundArgument("source", 3, range(1, 2), 0.9)
+    expected = [found for name, found in (("there", there), ("bring", brought)) if name in kept]
+    assert answered(said, 3, [asked, there, brought]) == expected
+    assert answered(said, 3, [asked, there]) == [asked, there]
+
+
+@pytest.mark.parametrize(
+    ("words", "is_taken_back"),
+    [
+        ("bring the knife , no , wait , the fork", True),
+        ("bring the knife no sorry the fork", True),
+        ("bring the knife , I mean the fork", True),
+        ("bring the knife or rather the fork", True),
+        ("bring the knife and the fork", False),
+        ("bring the knife , the fork", False),
+        ("bring the knife but no the fork", False),
+    ],
+)
+def test_what_is_taken_back_is_not_meant(words: str, is_taken_back: bool) -> None:
+    said = document(*(f"{word}/NN/dep/0" for word in words.split()))
+    last = len(said)
+    knife, fork = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(last - 2, last)))
+    assert retracted(said, [knife, fork]) == ([fork] if is_taken_back else [knife, fork])
+    elsewhere = FoundArgument("goal", 0, knife.tokens, 0.9)
+    assert retracted(said, [elsewhere, fork]) == [elsewhere, fork]
+
+
+def test_a_place_behind_a_message_is_part_of_it() -> None:
+    message, place = FoundArgument("message", 0, range(2, 5), 0.9), FoundArgument("location", 0, range(5, 8), 0.8)
+    (whole,) = reported([place, message])
+    assert (whole.type, whole.tokens) == ("message", range(2, 8))
+    apart = FoundArgument("location", 0, range(6, 8), 0.8)
+    assert reported([message, apart]) == [message, apart]
+    whom = FoundArgument("recipient", 0, range(5, 7), 0.8)
+    assert reported([message, whom]) == [message, whom]
+
+
+def test_the_it_of_weather_names_nothing() -> None:
+    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
+    assert naming(document("if", "it", "'s", "still", "raining"), 2, it) == []
+    assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it
+    assert naming(document("if", "it", "is", "due", "Monday"), 2, it) == it
+    assert naming(document("if", "it", "'s", "a", "Tuesday"), 2, it) == []
+
+
+def test_the_it_of_cold_weather_names_nothing() -> None:
+    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
+    assert naming(document("if", "it", "'s", "too", "cold", "outside"), 2, it) == []
+    assert naming(document("if", "it", "'s", "cold"), 2, it) == it
+    assert naming(document("if", "it", "'s", "dark"), 2, it) == []
+
+
+def test_what_comes_on_top_corrects_nothing() -> None:
+    said = document(*(f"{word}/NN/dep/0" for word in "bring the salt sorry the pepper too".split()))
+    salt, pepper = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(4, 6)))
+    assert retracted(said, [salt, pepper]) == [salt, pepper]
+
+
+def test_an_argument_does_not_end_in_a_preposition() -> None:
+    said = document(*(f"{word}/dep/0" for word in "get/VB it/PRP for/IN the/DT old/JJ man/NN now/RB".split()))
+    assert completed(said, range(2, 3), ()) == range(2, 6)
+
+
+def test_the_it_of_what_is_foggy_is_what_was_named() -> None:
+    it = [FoundArgument("object", 4, range(3, 4), 0.9)]
+    assert naming(document("the", "window", "if", "it", "is", "foggy"), 4, it) == it
+    assert naming(document("there/EX/expl/0", "then", "if", "it", "is", "foggy"), 4, it) == it
+    nothing = [f"{word}/RB/dep/0" for word in ("so", "then", "if", "it", "is", "foggy")]
+    assert naming(document(*nothing), 4, it) == []

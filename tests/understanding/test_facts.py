@@ -10,8 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
-from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.facts import answered, completed, corrected, naming, reported, retracted
+from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.tasks import FoundTask
@@ -132,51 +131,6 @@ def test_a_place_that_another_task_has_is_left_to_it() -> None:
     assert found(words, (2, "check_state"), (3, "bringing")) == [(2, "check_state"), (3, "bringing")]
 
 
-def test_a_phrase_does_not_end_in_an_article() -> None:
-    said = document(*(f"{word}/dep/0" for word in "in/IN the/DT old/JJ car/NN and/CC go/VB her/PRP$ bell/NN".split()))
-    assert completed(said, range(0, 2), ()) == range(0, 4)
-    assert completed(said, range(0, 2), {3}) == range(0, 3)
-    assert completed(said, range(0, 4), ()) == range(0, 4)
-    assert completed(said, range(6, 7), ()) == range(6, 7)
-
-
-def test_rid_belongs_to_its_verb() -> None:
-    said = document(*(f"{word}/dep/0" for word in "get/VB rid/JJ of/IN it/PRP".split()))
-    assert completed(said, range(1, 4), ()) == range(3, 4)
-    assert completed(said, range(2, 4), ()) == range(3, 4)
-
-
-@pytest.mark.parametrize(("thing", "kept"), [("water", ("bring",)), ("some", ("there", "bring"))])
-def test_what_a_question_asks_for_is_not_what_the_answer_brings(thing: str, kept: tuple[str, ...]) -> None:
-    said = document(*(f"{word}/dep/{i}" for i, word in enumerate(f"milk/NN there/RB ?/. bring/VB {thing}/NN".split())))
-    asked, brought = FoundArgument("object", 3, range(0, 1), 0.9), FoundArgument("object", 3, range(4, 5), 0.9)
-    there = FoundArgument("source", 3, range(1, 2), 0.9)
-    expected = [found for name, found in (("there", there), ("bring", brought)) if name in kept]
-    assert answered(said, 3, [asked, there, brought]) == expected
-    assert answered(said, 3, [asked, there]) == [asked, there]
-
-
-@pytest.mark.parametrize(
-    ("words", "is_taken_back"),
-    [
-        ("bring the knife , no , wait , the fork", True),
-        ("bring the knife no sorry the fork", True),
-        ("bring the knife , I mean the fork", True),
-        ("bring the knife or rather the fork", True),
-        ("bring the knife and the fork", False),
-        ("bring the knife , the fork", False),
-        ("bring the knife but no the fork", False),
-    ],
-)
-def test_what_is_taken_back_is_not_meant(words: str, is_taken_back: bool) -> None:
-    said = document(*(f"{word}/NN/dep/0" for word in words.split()))
-    last = len(said)
-    knife, fork = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(last - 2, last)))
-    assert retracted(said, [knife, fork]) == ([fork] if is_taken_back else [knife, fork])
-    elsewhere = FoundArgument("goal", 0, knife.tokens, 0.9)
-    assert retracted(said, [elsewhere, fork]) == [elsewhere, fork]
-
-
 def test_what_a_check_asks_of_a_participle_is_no_task_of_its_own() -> None:
     words = "check/VB that/IN the/DT heater/NN 's/VBZ switched/VBN on/RP"
     assert found(words, (0, "check_state"), (5, "change_state")) == [(0, "check_state")]
@@ -185,50 +139,6 @@ def test_what_a_check_asks_of_a_participle_is_no_task_of_its_own() -> None:
     ]
     told = "check/VB the/DT heater/NN and/CC get/VB it/PRP 's/VBZ switched/VBN on/RP"
     assert found(told, (0, "check_state"), (7, "change_state")) == [(0, "check_state"), (7, "change_state")]
-
-
-def test_a_place_behind_a_message_is_part_of_it() -> None:
-    message, place = FoundArgument("message", 0, range(2, 5), 0.9), FoundArgument("location", 0, range(5, 8), 0.8)
-    (whole,) = reported([place, message])
-    assert (whole.type, whole.tokens) == ("message", range(2, 8))
-    apart = FoundArgument("location", 0, range(6, 8), 0.8)
-    assert reported([message, apart]) == [message, apart]
-    whom = FoundArgument("recipient", 0, range(5, 7), 0.8)
-    assert reported([message, whom]) == [message, whom]
-
-
-def test_the_it_of_weather_names_nothing() -> None:
-    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
-    assert naming(document("if", "it", "'s", "still", "raining"), 2, it) == []
-    assert naming(document("if", "it", "'s", "still", "wet"), 2, it) == it
-    assert naming(document("if", "it", "is", "due", "Monday"), 2, it) == it
-    assert naming(document("if", "it", "'s", "a", "Tuesday"), 2, it) == []
-
-
-def test_the_it_of_cold_weather_names_nothing() -> None:
-    it = [FoundArgument("object", 2, range(1, 2), 0.9)]
-    assert naming(document("if", "it", "'s", "too", "cold", "outside"), 2, it) == []
-    assert naming(document("if", "it", "'s", "cold"), 2, it) == it
-    assert naming(document("if", "it", "'s", "dark"), 2, it) == []
-
-
-def test_what_comes_on_top_corrects_nothing() -> None:
-    said = document(*(f"{word}/NN/dep/0" for word in "bring the salt sorry the pepper too".split()))
-    salt, pepper = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(4, 6)))
-    assert retracted(said, [salt, pepper]) == [salt, pepper]
-
-
-def test_an_argument_does_not_end_in_a_preposition() -> None:
-    said = document(*(f"{word}/dep/0" for word in "get/VB it/PRP for/IN the/DT old/JJ man/NN now/RB".split()))
-    assert completed(said, range(2, 3), ()) == range(2, 6)
-
-
-def test_the_it_of_what_is_foggy_is_what_was_named() -> None:
-    it = [FoundArgument("object", 4, range(3, 4), 0.9)]
-    assert naming(document("the", "window", "if", "it", "is", "foggy"), 4, it) == it
-    assert naming(document("there/EX/expl/0", "then", "if", "it", "is", "foggy"), 4, it) == it
-    nothing = [f"{word}/RB/dep/0" for word in ("so", "then", "if", "it", "is", "foggy")]
-    assert naming(document(*nothing), 4, it) == []
 
 
 def test_drunk_is_how_somebody_is() -> None:

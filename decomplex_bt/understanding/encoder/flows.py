@@ -23,7 +23,6 @@ from decomplex_bt.understanding.dependencies import (
     Varied,
     chained_roles,
     likeliest,
-    stated_sides,
     varied,
 )
 from decomplex_bt.understanding.document import Document
@@ -31,6 +30,7 @@ from decomplex_bt.understanding.encoder.heads import Array, log_softmax
 from decomplex_bt.understanding.encoder.model import open_session, partial_run
 from decomplex_bt.understanding.encoder.pieces import MAX_PIECES, Pieced, Pieces
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.sides import stated_sides
 from decomplex_bt.understanding.structure import Chain, attachment_features, order_features, role_features
 
 NETWORK_FILE, JUDGE_FILE, LABELS_FILE = "flow.onnx", "flow_judge.onnx", "flow_labels.json"

@@ -1,0 +1,95 @@
+"""Sides: whether a task stands where its condition holds or where it does not, as far as English settles it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.clauses import Clause
+
+_HOLDS, _FAILS = "<1+", "<1-"
+"""In the branch of the condition before: where that holds as it is stated, and where it does not (`arcs`)."""
+_OTHERS = frozenset("else so if unless when only_if".split())
+_IFS = frozenset(("if", "when"))
+_TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
+
+
+def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]) -> tuple[str, ...]:
+    """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
+    sides = list(attachments)
+    for k in range(1, len(clauses)):
+        for rule in (_forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
+            rule(clauses, roles, sides, k)
+    return tuple(sides)
+
+
+def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden in a case is done in the other ("if it isn't full, don't empty it"), what is said instead of it
+    in that case ("if it's wet, don't iron it, hang it up"), and what an "otherwise" opens behind it in the other."""
+    clause = clauses[k]
+    is_task = roles[k] == "task" and roles[k - 1] in CONDITION_ROLES
+    if not (is_task and clause.is_forbidden and sides[k] in (_HOLDS, _FAILS)):
+        return
+    sides[k] = _FAILS
+    for j in range(k + 1, len(clauses)):
+        later = clauses[j]
+        if later.sentence != clause.sentence or roles[j] != "task":
+            return
+        turning = {*later.far, *later.near} & _TURNING
+        if turning == {"else"} and sides[j] == _HOLDS:
+            sides[j] = _FAILS
+        if later.is_forbidden or turning:
+            return
+        if sides[j] == _FAILS:
+            sides[j] = _HOLDS
+
+
+def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "otherwise" opens right behind a condition is done where that does not hold ("if it's raining, fine,
+    otherwise ...")."""
+    is_plain = roles[k - 1] == "condition" and not clauses[k - 1].wording.is_negated
+    if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == _HOLDS:
+        sides[k] = _FAILS
+
+
+def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What stands before an "or if" is done where that does not hold ("bring me tea, or if there is none, ...")."""
+    is_behind_task = roles[k] == "condition" and roles[k - 1] == "task"
+    if is_behind_task and sides[k - 1] == ">1+" and clauses[k].is_alternative:
+        sides[k - 1] = ">1-"
+
+
+def _presuppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """How something is is asked where it is there, if nothing else was named ("is there a bike? If it's mine, ...")."""
+    are_conditions = roles[k] == roles[k - 1] == "condition"
+    if are_conditions and sides[k] == _FAILS and clauses[k].is_of_what_there_is(clauses[k - 1]):
+        sides[k] = _HOLDS
+
+
+def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "failing that" opens is never done where something held."""
+    leading = {*clauses[k].far, *clauses[k].near}
+    if roles[k] == "task" and sides[k] == _HOLDS and "fail" in leading and leading.isdisjoint(_OTHERS):
+        sides[k] = _FAILS
+
+
+def _follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What follows an "if it does not ..." in its sentence is done where it does not, unless an "otherwise" or the like
+    stands between.
+
+    In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
+    it mentions, before one side of that has tasks (`arcs.flip_of`).
+    """
+    clause, before = clauses[k], clauses[k - 1]
+    is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
+    is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
+    is_contrary = before.wording.is_contrary or before.wording.is_negated
+    is_failure = is_mention and "fail" in before.near and not is_contrary
+    between = {*clause.far, *clause.near, *before.behind}
+    if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or between & _TURNING:
+        return
+    wrong, right = (_HOLDS, _FAILS) if is_failure else (_FAILS, _HOLDS)
+    for j in range(k, len(clauses)):
+        if sides[j] != wrong or clauses[j].sentence != before.sentence:
+            return
+        sides[j] = right
