@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JsonOption, chosen, domain_of
+from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JobsOption, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, use_utf8
 
 FolderOption = Annotated[Path | None, typer.Option(help="Default: the domain's own folder.")]
@@ -17,6 +17,7 @@ def train(
     corpus: FolderOption = None,
     output: FolderOption = None,
     encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
+    jobs: JobsOption = 1,
     format: FormatOption = Format.text,
     json: JsonOption = False,
     domain: DomainOption = "household",
@@ -30,7 +31,12 @@ def train(
     from decomplex_bt.understanding import training
 
     report = training.train(
-        corpus, output, domain=domain_of(domain), encoder=encoder, progress=lambda stage: remark(f"{stage} ...")
+        corpus,
+        output,
+        domain=domain_of(domain),
+        encoder=encoder,
+        jobs=jobs,
+        progress=lambda stage: remark(f"{stage} ..."),
     )
     if chosen(format, json) is Format.json:
         print_json(
