@@ -9,7 +9,7 @@ from itertools import dropwhile, pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
-from decomplex_bt.understanding.asides import asides, reasons, whereabouts
+from decomplex_bt.understanding.asides import asides, manners, reasons, whereabouts
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, predicated
@@ -23,6 +23,9 @@ _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _PLACES = frozenset(("source", "location"))
+_TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}
+"""By what the argument of a type is taken up that was said before its verb."""
+_WAYS = frozenset(("path", "manner"))
 _OF_CHECKS = frozenset(("object", "state", "location"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _BEFORE_WEATHER = frozenset(
@@ -52,7 +55,10 @@ def amended(
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
+    how = manners(document, tasks)
+    kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = [_meant(document, tasks, a) for a in kept]
+    kept = [a for a in kept if not _is_said_again(document, a, kept)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
@@ -82,6 +88,22 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
         return list(arguments)
     wrong = before[-1]
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
+
+
+def _is_said_again(document: Document, argument: FoundArgument, others: Sequence[FoundArgument]) -> bool:
+    """Whether what stands before the verb of its task is taken up behind it: "I need *the map*, can you fetch it",
+    "*the book*, bring it here"."""
+    if argument.tokens.start > argument.owner or argument.type not in _TAKEN_UP:
+        return False
+    said = [t.lower for t in document.tokens[argument.tokens.start : argument.tokens.stop]]
+    if said[-1] in _TAKEN_UP[argument.type]:
+        return False
+    for other in others:
+        if (other.owner, other.type) == (argument.owner, argument.type) and other.tokens.start > other.owner:
+            words = [t.lower for t in document.tokens[other.tokens.start : other.tokens.stop]]
+            if words == said or words[-1] in _TAKEN_UP[argument.type]:
+                return True
+    return False
 
 
 def _meant(document: Document, tasks: Mapping[int, str], argument: FoundArgument) -> FoundArgument:

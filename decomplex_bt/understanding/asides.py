@@ -1,12 +1,12 @@
 """Asides: words between the orders that ask nothing and order nothing: tag questions, musings, reasons, concessions,
-whereabouts."""
+means, whereabouts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
 
 _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())
@@ -22,6 +22,7 @@ _CONCEDING = tuple(
 _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
+_STARTING = frozenset("start begin commence finish end conclude".split())
 _ENDS = MARKS | {"and", "or", "but", "so"}
 
 
@@ -34,6 +35,11 @@ def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
     """The tokens of all reasons and concessions in which no token is among the `tasks`: at most they tell where things
     are."""
     return _all_of(document, tasks, (reason, concession))
+
+
+def manners(document: Document, tasks: Collection[int]) -> frozenset[int]:
+    """The tokens of all means in which no token is among the `tasks`: at most they tell a path or a manner."""
+    return _all_of(document, tasks, (means,))
 
 
 def _all_of(
@@ -84,6 +90,22 @@ def concession(document: Document, at: int) -> range | None:
 
 def _says(document: Document, start: int, phrase: tuple[str, ...]) -> bool:
     return tuple(token.lower for token in document.tokens[start : start + len(phrase)]) == phrase
+
+
+def means(document: Document, at: int) -> range | None:
+    """The words in which the verb at token `at` only tells how something is done: "leave by crossing the hall"; or
+    None. What one starts or ends by doing is done like the rest ("finish by locking up")."""
+    tokens, sentences = document.tokens, document.sentences
+    if at < 2 or tokens[at].tag != "VBG" or tokens[at - 1].lower != "by":
+        return None
+    verbs = (token for token in reversed(tokens[: at - 1]) if token.pos == "VERB" or token.lower in ENDS)
+    governing = next(verbs, None)
+    if governing is None or governing.lower in ENDS or governing.lemma in _STARTING:
+        return None
+    stop = at
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+        stop += 1
+    return range(at - 1, stop)
 
 
 def whereabouts(document: Document, at: int) -> range | None:
@@ -137,5 +159,6 @@ _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     musing: frozenset(("let",)),
     reason: _REASONS,
     concession: frozenset(phrase[0] for phrase in _CONCEDING),
+    means: frozenset(("by",)),
 }
 """For each kind of aside words of which it has one."""

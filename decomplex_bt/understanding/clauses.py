@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arcs import Wording
 from decomplex_bt.understanding.asides import tag_question
@@ -33,7 +33,8 @@ class Clause:
     is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
     whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
     `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
-    `is_otherwise`: whether "otherwise" or the like does.
+    `is_otherwise`: whether "otherwise" or the like does; `is_excepted`: whether it stands under the "unless" of the
+    clause before it.
     """
 
     task: MarkedTask
@@ -54,6 +55,21 @@ class Clause:
     is_forbidden: bool = False
     is_alternative: bool = False
     is_otherwise: bool = False
+    is_excepted: bool = False
+
+    def joint_with(self, before: Clause, *, is_last: bool) -> str:
+        """The role, "and" or "or", of a check that is joined to the one before it under the same "if" or "unless" ("if
+        it is wet or the fan is off"); "" where nothing settles that. `is_last`: whether nothing follows in its
+        sentence, as in "open it if it is dry and the fan is on": else the second may as well be a condition in the
+        branch of the first."""
+        are_checks = self.task.type == before.task.type == "check_state"
+        if not are_checks or self.sentence != before.sentence or not self.wording.joins:
+            return ""
+        if self.is_excepted:
+            return self.wording.joins
+        is_bare = self.boundary == "none" and not self.far and self.near == (self.wording.joins,)
+        is_certain = is_bare and (self.wording.joins == "or" or is_last)
+        return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
 
     def is_of_what_there_is(self, first: Clause) -> bool:
         """Whether it tests how something is of which an earlier condition asks whether it is there: "is there a bike?
@@ -91,6 +107,7 @@ class Clause:
         return is_of_others or (first.asks_where and "location" not in own)
 
 
+_IFS = frozenset(("if", "unless", "only_if"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
@@ -111,7 +128,25 @@ _REFERRING = frozenset("it them that this those these one ones there he she her 
 def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause, ...]:
     """The clause of every task, in text order."""
     said = frozenset(j for task in tasks for _, indices in task.arguments for j in indices)
-    return tuple(_clause(observed, tasks, k, said) for k in range(len(tasks)))
+    clauses: list[Clause] = []
+    for k in range(len(tasks)):
+        clause = _clause(observed, tasks, k, said)
+        clauses.append(_excepted(clause) if clauses and _is_excepted(clause, clauses[-1]) else clause)
+    return tuple(clauses)
+
+
+def _is_excepted(clause: Clause, before: Clause) -> bool:
+    """Whether an "unless" before governs a clause as well: "unless it is wet or (if) it is dark"."""
+    is_joint = clause.near in (("or",), ("and",), ("or", "if")) and not clause.far
+    is_joined = is_joint and clause.sentence == before.sentence and clause.task.type == "check_state"
+    return is_joined and clause.boundary in ("none", ",") and (before.is_excepted or "unless" in before.near)
+
+
+def _excepted(clause: Clause) -> Clause:
+    """The clause under an "unless": unless A or B is what holds where neither A nor B does."""
+    wording = clause.wording
+    joins = {"or": "and", "and": "or"}[clause.near[0]]
+    return replace(clause, is_excepted=True, wording=replace(wording, is_negated=not wording.is_negated, joins=joins))
 
 
 def wordings_of(clauses: Sequence[Clause]) -> tuple[Wording, ...]:

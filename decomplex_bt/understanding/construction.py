@@ -176,11 +176,14 @@ class Builder:
         met = self._nodes(inner.sides[inner_stated])
         unmet = (*self._nodes(inner.sides[inner_other]), *self._nodes(group.sides[other]))
         numbers, inner_numbers = tuple(j + 1 for j in group.members), tuple(j + 1 for j in inner.members)
+        # what both branches have is read first in the "then" of the outer condition, wherever that leads
         if inner.join == "and":
-            nested = _if(inner_numbers, {inner_stated: met, inner_other: unmet})
-            return _if(numbers, {side: (nested,), other: _repeats(unmet)})
-        nested = _if(inner_numbers, {inner_stated: _repeats(met), inner_other: unmet})
-        return _if(numbers, {side: met, other: (nested,)})
+            within, beside = (unmet, _repeats(unmet)) if side == "then" else (_repeats(unmet), unmet)
+            nested = _if(inner_numbers, {inner_stated: met, inner_other: within})
+            return _if(numbers, {side: (nested,), other: beside})
+        within, beside = (_repeats(met), met) if side == "then" else (met, _repeats(met))
+        nested = _if(inner_numbers, {inner_stated: within, inner_other: unmet})
+        return _if(numbers, {side: beside, other: (nested,)})
 
     def _arranged(self, members: list[int]) -> list[int]:
         """Siblings in the order of execution."""

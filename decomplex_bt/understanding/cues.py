@@ -53,7 +53,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
         ),
         # order
-        "then": ("then", "and then", "next", "so then"),
+        "then": ("then", "and then", "next", "so then", "only then"),
         "after_that": (
             "after that", "after this", "afterwards", "afterward", "after wards", "later", "later on", "thereafter", "subsequently", "when done", "once done", "when you are done",
             "once you are done", "when that is done", "once that is done", "when finished", "once finished", "having done that", "after you have done that", "after doing that",
@@ -63,11 +63,14 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "before_that": (
             "before that", "before this", "before which", "prior to which", "before you do that", "before doing that", "before you do", "beforehand",
             "but first", "prior to that", "ahead of that", "before doing so", "before you do so", "before you do this",
+            "even before that", "even before this", "ahead of this", "ahead of it", "earlier still", "even earlier", "earlier than that", "sooner than that", "in advance",
         ),
         "before_all": (
             "before any of that", "before any of this", "before any of it", "before all that", "before all this", "before all of that", "before all of this", "before you do any of that",
             "before you do any of this", "before doing any of that", "before doing any of this", "before either of those", "before you do either", "ahead of all that", "ahead of all this",
             "ahead of both", "before both", "prior to both", "prior to all that", "prior to any of that", "prior to all of which", "before all of which",
+            "ahead of everything", "ahead of everything else", "ahead of any of that", "ahead of any of this", "ahead of all of that", "ahead of all of this", "ahead of anything", "ahead of anything else", "ahead of these",
+            "before everything", "before anything at all", "earlier than all that", "earlier than all this", "earlier than any of that", "earlier than any of this", "even before all that", "even before any of that",
         ),
         "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),
         "until": ("until", "till", "til", "not until", "until after", "no sooner than", "not earlier than",
@@ -75,9 +78,9 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "first": (
             "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
-            "before everything else", "at first", "step one", "for starters",
+            "before everything else", "at first", "step one", "for starters", "right at the start", "at the very start", "at the very beginning", "very first", "begin with", "at the outset",
         ),
-        "last": ("last", "lastly", "last of all", "last thing", "at last", "finally", "in the end", "at the end", "at the very end", "to finish", "to top it off", "final thing", "at the close"),
+        "last": ("last", "lastly", "last of all", "last thing", "at last", "finally", "in the end", "at the end", "at the very end", "to finish", "to top it off", "final thing", "at the close", "right at the end", "last but not least", "to end with", "to conclude", "very last", "to round off"),
         "also": ("also", "too", "as well", "in addition", "additionally", "plus", "besides", "moreover", "on top of that", "likewise", "same for", "same goes for"),
         "while": ("while", "whilst", "meanwhile", "in the meantime", "at the same time", "on your way", "on the way", "while you are at it", "as you", "in the meanwhile"),
         # within a clause

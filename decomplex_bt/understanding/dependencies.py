@@ -105,10 +105,14 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
 
 
 def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
-    """The roles, with two facts of English made certain: "if it is not there either" speaks of the search before it,
-    which is thereby a condition, however the model reads it; and a check whose words are of another matter than all
-    conditions before it is no mention of one, but a condition of its own."""
+    """The roles, with three facts of English made certain: "if it is not there either" speaks of the search before it,
+    which is thereby a condition, however the model reads it; a check whose words are of another matter than all
+    conditions before it is no mention of one, but a condition of its own; and two checks under one "if" or "unless" are
+    one condition of two parts."""
     mended = list(roles)
+    for k in range(1, len(clauses)):
+        joint = _joint(clauses, k) if mended[k - 1] in CONDITION_ROLES else ""
+        mended[k] = joint or mended[k]
     for k in range(2, len(clauses)):
         clause = clauses[k]
         says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
@@ -124,6 +128,11 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
         if is_bare and clause.is_of_other_state(clauses[k - 1]):
             mended[k - 1 : k + 1] = "task", "condition"  # "check if it is done, and if it's burnt, ..."
     return tuple(mended)
+
+
+def _joint(clauses: Sequence[Clause], k: int) -> str:
+    is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clauses[k].sentence
+    return clauses[k].joint_with(clauses[k - 1], is_last=is_last)
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

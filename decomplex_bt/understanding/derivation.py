@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from decomplex_bt.flow import Do, Flow, If, Node
@@ -14,7 +14,6 @@ from decomplex_bt.understanding.arcs import (
     Arc,
     Wording,
     flip_of,
-    is_flipped,
     other_orders,
     other_side,
     side_of,
@@ -24,17 +23,41 @@ from decomplex_bt.understanding.construction import Builder, flow_of
 
 def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
     """The arcs that say this flow, or None where no arcs can (the inverse of `flow_of`)."""
-    plain = _arcs_in_text_order(flow, wordings)
-    if plain is None:
-        return None
-    for start in (*_with_joins(plain, wordings), plain):
-        for arcs in _with_orders(_counting_joints_once(start), wordings):
-            if flow_of(arcs, wordings) == flow:
-                return arcs
+    joints = list(_joints(flow))
+    worded = [joint.inverted if wordings[joint.inner].joins not in ("", joint.role) else joint for joint in joints]
+    ways = (worded, joints, [joint.inverted for joint in joints])
+    for chosen in (way for k, way in enumerate(ways) if way not in ways[:k]):
+        plain = _arcs_in_text_order(flow, wordings, chosen)
+        if plain is None:
+            return None
+        for start in (*_with_joins(plain, wordings), plain):
+            for arcs in _with_orders(_counting_joints_once(start), wordings):
+                if flow_of(arcs, wordings) == flow:
+                    return arcs
     return None
 
 
-def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
+@dataclass(frozen=True, slots=True)
+class _Joint:
+    """Two conditions, `outer` and in its branch `inner` (from 0), that are one of two parts, as tasks tell that stand
+    in both. `shared`: the side of `inner` that has again what stands beside it, "" where it has it first.
+
+    "Unless A or B, X" is as much "if neither A nor B, X": what is joined by "and" on one side is by "or" on the other.
+    """
+
+    outer: int
+    inner: int
+    side: str
+    role: str
+    shared: str
+    is_invertible: bool
+
+    @property
+    def inverted(self) -> _Joint:
+        return replace(self, role="or" if self.role == "and" else "and") if self.is_invertible else self
+
+
+def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequence[_Joint]) -> tuple[Arc, ...] | None:
     count = len(wordings)
     arcs = [Arc() for _ in range(count)]
     group_of: dict[int, int] = {}
@@ -45,13 +68,9 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, .
                 group_of[number - 1] = node.task - 1
         elif not node.is_repeat:
             again += [(number - 1, node.task - 1) for number in node.tasks[1:]]
-    joins = dict(_joins(flow, wordings))
+    joins = {joint.inner: joint.role for joint in joints}
     # "if A or B, X": in the tree X is a child of A, in the text it follows B
-    alternatives = {
-        (parent[0], other_side(parent[1])): node.task - 1
-        for node, parent in _with_parents(flow.nodes, None)
-        if parent is not None and joins.get(node.task - 1) == "or"
-    }
+    beside = {(joint.outer, other_side(joint.side)): joint for joint in joints if joint.shared}
     for i, first in group_of.items():
         if i != first:
             arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
@@ -67,9 +86,8 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, .
         group, side = parent
         if role == "or":
             side = other_side(side)
-        elif parent in alternatives:
-            group = alternatives[parent]
-            side = side_of(is_flipped(group, group, wordings))
+        elif parent in beside:
+            group, side = beside[parent].inner, beside[parent].shared
         pointer = _pointer(i, group, group_of)
         if pointer is None:
             return None
@@ -93,21 +111,23 @@ def _with_parents(
             yield from _with_parents(node.orelse, (node.task - 1, "else"))
 
 
-def _joins(flow: Flow, wordings: Sequence[Wording]) -> Iterator[tuple[int, str]]:
-    """The conditions (from 0) joined to the one they lie in, told by the tasks that stand in both."""
+def _joints(flow: Flow) -> Iterator[_Joint]:
     for node, _ in flow.walk():
         if not isinstance(node, If):
             continue
-        for branch, other in ((node.then, node.orelse), (node.orelse, node.then)):
+        for side, branch, other in (("then", node.then, node.orelse), ("else", node.orelse, node.then)):
             inner = branch[0] if len(branch) == 1 else None
             if not isinstance(inner, If):
                 continue
-            inner_repeats = [n for n in (*inner.then, *inner.orelse) if isinstance(n, Do) and n.is_repeat]
-            other_repeats = [n for n in other if isinstance(n, Do) and n.is_repeat]
-            if other_repeats:
-                yield inner.task - 1, "and"
-            elif inner_repeats:
-                yield inner.task - 1, "or"
+            shared = next((s for s, nodes in (("then", inner.then), ("else", inner.orelse)) if _repeats(nodes)), "")
+            if _repeats(other):
+                yield _Joint(node.task - 1, inner.task - 1, side, "and", "", side == "then")
+            elif shared:
+                yield _Joint(node.task - 1, inner.task - 1, side, "or", shared, side == "else")
+
+
+def _repeats(nodes: Sequence[Node]) -> bool:
+    return any(isinstance(node, Do) and node.is_repeat for node in nodes)
 
 
 def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:

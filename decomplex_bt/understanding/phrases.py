@@ -104,6 +104,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if document.tokens[phrase.stop - 1].lower in _NO_NOUNS:
                 continue
             owner = inside.get(phrase.stop - 1)
+            if owner is None and _is_addressed(document, phrase):
+                continue
             if len({inside.get(i) for i in phrase}) > 1:
                 shape = f"across.{shape}"
             if owner is None:
@@ -271,6 +273,13 @@ def _outside(document: Document, tokens: range, shape: str) -> Candidate:
 def _owned(document: Document, tokens: range, task: Task, argument_type: str, shape: str) -> Candidate:
     text = document.span(tokens.start, tokens.stop - 1).of(document.text)
     return Candidate(text, tokens, head_of(document, tokens), task.id, argument_type, task.type, shape)
+
+
+def _is_addressed(document: Document, tokens: range) -> bool:
+    """Whether a phrase only names who is spoken to: "robot", "hey robot", not "the robot"."""
+    return document.tokens[tokens.stop - 1].lower == "robot" and all(
+        document.tokens[i].pos not in ("DET", "ADP") and document.tokens[i].tag != "PRP$" for i in tokens
+    )
 
 
 def _names(document: Document) -> Iterator[range]:

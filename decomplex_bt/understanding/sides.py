@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.clauses import Clause
 
 _HOLDS, _FAILS = "<1+", "<1-"
@@ -18,9 +18,15 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
     sides = list(attachments)
     for k in range(1, len(clauses)):
-        for rule in (_forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
+        for rule in (_join, _forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
             rule(clauses, roles, sides, k)
     return tuple(sides)
+
+
+def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A check that "and" or "or" joins to the one before it is asked where that holds as it is stated."""
+    if roles[k] in JOINTS and clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES:
+        sides[k] = _HOLDS
 
 
 def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -31,7 +31,7 @@ FLOWS = {
 
 # joint conditions, each stated with a negation ("if it is neither hot nor full")
 NEGATED_FLOWS = {name: value for name, value in FLOWS.items() if name not in ("and", "or")} | {
-    "neither": [{"if": 1, "else": [{"if": 2, "then": [4], "else": [3]}], "then": [{"same": [4]}]}],
+    "neither": [{"if": 1, "then": [4], "else": [{"if": 2, "then": [{"same": [4]}], "else": [3]}]}],
 }
 
 
