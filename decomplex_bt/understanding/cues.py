@@ -115,7 +115,7 @@ STRONG = frozenset(
 """Those that alone say that one task hangs on another, or in which order they come."""
 
 ASKING_LEMMAS = frozenset(
-    "check see find look verify ask tell know wonder determine confirm ensure discover inspect test out learn let figure notice make establish sure certain doubt report say examine".split()
+    "check see find look verify ask tell know wonder determine confirm ensure discover inspect test learn let figure suss notice make establish sure certain doubt report say examine".split()
 )
 """What stands before an "if" that reports or checks and opens no condition ("see if", "find out if", "let me know if")."""
 

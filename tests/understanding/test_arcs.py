@@ -139,3 +139,22 @@ def test_first_goes_ahead_of_all_and_before_of_one():
     assert flow_of(arcs, [PLAIN] * 4) == Flow.from_json([3, 4, 1, 2])
     arcs[2] = Arc(order="before+")
     assert flow_of(arcs, [PLAIN] * 4) == Flow.from_json([1, 3, 4, 2])
+
+
+@pytest.mark.parametrize(
+    ("value", "joins"),
+    [
+        # unless it is wet or dark, go; in which case stay
+        ([{"if": 2, "then": [4], "else": [{"if": 3, "then": [{"same": [4]}], "else": [1]}]}], "and"),
+        # unless it is wet and dark, go; in which case stay
+        ([{"if": 2, "then": [{"if": 3, "then": [4], "else": [1]}], "else": [{"same": [1]}]}], "or"),
+    ],
+)
+def test_what_an_unless_joins_is_said_as_its_words_have_it(value, joins):
+    """A repeat stands behind its first, whichever side is met."""
+    wordings = [PLAIN, NEGATED, Wording(is_negated=True, joins=joins), PLAIN]
+    flow = Flow.from_json(value)
+    arcs = arcs_of(flow, wordings)
+    assert arcs is not None
+    assert arcs[2].role == joins
+    assert flow_of(arcs, wordings) == flow

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.understanding.asides import asides, musing, reason, reasons, tag_question, whereabouts
+from decomplex_bt.understanding.asides import asides, means, musing, reason, reasons, tag_question, whereabouts
 from decomplex_bt.understanding.document import Parser
 
 
@@ -71,3 +71,22 @@ def test_where_somebody_is_is_told_in_a_clause(parser: Parser) -> None:
     assert whereabouts(parser.parse("Bring him his cane, he's in the garden."), 5) == range(5, 10)
     assert whereabouts(parser.parse("Bring me the cane, it's in the garden."), 5) is None
     assert whereabouts(parser.parse("Tell Ann she's in the garden."), 2) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "expected"),
+    [
+        ("Leave the house by crossing the hall.", "crossing", "by crossing the hall"),
+        ("Open the jar by turning its lid, and bring it.", "turning", "by turning its lid"),
+        ("Start by turning the lid.", "turning", None),
+        ("You can finish by crossing the hall.", "crossing", None),
+        ("Leave the house. By crossing the hall you save time.", "crossing", None),
+    ],
+)
+def test_how_something_is_done_is_no_task_but_what_one_starts_or_ends_with_is(
+    parser: Parser, text: str, verb: str, expected: str | None
+) -> None:
+    document = parser.parse(text)
+    at = next(token.i for token in document.tokens if token.text == verb)
+    found = means(document, at)
+    assert (None if found is None else " ".join(document.tokens[i].text for i in found)) == expected

@@ -108,3 +108,45 @@ def test_a_state_that_has_nothing_to_do_with_the_one_asked_is_a_condition_of_its
         f"[{state}](2:state), [cover](3:change_state) [it](3:object)."
     )
     assert chained_roles(found, ("condition", "mention", "task")) == expected
+
+
+WET_OR_DARK = (
+    "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"
+)
+
+
+@pytest.mark.parametrize(
+    ("markup", "joins", "is_negated"),
+    [
+        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("or") + ".", "and", True),
+        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("and") + ".", "or", True),
+        ("[Go](1:motion) [out](1:goal) except if " + WET_OR_DARK.format("or if") + ".", "and", True),
+        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("or") + ".", "or", False),
+        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("and if") + ".", "", False),
+    ],
+)
+def test_an_unless_governs_all_that_is_joined_under_it(markup: str, joins: str, is_negated: bool) -> None:
+    wording = clauses(markup)[2].wording
+    assert (wording.joins, wording.is_negated) == (joins, is_negated)
+
+
+@pytest.mark.parametrize(
+    ("markup", "role", "expected"),
+    [
+        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("or") + ".", "task", "or"),
+        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("and") + ".", "task", "and"),
+        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("or") + ".", "condition", "and"),
+        # told ahead of the order, the second may lie in the branch of the first
+        (
+            "Robot, [go](1:motion) [in](1:goal). If " + WET_OR_DARK.format("and") + " [stay](4:motion).",
+            "condition",
+            "condition",
+        ),
+        # another "if"
+        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("and if") + ".", "condition", "condition"),
+    ],
+)
+def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: str, expected: str) -> None:
+    found = clauses(markup)
+    roles = ["task", "condition", role, *["task"] * (len(found) - 3)]
+    assert chained_roles(found, roles)[2] == expected

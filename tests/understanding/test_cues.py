@@ -16,6 +16,7 @@ from decomplex_bt.understanding.document import Parser
     ("text", "expected"),
     [
         ("if it is hot", ["if"]),
+        ("take the bin out if it is full", ["if"]),
         ("see if it is hot", ["whether"]),
         ("let me know if it is hot", ["whether"]),
         ("only if it is hot", ["only_if"]),

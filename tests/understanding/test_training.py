@@ -22,9 +22,7 @@ def small_corpus(tmp_path, household_folder):
     return folder
 
 
-def test_the_same_corpus_gives_the_same_bytes_and_never_reads_test_voices(
-    small_corpus, tmp_path
-):
+def test_the_same_corpus_gives_the_same_bytes_and_never_reads_test_voices(small_corpus, tmp_path):
     reports = [train(small_corpus, tmp_path / name, jobs=jobs) for name, jobs in (("first", 1), ("second", 2))]
     assert reports[0].held_out == reports[1].held_out
     ((voice, (right, count)),) = reports[0].held_out.items()
