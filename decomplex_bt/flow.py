@@ -81,7 +81,7 @@ class Flow:
         """
         flow = cls(_read_sequence(value))
         flow._check_numbers(task_count)
-        return flow
+        return cls(in_reading_order(flow.nodes))
 
     def to_json(self) -> list[Any]:
         """The JSON form in normal form: one number under "if" is a number, empty branches are left out."""
@@ -142,6 +142,29 @@ class Flow:
                 )
         if task_count is not None:
             _check_complete(set(placed), task_count)
+
+
+def in_reading_order(nodes: Sequence[Node]) -> tuple[Node, ...]:
+    """The nodes with every task whole where it is read first, `then` before `else`, and as a repeat where it is read
+    again; a condition is not repeated."""
+    wholes: dict[int, Do] = {}
+    for node, _ in _walk(nodes, "top"):
+        if isinstance(node, Do) and not node.is_repeat:
+            wholes.setdefault(node.task, node)
+    return _ordered(nodes, wholes, set())
+
+
+def _ordered(nodes: Sequence[Node], wholes: Mapping[int, Do], seen: set[int]) -> tuple[Node, ...]:
+    found: list[Node] = []
+    for node in nodes:
+        if isinstance(node, Do):
+            found.append(Do((node.task,), is_repeat=True) if node.task in seen else wholes[node.task])
+            seen.add(node.task)
+        elif node.task not in seen:
+            seen.add(node.task)
+            then, orelse = _ordered(node.then, wholes, seen), _ordered(node.orelse, wholes, seen)
+            found.append(If(node.tasks, then, orelse) if then or orelse else Do(node.tasks))
+    return tuple(found)
 
 
 def _check_complete(placed: set[int], task_count: int) -> None:

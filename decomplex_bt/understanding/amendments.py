@@ -9,7 +9,7 @@ from itertools import dropwhile, pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
-from decomplex_bt.understanding.asides import asides, manners, reasons, whereabouts
+from decomplex_bt.understanding.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, predicated
@@ -55,10 +55,10 @@ def amended(
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
-    how = manners(document, tasks)
+    how = means_of(document, tasks)
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = [_meant(document, tasks, a) for a in kept]
-    kept = [a for a in kept if not _is_said_again(document, a, kept)]
+    kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
@@ -90,6 +90,12 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
 
 
+def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
+    """Whether it is who wishes for what is then only picked up: nobody is given what is taken."""
+    is_ahead = argument.tokens.start < argument.owner
+    return is_ahead and argument.type == "recipient" and tasks.get(argument.owner) == "taking"
+
+
 def _is_said_again(document: Document, argument: FoundArgument, others: Sequence[FoundArgument]) -> bool:
     """Whether what stands before the verb of its task is taken up behind it: "I need *the map*, can you fetch it",
     "*the book*, bring it here"."""
@@ -101,7 +107,7 @@ def _is_said_again(document: Document, argument: FoundArgument, others: Sequence
     for other in others:
         if (other.owner, other.type) == (argument.owner, argument.type) and other.tokens.start > other.owner:
             words = [t.lower for t in document.tokens[other.tokens.start : other.tokens.stop]]
-            if words == said or words[-1] in _TAKEN_UP[argument.type]:
+            if words == said or (len(words) == 1 and words[0] in _TAKEN_UP[argument.type]):
                 return True
     return False
 

@@ -43,8 +43,9 @@ class Arc:
 class Wording:
     """What the words of a task's clause say for certain: whether it is negated, a state it tests with its opposite, if
     any, the number of its sentence, the order labels that its own cues speak for ("before you ...": `after`), and the
-    `and` or `or` that joins it to the clause before it without an "if" of its own. `is_contrary`: by its word alone it
-    says that something failed or is not there ("if it sticks", "if she is gone")."""
+    `and` or `or` that joins it, as stated, to the clause before it as stated, without an "if" of its own ("unless A or
+    B" is not A `and` not B). `is_contrary`: by its word alone it says that something failed or is not there ("if it
+    sticks", "if she is gone")."""
 
     is_negated: bool = False
     state: str | None = None

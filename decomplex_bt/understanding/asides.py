@@ -22,7 +22,7 @@ _CONCEDING = tuple(
 _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
-_STARTING = frozenset("start begin commence finish end conclude".split())
+_GOING = frozenset("cross go walk pass take use follow climb drive cut skirt circle squeeze".split())
 _ENDS = MARKS | {"and", "or", "but", "so"}
 
 
@@ -37,9 +37,10 @@ def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
     return _all_of(document, tasks, (reason, concession))
 
 
-def manners(document: Document, tasks: Collection[int]) -> frozenset[int]:
-    """The tokens of all means in which no token is among the `tasks`: at most they tell a path or a manner."""
-    return _all_of(document, tasks, (means,))
+def means_of(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The tokens of all means in which no token is among the `tasks`: they tell a way, no thing."""
+    found = (means(document, i, tasks) for i in range(len(document)))
+    return frozenset(i for words in found if words is not None and tasks.keys().isdisjoint(words) for i in words)
 
 
 def _all_of(
@@ -92,15 +93,15 @@ def _says(document: Document, start: int, phrase: tuple[str, ...]) -> bool:
     return tuple(token.lower for token in document.tokens[start : start + len(phrase)]) == phrase
 
 
-def means(document: Document, at: int) -> range | None:
-    """The words in which the verb at token `at` only tells how something is done: "leave by crossing the hall"; or
-    None. What one starts or ends by doing is done like the rest ("finish by locking up")."""
+def means(document: Document, at: int, tasks: Mapping[int, str]) -> range | None:
+    """The words in which the verb at token `at` only tells which way somebody goes: "leave by crossing the hall"; or
+    None. `tasks`: the types of tasks by their tokens. Of other tasks the means may be an order itself ("help me by
+    carrying the bags", "dry the shirts by hanging them on the line")."""
     tokens, sentences = document.tokens, document.sentences
-    if at < 2 or tokens[at].tag != "VBG" or tokens[at - 1].lower != "by":
+    if at < 2 or tokens[at - 1].lower != "by" or tokens[at].tag != "VBG" or tokens[at].lemma not in _GOING:
         return None
-    verbs = (token for token in reversed(tokens[: at - 1]) if token.pos == "VERB" or token.lower in ENDS)
-    governing = next(verbs, None)
-    if governing is None or governing.lower in ENDS or governing.lemma in _STARTING:
+    governing = next((i for i in range(at - 2, -1, -1) if tokens[i].pos == "VERB" or tokens[i].lower in ENDS), None)
+    if governing is None or tasks.get(governing) != "motion":
         return None
     stop = at
     while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
@@ -159,6 +160,5 @@ _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     musing: frozenset(("let",)),
     reason: _REASONS,
     concession: frozenset(phrase[0] for phrase in _CONCEDING),
-    means: frozenset(("by",)),
 }
 """For each kind of aside words of which it has one."""

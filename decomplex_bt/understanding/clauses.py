@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arcs import Wording
 from decomplex_bt.understanding.asides import tag_question
-from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, PRO_FORMS, are_apart
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, are_apart
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.phrases import PERSON_NOUNS, head_of
@@ -34,7 +34,7 @@ class Clause:
     whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
     `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
     `is_otherwise`: whether "otherwise" or the like does; `is_excepted`: whether it stands under the "unless" of the
-    clause before it.
+    clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?").
     """
 
     task: MarkedTask
@@ -56,18 +56,28 @@ class Clause:
     is_alternative: bool = False
     is_otherwise: bool = False
     is_excepted: bool = False
+    is_asked: bool = False
 
-    def joint_with(self, before: Clause, *, is_last: bool) -> str:
+    @property
+    def is_check(self) -> bool:
+        """Whether it states what is to be checked ("it is wet"), and is neither an order to check nor a question."""
+        return self.task.type == "check_state" and not self.is_asked
+
+    @property
+    def is_joined_check(self) -> bool:
+        """Whether "and" or "or" may join it to the check before it."""
+        return self.is_check and self.boundary in ("none", ",") and not self.far
+
+    def joining_role(self, before: Clause, *, is_last: bool) -> str:
         """The role, "and" or "or", of a check that is joined to the one before it under the same "if" or "unless" ("if
-        it is wet or the fan is off"); "" where nothing settles that. `is_last`: whether nothing follows in its
-        sentence, as in "open it if it is dry and the fan is on": else the second may as well be a condition in the
-        branch of the first."""
-        are_checks = self.task.type == before.task.type == "check_state"
-        if not are_checks or self.sentence != before.sentence or not self.wording.joins:
+        it is wet or the fan is off"), as parts are joined where both are as stated; "" where nothing settles that.
+        `is_last`: whether no task follows in its sentence, as in "open it if it is dry and the fan is on": else the
+        second may as well be a condition in the branch of the first."""
+        if not self.is_joined_check or not before.is_check or self.sentence != before.sentence:
             return ""
         if self.is_excepted:
             return self.wording.joins
-        is_bare = self.boundary == "none" and not self.far and self.near == (self.wording.joins,)
+        is_bare = self.boundary == "none" and self.near == (self.wording.joins,)
         is_certain = is_bare and (self.wording.joins == "or" or is_last)
         return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
 
@@ -131,19 +141,23 @@ def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause,
     clauses: list[Clause] = []
     for k in range(len(tasks)):
         clause = _clause(observed, tasks, k, said)
-        clauses.append(_excepted(clause) if clauses and _is_excepted(clause, clauses[-1]) else clause)
+        is_last = k + 1 == len(tasks) or observed.document.sentences[tasks[k + 1].token] != clause.sentence
+        clauses.append(_excepted(clause) if _is_excepted(clause, clauses, is_last=is_last) else clause)
     return tuple(clauses)
 
 
-def _is_excepted(clause: Clause, before: Clause) -> bool:
-    """Whether an "unless" before governs a clause as well: "unless it is wet or (if) it is dark"."""
-    is_joint = clause.near in (("or",), ("and",), ("or", "if")) and not clause.far
-    is_joined = is_joint and clause.sentence == before.sentence and clause.task.type == "check_state"
-    return is_joined and clause.boundary in ("none", ",") and (before.is_excepted or "unless" in before.near)
+def _is_excepted(clause: Clause, before: Sequence[Clause], *, is_last: bool) -> bool:
+    """Whether an "unless" before governs a clause as well: "unless it is wet or it is dark". What follows an "or if" is
+    the consequence of that alone, unless the sentence began with the "unless"."""
+    if not before or not clause.is_joined_check or not before[-1].is_check or clause.sentence != before[-1].sentence:
+        return False
+    is_first = len(before) == 1 or before[-2].sentence != clause.sentence
+    is_joint = clause.near in (("or",), ("and",)) or (clause.near == ("or", "if") and (is_last or is_first))
+    return is_joint and (before[-1].is_excepted or "unless" in before[-1].near)
 
 
 def _excepted(clause: Clause) -> Clause:
-    """The clause under an "unless": unless A or B is what holds where neither A nor B does."""
+    """The clause as one under an "unless": unless A or B is if not A and not B, unless A and B if not A or not B."""
     wording = clause.wording
     joins = {"or": "and", "and": "or"}[clause.near[0]]
     return replace(clause, is_excepted=True, wording=replace(wording, is_negated=not wording.is_negated, joins=joins))
@@ -209,6 +223,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         asks_where=_asks_where(document, tasks[k], behind),
         asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
         is_forbidden=is_forbidden(document, token),
+        is_asked=observed.question[token]
+        or "whether" in behind
+        or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
         is_otherwise=any(
             cue.name == "else" and document.tokens[cue.first].lower in _OTHERWISE
             for cue in cues

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from decomplex_bt.flow import Do, Flow, If, Node
+from decomplex_bt.flow import Do, Flow, If, Node, in_reading_order
 from decomplex_bt.understanding.arcs import (
     CONDITION_ROLES,
     JOINTS,
@@ -32,7 +32,7 @@ class _Group:
 
 def flow_of(arcs: Sequence[Arc], wordings: Sequence[Wording]) -> Flow:
     """The control flow that these arcs say; total: an arc that points nowhere leads to the top."""
-    return Flow(Builder(arcs, wordings).build())
+    return Flow(in_reading_order(Builder(arcs, wordings).build()))
 
 
 class Builder:
@@ -153,37 +153,34 @@ class Builder:
             return Do((i + 1, *(j + 1 for j in self.again.get(i, ()))))
         group = self.groups[i]
         numbers = tuple(j + 1 for j in group.members)
-        joined = self._joined(group)
-        if joined is not None:
-            return joined
+        parts = self._parts(group)
+        if len(parts) > 1:
+            return self._joined(parts)
         then, orelse = self._nodes(group.sides["then"]), self._nodes(group.sides["else"])
         return If(numbers, then, orelse) if then or orelse else Do(numbers)
 
-    def _joined(self, group: _Group) -> Node | None:
-        """The node of a condition that another is joined to ("if A and B", "if A or B"), or None."""
-        for side in ("then", "else"):
-            for j in group.sides[side]:
-                inner = self.groups.get(j)
-                if inner is None or not inner.join or len(group.sides[side]) != 1:
-                    continue
-                return self._join(group, side, inner)
-        return None
+    def _parts(self, group: _Group) -> list[tuple[_Group, str]]:
+        """A condition and those joined to it ("if A and B", "if A or B or C"), each with the side on which the next one
+        is asked, the last with the side that its clause states."""
+        for side, inner in group.sides.items():
+            joined = self.groups.get(inner[0]) if len(inner) == 1 else None
+            if joined is not None and joined.join:
+                return [(group, side), *self._parts(joined)]
+        return [(group, side_of(self.flips[group.first]))]
 
-    def _join(self, group: _Group, side: str, inner: _Group) -> Node:
-        other = other_side(side)
-        inner_stated = side_of(self.flips[inner.first])
-        inner_other = other_side(inner_stated)
-        met = self._nodes(inner.sides[inner_stated])
-        unmet = (*self._nodes(inner.sides[inner_other]), *self._nodes(group.sides[other]))
-        numbers, inner_numbers = tuple(j + 1 for j in group.members), tuple(j + 1 for j in inner.members)
-        # what both branches have is read first in the "then" of the outer condition, wherever that leads
-        if inner.join == "and":
-            within, beside = (unmet, _repeats(unmet)) if side == "then" else (_repeats(unmet), unmet)
-            nested = _if(inner_numbers, {inner_stated: met, inner_other: within})
-            return _if(numbers, {side: (nested,), other: beside})
-        within, beside = (_repeats(met), met) if side == "then" else (met, _repeats(met))
-        nested = _if(inner_numbers, {inner_stated: within, inner_other: unmet})
-        return _if(numbers, {side: beside, other: (nested,)})
+    def _joined(self, parts: Sequence[tuple[_Group, str]]) -> Node:
+        """The node of a condition of several parts; what more than one branch has stands whole in each, which
+        `in_reading_order` makes repeats of."""
+        *outer, (last, stated) = parts
+        met, unmet = self._nodes(last.sides[stated]), self._nodes(last.sides[other_side(stated)])
+        for group, side in reversed(outer):
+            unmet += self._nodes(group.sides[other_side(side)])
+        node = _if(last, {stated: met, other_side(stated): unmet})
+        for (group, side), (inner, _) in zip(reversed(outer), reversed(parts), strict=False):
+            beside = unmet if inner.join == "and" else met
+            on, off = (side, other_side(side)) if inner.join == "and" else (other_side(side), side)
+            node = _if(group, {on: (node,), off: beside})
+        return node
 
     def _arranged(self, members: list[int]) -> list[int]:
         """Siblings in the order of execution."""
@@ -198,14 +195,10 @@ class Builder:
         return min([*group.members, *inner])
 
 
-def _if(numbers: tuple[int, ...], sides: dict[str, tuple[Node, ...]]) -> Node:
+def _if(group: _Group, sides: dict[str, tuple[Node, ...]]) -> Node:
+    numbers = tuple(j + 1 for j in group.members)
     then, orelse = sides["then"], sides["else"]
     return If(numbers, then, orelse) if then or orelse else Do(numbers)
-
-
-def _repeats(nodes: Sequence[Node]) -> tuple[Node, ...]:
-    """The plain tasks of a branch once more, as repeats; a nested condition is not repeated."""
-    return tuple(Do((node.task,), is_repeat=True) for node in nodes if isinstance(node, Do))
 
 
 def _alone(orders: Sequence[str], sentences: Sequence[int]) -> list[str]:

@@ -63,13 +63,13 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "before_that": (
             "before that", "before this", "before which", "prior to which", "before you do that", "before doing that", "before you do", "beforehand",
             "but first", "prior to that", "ahead of that", "before doing so", "before you do so", "before you do this",
-            "even before that", "even before this", "ahead of this", "ahead of it", "earlier still", "even earlier", "earlier than that", "sooner than that", "in advance",
+            "even before that", "even before this", "earlier still", "even earlier", "earlier than that", "sooner than that",
         ),
         "before_all": (
             "before any of that", "before any of this", "before any of it", "before all that", "before all this", "before all of that", "before all of this", "before you do any of that",
             "before you do any of this", "before doing any of that", "before doing any of this", "before either of those", "before you do either", "ahead of all that", "ahead of all this",
             "ahead of both", "before both", "prior to both", "prior to all that", "prior to any of that", "prior to all of which", "before all of which",
-            "ahead of everything", "ahead of everything else", "ahead of any of that", "ahead of any of this", "ahead of all of that", "ahead of all of this", "ahead of anything", "ahead of anything else", "ahead of these",
+            "ahead of everything", "ahead of everything else", "ahead of any of that", "ahead of any of this", "ahead of all of that", "ahead of all of this", "ahead of anything", "ahead of anything else",
             "before everything", "before anything at all", "earlier than all that", "earlier than all this", "earlier than any of that", "earlier than any of this", "even before all that", "even before any of that",
         ),
         "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),
@@ -80,7 +80,10 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "first", "firstly", "first of all", "first off", "to start with", "to begin with", "start by", "begin by", "start with", "before anything else", "before anything", "first thing",
             "before everything else", "at first", "step one", "for starters", "right at the start", "at the very start", "at the very beginning", "very first", "begin with", "at the outset",
         ),
-        "last": ("last", "lastly", "last of all", "last thing", "at last", "finally", "in the end", "at the end", "at the very end", "to finish", "to top it off", "final thing", "at the close", "right at the end", "last but not least", "to end with", "to conclude", "very last", "to round off"),
+        "last": (
+            "last", "lastly", "last of all", "last thing", "at last", "finally", "in the end", "at the end", "at the very end", "to finish", "to top it off",
+            "final thing", "at the close", "right at the end", "last but not least", "to end with", "to conclude", "very last", "to round off",
+        ),
         "also": ("also", "too", "as well", "in addition", "additionally", "plus", "besides", "moreover", "on top of that", "likewise", "same for", "same goes for"),
         "while": ("while", "whilst", "meanwhile", "in the meantime", "at the same time", "on your way", "on the way", "while you are at it", "as you", "in the meanwhile"),
         # within a clause
@@ -263,7 +266,10 @@ def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]
 
 
 def _may_end(names: tuple[str, ...], words: Sequence[str], end: int) -> bool:
-    """A pro-form whose last word is an auxiliary stands for a whole condition only where no verb follows it."""
+    """A pro-form whose last word is an auxiliary stands for a whole condition only where no verb follows it; the end
+    *of* something is a place or a part of it, no order."""
+    if words[end : end + 1] == ["of"] and not _ORDERING.isdisjoint(names):
+        return False
     if not set(names) & PRO_FORMS or words[end - 1] not in _AUXILIARIES:
         return True
     if end >= len(words) or not words[end].isalpha():
@@ -271,6 +277,7 @@ def _may_end(names: tuple[str, ...], words: Sequence[str], end: int) -> bool:
     return "so" not in names and words[end] in _AFTER_PRO_FORM
 
 
+_ORDERING = frozenset(("first", "last"))
 _AUXILIARIES = frozenset(("can", "not", "does", "do", "is", "could", "will"))
 _AFTER_PRO_FORM = frozenset("then just please bring go put come tell let ask give try and or you".split())
 

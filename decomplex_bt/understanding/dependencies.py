@@ -111,8 +111,9 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
     one condition of two parts."""
     mended = list(roles)
     for k in range(1, len(clauses)):
-        joint = _joint(clauses, k) if mended[k - 1] in CONDITION_ROLES else ""
-        mended[k] = joint or mended[k]
+        is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clauses[k].sentence
+        if mended[k - 1] in CONDITION_ROLES:
+            mended[k] = clauses[k].joining_role(clauses[k - 1], is_last=is_last) or mended[k]
     for k in range(2, len(clauses)):
         clause = clauses[k]
         says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
@@ -128,11 +129,6 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
         if is_bare and clause.is_of_other_state(clauses[k - 1]):
             mended[k - 1 : k + 1] = "task", "condition"  # "check if it is done, and if it's burnt, ..."
     return tuple(mended)
-
-
-def _joint(clauses: Sequence[Clause], k: int) -> str:
-    is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clauses[k].sentence
-    return clauses[k].joint_with(clauses[k - 1], is_last=is_last)
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

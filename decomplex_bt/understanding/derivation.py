@@ -29,7 +29,7 @@ def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
     for chosen in (way for k, way in enumerate(ways) if way not in ways[:k]):
         plain = _arcs_in_text_order(flow, wordings, chosen)
         if plain is None:
-            return None
+            continue
         for start in (*_with_joins(plain, wordings), plain):
             for arcs in _with_orders(_counting_joints_once(start), wordings):
                 if flow_of(arcs, wordings) == flow:
@@ -39,22 +39,22 @@ def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:
 
 @dataclass(frozen=True, slots=True)
 class _Joint:
-    """Two conditions, `outer` and in its branch `inner` (from 0), that are one of two parts, as tasks tell that stand
-    in both. `shared`: the side of `inner` that has again what stands beside it, "" where it has it first.
+    """Two conditions (from 0) that are parts of one, as tasks tell that stand in both: `inner` is asked on one side of
+    `outer`, where that leaves the matter open. `beside`: the other side of `outer`; `shared`: the side of `inner` that
+    repeats what stands there, "" where `beside` repeats what stands in `inner`. `role`: "and" or "or".
 
     "Unless A or B, X" is as much "if neither A nor B, X": what is joined by "and" on one side is by "or" on the other.
     """
 
     outer: int
     inner: int
-    side: str
-    role: str
+    beside: str
     shared: str
-    is_invertible: bool
+    role: str
 
     @property
     def inverted(self) -> _Joint:
-        return replace(self, role="or" if self.role == "and" else "and") if self.is_invertible else self
+        return replace(self, role="or" if self.role == "and" else "and")
 
 
 def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequence[_Joint]) -> tuple[Arc, ...] | None:
@@ -70,7 +70,7 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequenc
             again += [(number - 1, node.task - 1) for number in node.tasks[1:]]
     joins = {joint.inner: joint.role for joint in joints}
     # "if A or B, X": in the tree X is a child of A, in the text it follows B
-    beside = {(joint.outer, other_side(joint.side)): joint for joint in joints if joint.shared}
+    beside = {(joint.outer, joint.beside): (joint.inner, joint.shared) for joint in joints if joint.shared}
     for i, first in group_of.items():
         if i != first:
             arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
@@ -86,8 +86,8 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequenc
         group, side = parent
         if role == "or":
             side = other_side(side)
-        elif parent in beside:
-            group, side = beside[parent].inner, beside[parent].shared
+        while role != "or" and (group, side) in beside:
+            group, side = beside[group, side]
         pointer = _pointer(i, group, group_of)
         if pointer is None:
             return None
@@ -115,19 +115,23 @@ def _joints(flow: Flow) -> Iterator[_Joint]:
     for node, _ in flow.walk():
         if not isinstance(node, If):
             continue
-        for side, branch, other in (("then", node.then, node.orelse), ("else", node.orelse, node.then)):
+        for beside, branch, other in (("else", node.then, node.orelse), ("then", node.orelse, node.then)):
             inner = branch[0] if len(branch) == 1 else None
             if not isinstance(inner, If):
                 continue
-            shared = next((s for s, nodes in (("then", inner.then), ("else", inner.orelse)) if _repeats(nodes)), "")
-            if _repeats(other):
-                yield _Joint(node.task - 1, inner.task - 1, side, "and", "", side == "then")
-            elif shared:
-                yield _Joint(node.task - 1, inner.task - 1, side, "or", shared, side == "else")
+            placed = {n.task for n, _ in Flow((inner,)).walk() if isinstance(n, Do) and not n.is_repeat}
+            if placed & _done(other, repeats_only=True):
+                yield _Joint(node.task - 1, inner.task - 1, beside, "", "and")
+                continue
+            sides = (("then", inner.then), ("else", inner.orelse))
+            shared = next((side for side, ns in sides if _done(ns, repeats_only=True) & _done(other)), "")
+            if shared:
+                yield _Joint(node.task - 1, inner.task - 1, beside, shared, "or")
 
 
-def _repeats(nodes: Sequence[Node]) -> bool:
-    return any(isinstance(node, Do) and node.is_repeat for node in nodes)
+def _done(nodes: Sequence[Node], *, repeats_only: bool = False) -> set[int]:
+    """The plain tasks of a branch itself, not of the conditions in it."""
+    return {node.task for node in nodes if isinstance(node, Do) and (node.is_repeat or not repeats_only)}
 
 
 def _pointer(i: int, group: int, group_of: dict[int, int]) -> str | None:

@@ -11,6 +11,7 @@ from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.tasks import FoundTask
+from decomplex_bt.understanding.wishes import is_served
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
@@ -42,10 +43,6 @@ _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
-_WISHING = frozenset("like want need love fancy".split())
-_WE = frozenset("i we me us my myself".split())
-_GOING_ON = frozenset("if unless otherwise or else when once whether and then also after before".split())
-_PRO_FORMS = frozenset("some one it them that those any".split())
 
 
 def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
@@ -62,8 +59,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             _is_reported_state(document, task, found)
             or _is_tag(document, task.token, found)
             or musing(document, task.token) is not None
-            or means(document, task.token) is not None
-            or _is_served(document, task, following)
+            or means(document, task.token, {other.token: other.type for other in found}) is not None
+            or (following is not None and _is_wish_for(document, task, following))
             or (task.type == "check_state" and _is_beside(document, task.token))
         )
         if not is_none:
@@ -82,29 +79,9 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
 
 
-def _is_served(document: Document, task: FoundTask, following: FoundTask | None) -> bool:
-    """Whether a wish is what the request right behind it asks for: "I'd like some tea, can you get me some?"."""
-    tokens, sentences, at = document.tokens, document.sentences, task.token
-    if following is None or task.type != "bringing" or tokens[at].lemma not in _WISHING:
-        return False
-    if following.type not in ("bringing", "taking") or sentences[following.token] > sentences[at] + 1:
-        return False
-    between = tokens[at + 1 : following.token]
-    is_ours = any(token.lower in _WE for token in tokens[max(0, at - 3) : at])
-    if not is_ours or any(token.lower in _GOING_ON for token in between):
-        return False
-    behind = tokens[following.token + 1 :]
-    clause = behind[: next((i for i, token in enumerate(behind) if token.lower in _CLAUSE_ENDS), len(behind))]
-    if any(one.lower in ("to", "for") and two.lower not in _WE for one, two in pairwise(clause)):
-        return False
-    asked = [token for token in clause if token.lower not in _WE and token.tag != "RP"]
-    is_named = any(token.pos == "NOUN" for token in asked[:3])
-    wished = {token.lemma for token in between if token.pos == "NOUN"}
-    return bool(asked) and (
-        any(token.pos == "NOUN" and token.lemma in wished for token in asked[:4])
-        if is_named
-        else asked[0].lower in _PRO_FORMS
-    )
+def _is_wish_for(document: Document, task: FoundTask, following: FoundTask) -> bool:
+    fetches = following.type in ("bringing", "taking")
+    return fetches and task.type == "bringing" and is_served(document, task.token, following.token)
 
 
 def _is_beside(document: Document, at: int) -> bool:

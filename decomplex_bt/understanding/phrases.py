@@ -35,6 +35,7 @@ PRONOUNS = frozenset(
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
+_CALLS = frozenset("hey hi hello ok okay oh dear please listen right".split())
 _CLAUSE_ENDS = frozenset(".?!;,:-–—") | {"and", "but", "or", "so", "if", "then", "because", "unless", "when"}
 
 
@@ -276,10 +277,9 @@ def _owned(document: Document, tokens: range, task: Task, argument_type: str, sh
 
 
 def _is_addressed(document: Document, tokens: range) -> bool:
-    """Whether a phrase only names who is spoken to: "robot", "hey robot", not "the robot"."""
-    return document.tokens[tokens.stop - 1].lower == "robot" and all(
-        document.tokens[i].pos not in ("DET", "ADP") and document.tokens[i].tag != "PRP$" for i in tokens
-    )
+    """Whether a phrase is "robot" without an article, maybe with a call before it ("hey robot"): who is spoken to."""
+    *before, last = (document.tokens[i].lower for i in tokens)
+    return last == "robot" and _CALLS.issuperset(before)
 
 
 def _names(document: Document) -> Iterator[range]:

@@ -24,7 +24,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
 
 
 def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """A check that "and" or "or" joins to the one before it is asked where that holds as it is stated."""
+    """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
+    makes the side on which it is asked."""
     if roles[k] in JOINTS and clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES:
         sides[k] = _HOLDS
 

@@ -24,13 +24,27 @@ FLOWS = {
     "nested in then": [{"if": 1, "then": [2, {"if": 3, "then": [4]}], "else": [5]}],
     "and": [{"if": 1, "then": [{"if": 2, "then": [3], "else": [4]}], "else": [{"same": [4]}]}],
     "or": [{"if": 1, "then": [3], "else": [{"if": 2, "then": [{"same": [3]}]}]}],
+    "and, three parts": [
+        {
+            "if": 1,
+            "then": [{"if": 2, "then": [{"if": 3, "then": [4], "else": [5]}], "else": [{"same": [5]}]}],
+            "else": [{"same": [5]}],
+        }
+    ],
+    "or, three parts": [
+        {
+            "if": 1,
+            "then": [4],
+            "else": [{"if": 2, "then": [{"same": [4]}], "else": [{"if": 3, "then": [{"same": [4]}], "else": [5]}]}],
+        }
+    ],
     "two conditions": [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}, 5],
     "one task twice": [{"same": [1, 3]}, 2],
 }
 
 
 # joint conditions, each stated with a negation ("if it is neither hot nor full")
-NEGATED_FLOWS = {name: value for name, value in FLOWS.items() if name not in ("and", "or")} | {
+NEGATED_FLOWS = {name: value for name, value in FLOWS.items() if not name.startswith(("and", "or"))} | {
     "neither": [{"if": 1, "then": [4], "else": [{"if": 2, "then": [{"same": [4]}], "else": [3]}]}],
 }
 
@@ -141,19 +155,12 @@ def test_first_goes_ahead_of_all_and_before_of_one():
     assert flow_of(arcs, [PLAIN] * 4) == Flow.from_json([1, 3, 4, 2])
 
 
-@pytest.mark.parametrize(
-    ("value", "joins"),
-    [
-        # unless it is wet or dark, go; in which case stay
-        ([{"if": 2, "then": [4], "else": [{"if": 3, "then": [{"same": [4]}], "else": [1]}]}], "and"),
-        # unless it is wet and dark, go; in which case stay
-        ([{"if": 2, "then": [{"if": 3, "then": [4], "else": [1]}], "else": [{"same": [1]}]}], "or"),
-    ],
-)
-def test_what_an_unless_joins_is_said_as_its_words_have_it(value, joins):
-    """A repeat stands behind its first, whichever side is met."""
-    wordings = [PLAIN, NEGATED, Wording(is_negated=True, joins=joins), PLAIN]
-    flow = Flow.from_json(value)
+@pytest.mark.parametrize("joins", ["and", "or"])
+def test_a_joint_that_can_be_told_both_ways_is_told_as_its_words_have_it(joins):
+    """Unless A or B, X, else Y: if neither A nor B, X; or if A or B, Y."""
+    flow = Flow.from_json([{"if": 2, "then": [4], "else": [{"if": 3, "then": [{"same": [4]}], "else": [1]}]}])
+    is_negated = joins == "and"
+    wordings = [PLAIN, Wording(is_negated=is_negated), Wording(is_negated=is_negated, joins=joins), PLAIN]
     arcs = arcs_of(flow, wordings)
     assert arcs is not None
     assert arcs[2].role == joins

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.understanding.asides import asides, means, musing, reason, reasons, tag_question, whereabouts
+from decomplex_bt.understanding.asides import (
+    asides,
+    means,
+    means_of,
+    musing,
+    reason,
+    reasons,
+    tag_question,
+    whereabouts,
+)
 from decomplex_bt.understanding.document import Parser
 
 
@@ -74,19 +83,25 @@ def test_where_somebody_is_is_told_in_a_clause(parser: Parser) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "verb", "expected"),
+    ("text", "governing", "verb", "expected"),
     [
-        ("Leave the house by crossing the hall.", "crossing", "by crossing the hall"),
-        ("Open the jar by turning its lid, and bring it.", "turning", "by turning its lid"),
-        ("Start by turning the lid.", "turning", None),
-        ("You can finish by crossing the hall.", "crossing", None),
-        ("Leave the house. By crossing the hall you save time.", "crossing", None),
+        ("Leave the house by crossing the hall, then sit.", "Leave", "crossing", "by crossing the hall"),
+        ("You can reach the stage by walking past the bar.", "reach", "walking", "by walking past the bar"),
+        # what is done is an order itself
+        ("Help me by carrying the bags.", "", "carrying", None),
+        ("You can go on by crossing out the name.", "", "crossing", None),
+        ("Find the keys by going through the drawer.", "", "going", None),
+        # of another sentence
+        ("Leave the house. By crossing the hall you save time.", "Leave", "crossing", None),
+        ("By crossing the hall you leave.", "leave", "crossing", None),
     ],
 )
-def test_how_something_is_done_is_no_task_but_what_one_starts_or_ends_with_is(
-    parser: Parser, text: str, verb: str, expected: str | None
+def test_how_somebody_goes_is_no_task(
+    parser: Parser, text: str, governing: str, verb: str, expected: str | None
 ) -> None:
     document = parser.parse(text)
+    tasks = {token.i: "motion" for token in document.tokens if token.text == governing}
     at = next(token.i for token in document.tokens if token.text == verb)
-    found = means(document, at)
+    found = means(document, at, tasks)
     assert (None if found is None else " ".join(document.tokens[i].text for i in found)) == expected
+    assert means_of(document, tasks) == frozenset(found or ())

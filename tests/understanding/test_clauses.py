@@ -115,14 +115,35 @@ WET_OR_DARK = (
 )
 
 
+GO = "[Go](1:motion) [out](1:goal)"
+
+
 @pytest.mark.parametrize(
     ("markup", "joins", "is_negated"),
     [
-        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("or") + ".", "and", True),
-        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("and") + ".", "or", True),
-        ("[Go](1:motion) [out](1:goal) except if " + WET_OR_DARK.format("or if") + ".", "and", True),
-        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("or") + ".", "or", False),
-        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("and if") + ".", "", False),
+        (f"{GO} unless " + WET_OR_DARK.format("or") + ".", "and", True),
+        (f"{GO} unless " + WET_OR_DARK.format("and") + ".", "or", True),
+        (f"{GO} except if " + WET_OR_DARK.format("or if") + ".", "and", True),
+        (f"{GO} if " + WET_OR_DARK.format("or") + ".", "or", False),
+        (f"{GO} unless " + WET_OR_DARK.format("and if") + ".", "", False),
+        # with a consequence of its own
+        (f"{GO} unless " + WET_OR_DARK.format("or if") + " [turn](4:motion) round.", "", False),
+        # in another sentence
+        (f"{GO} unless " + WET_OR_DARK.format(". And") + ".", "", False),
+        # an order to check
+        (
+            f"{GO} unless [it](2:object)['s](2:check_state) [wet](2:state) and [see](3:check_state) if "
+            "[the lamp](3:object) is [off](3:state).",
+            "and",
+            False,
+        ),
+        # what "unless" governs is no check
+        (
+            f"{GO} unless you can [find](2:searching) [Tom](2:object) or [the lamp](3:object) [is](3:check_state) "
+            "[off](3:state).",
+            "or",
+            False,
+        ),
     ],
 )
 def test_an_unless_governs_all_that_is_joined_under_it(markup: str, joins: str, is_negated: bool) -> None:
@@ -130,23 +151,41 @@ def test_an_unless_governs_all_that_is_joined_under_it(markup: str, joins: str, 
     assert (wording.joins, wording.is_negated) == (joins, is_negated)
 
 
+def test_an_unless_governs_a_third_check_and_what_an_or_if_adds_where_it_opens_the_sentence() -> None:
+    third = " or [the fan](4:object) [is](4:check_state) [on](4:state)."
+    assert clauses(f"{GO} unless " + WET_OR_DARK.format("or") + third)[3].is_excepted
+    first = "Unless [it](1:object)['s](1:check_state) [wet](1:state) or if [the lamp](2:object) [is](2:check_state) "
+    assert clauses(first + "[off](2:state), [turn](3:motion) round.")[1].is_excepted
+
+
 @pytest.mark.parametrize(
     ("markup", "role", "expected"),
     [
-        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("or") + ".", "task", "or"),
-        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("and") + ".", "task", "and"),
-        ("[Go](1:motion) [out](1:goal) unless " + WET_OR_DARK.format("or") + ".", "condition", "and"),
+        (f"{GO} if " + WET_OR_DARK.format("or") + ".", "task", "or"),
+        (f"{GO} if " + WET_OR_DARK.format("and") + ".", "task", "and"),
+        (f"{GO} unless " + WET_OR_DARK.format("or") + ".", "condition", "and"),
         # told ahead of the order, the second may lie in the branch of the first
+        ("[Go](1:motion). If " + WET_OR_DARK.format("and") + ", [turn](4:motion) round.", "condition", "condition"),
+        # behind a mark, it may be anything
+        (f"{GO} if " + WET_OR_DARK.format(", and") + ".", "task", "task"),
+        # an order to check
         (
-            "Robot, [go](1:motion) [in](1:goal). If " + WET_OR_DARK.format("and") + " [stay](4:motion).",
-            "condition",
-            "condition",
+            f"{GO} if [it](2:object)['s](2:check_state) [dry](2:state) and [check](3:check_state) that "
+            "[the lamp](3:object) is [off](3:state).",
+            "task",
+            "task",
         ),
-        # another "if"
-        ("[Go](1:motion) [out](1:goal) if " + WET_OR_DARK.format("and if") + ".", "condition", "condition"),
+        # no "if" governs the first
+        (
+            f"{GO}: [it](2:object)['s](2:check_state) [dry](2:state) or [the lamp](3:object) [is](3:check_state) "
+            "[off](3:state).",
+            "task",
+            "task",
+        ),
     ],
 )
 def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: str, expected: str) -> None:
     found = clauses(markup)
     roles = ["task", "condition", role, *["task"] * (len(found) - 3)]
     assert chained_roles(found, roles)[2] == expected
+    assert chained_roles(found, ["task", "task", role, *roles[3:]])[2] == role

@@ -156,37 +156,3 @@ def test_a_tag_question_asks_nothing_of_its_own() -> None:
     assert found(words, (1, "check_state"), (4, "check_state")) == [(1, "check_state")]
     asked = "go/VB home/RB ./. ,/, is/VBZ he/PRP ?/."
     assert found(asked, (0, "motion"), (4, "check_state")) == [(0, "motion"), (4, "check_state")]
-
-
-@pytest.mark.parametrize(
-    ("words", "order"),
-    [
-        ("i/PRP 'd/MD like/VB some/DT tea/NN can/MD you/PRP get/VB me/PRP some/DT", 7),
-        ("i/PRP need/VBP the/DT map/NN ./. fetch/VB it/PRP for/IN me/PRP ./.", 5),
-        ("we/PRP want/VBP some/DT tea/NN ,/, bring/VB us/PRP some/DT tea/NN", 5),
-    ],
-)
-def test_a_wish_that_a_request_serves_is_no_task(words: str, order: int) -> None:
-    wish = next(i for i, word in enumerate(words.split()) if word.split("/")[0] in ("like", "need", "want"))
-    assert found(words, (wish, "bringing"), (order, "bringing")) == [(order, "bringing")]
-
-
-@pytest.mark.parametrize(
-    ("words", "order"),
-    [
-        # for somebody else
-        ("i/PRP 'd/MD like/VB some/DT tea/NN ./. bring/VB one/CD to/IN anna/NNP", 6),
-        # another thing
-        ("i/PRP want/VBP some/DT tea/NN ,/, bring/VB the/DT milk/NN", 5),
-        # one more order
-        ("i/PRP want/VBP some/DT tea/NN and/CC then/RB bring/VB it/PRP back/RB", 6),
-        # only in a case
-        ("i/PRP want/VBP some/DT tea/NN if/IN there/EX is/VBZ any/DT bring/VB it/PRP", 8),
-        # another one's wish
-        ("he/PRP would/MD like/VB some/DT tea/NN bring/VB me/PRP some/DT", 5),
-    ],
-)
-def test_a_wish_of_its_own_stays_a_task(words: str, order: int) -> None:
-    wish = next(i for i, word in enumerate(words.split()) if word.split("/")[0] in ("like", "want"))
-    tasks = ((wish, "bringing"), (order, "bringing"))
-    assert found(words, *tasks) == list(tasks)

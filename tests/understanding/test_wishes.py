@@ -1,0 +1,54 @@
+"""A wish is a task of its own unless the request behind it asks for the same."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.wishes import is_served
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+def served(parser: Parser, text: str) -> bool:
+    document = parser.parse(text)
+    wish = next(token.i for token in document.tokens if token.lemma in ("like", "want", "need", "love"))
+    request = next(token.i for token in document.tokens if token.lemma in ("bring", "get", "pick", "take"))
+    return is_served(document, wish, request)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I'd like some tea, can you get me some?",
+        "I need the map. Please get it.",
+        "I would really love a clean towel, bring me a towel.",
+        "we want a knife and a fork can you bring us them",
+        "I want the red book, pick it up.",
+    ],
+)
+def test_a_wish_that_a_request_serves(parser: Parser, text: str) -> None:
+    assert served(parser, text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I'd like some tea. Bring one to Anna.",  # for somebody else
+        "I'd like a coffee. Bring one up to my mother.",
+        "I'd like a coffee. Bring one for me as well.",
+        "My son would like some tea, bring me some.",  # somebody else's wish
+        "I'd like a clean towel. Take the dirty towel away.",  # another one
+        "I'd like some tea, get me the tea bags.",  # another thing
+        "I'd like my phone. Get one of the chargers.",
+        "I'd like some tea if there is any, bring me some.",  # in a case
+        "I'd like some tea and then bring it back.",  # one more order
+        "I'd like some tea. It is cold. Bring me some.",  # too far away
+        "I'd like to sleep, get out.",  # nothing that could be brought
+    ],
+)
+def test_a_wish_of_its_own(parser: Parser, text: str) -> None:
+    assert not served(parser, text)
