@@ -166,3 +166,48 @@ def test_the_it_of_what_is_foggy_is_what_was_named() -> None:
     assert naming(document("there/EX/expl/0", "then", "if", "it", "is", "foggy"), 4, it) == it
     nothing = [f"{word}/RB/dep/0" for word in ("so", "then", "if", "it", "is", "foggy")]
     assert naming(document(*nothing), 4, it) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "tasks", "found", "expected"),
+    [
+        (
+            "I need the map, can you bring it to me?",
+            {"bring": "bringing"},
+            (("object", "the map", "bring"), ("object", "it", "bring"), ("recipient", "to me", "bring")),
+            {("object", "it"), ("recipient", "to me")},
+        ),
+        # who picks something up gives it to nobody
+        (
+            "I need the map, pick it up.",
+            {"pick": "taking"},
+            (("recipient", "I", "pick"), ("object", "it", "pick")),
+            {("object", "it")},
+        ),
+        # another thing
+        (
+            "The map I need, and bring the other one.",
+            {"bring": "bringing"},
+            (("object", "The map", "bring"), ("object", "the other one", "bring")),
+            {("object", "The map"), ("object", "the other one")},
+        ),
+        (
+            "Reach the stage by crossing the hall.",
+            {"Reach": "motion"},
+            (
+                ("goal", "the stage", "Reach"),
+                ("object", "the hall", "Reach"),
+                ("path", "by crossing the hall", "Reach"),
+            ),
+            {("goal", "the stage"), ("path", "by crossing")},
+        ),
+    ],
+)
+def test_what_is_taken_up_behind_its_verb_and_what_only_tells_the_way_is_no_object(
+    parser: Parser,
+    text: str,
+    tasks: dict[str, str],
+    found: tuple[tuple[str, str, str], ...],
+    expected: set[tuple[str, str]],
+) -> None:
+    assert arguments(parser, text, tasks, *found) == expected

@@ -247,3 +247,17 @@ def test_what_is_put_away_or_hung_up_says_where_itself():
     assert [gap.type for gap in unsaid_gaps(Observed(doc, GAZETTEER), task, ontology)] == []
     laid = document(*"lay/VB down/RP the/DT shirt/NN".split())
     assert [gap.type for gap in unsaid_gaps(Observed(laid, GAZETTEER), task, ontology)] == ["goal"]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("robot/NN", "take/VB", "it/PRP"), set()),
+        (("hey/UH", "robot/NN", "take/VB", "it/PRP"), set()),
+        (("the/DT", "robot/NN", "fell/VBD"), {"the robot"}),
+        (("toy/NN", "robot/NN", "fell/VBD"), {"toy robot"}),
+    ],
+)
+def test_the_robot_that_is_spoken_to_is_nobodys_referent(words: tuple[str, ...], expected: set[str]) -> None:
+    found = {candidate.text for candidate in candidates_of(Observed(document(*words), GAZETTEER), ())}
+    assert {text for text in found if "robot" in text} == expected

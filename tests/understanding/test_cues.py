@@ -35,6 +35,10 @@ from decomplex_bt.understanding.document import Parser
         ("b4 that close it", ["before_that"]),
         ("but before any of that close it", ["but", "before_all"]),
         ("but not before you go", ["but", "until"]),
+        ("ahead of everything close it", ["before_all"]),
+        ("earlier still close it", ["before_that"]),
+        ("close it at the end", ["last"]),
+        ("put it at the end of the shelf", []),
     ],
 )
 def test_a_phrase_is_its_class(text, expected):

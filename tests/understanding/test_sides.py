@@ -105,3 +105,13 @@ def test_what_an_otherwise_opens_is_never_done_where_the_condition_holds() -> No
         "If [it](1:object)['s](1:check_state) [hot](1:state), fine, otherwise [put](2:placing) [it](2:object) away."
     )
     assert stated_sides(found, ("condition", "task"), ("top", "<1+")) == ("top", "<1-")
+
+
+def test_a_joined_check_points_to_the_one_before_it() -> None:
+    found = clauses(
+        "[Go](1:motion) [out](1:goal) if [it](2:object)['s](2:check_state) [wet](2:state) or [the lamp](3:object) "
+        "[is](3:check_state) [off](3:state)."
+    )
+    sides = (">1+", "top", "<1-")
+    assert stated_sides(found, ("task", "condition", "or"), sides) == (">1+", "top", "<1+")
+    assert stated_sides(found, ("task", "condition", "condition"), sides) == sides
