@@ -199,7 +199,7 @@ def test_the_it_of_what_is_foggy_is_what_was_named() -> None:
                 ("object", "the hall", "Reach"),
                 ("path", "by crossing the hall", "Reach"),
             ),
-            {("goal", "the stage"), ("path", "by crossing")},
+            {("goal", "the stage"), ("path", "by crossing the hall")},
         ),
     ],
 )
