@@ -23,7 +23,7 @@ _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
 _GOING = frozenset("cross go walk pass take use follow climb drive cut skirt circle squeeze".split())
-_ENDS = MARKS | {"and", "or", "but", "so"}
+_CLAUSE_ENDS = MARKS | {"and", "or", "but", "so"}
 
 
 def asides(document: Document, tasks: Collection[int]) -> frozenset[int]:
@@ -76,14 +76,14 @@ def concession(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
     is on"); or None. "Even if it is" takes a condition up."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[at].lower in _ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
+    if tokens[at].lower in _CLAUSE_ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
         return None
     start = stop = at
     while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in MARKS:
         start -= 1
         if any(_says(document, start, phrase) for phrase in _CONCEDING):
             break
-    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _CLAUSE_ENDS:
         stop += 1
     is_conceded = any(_says(document, start, phrase) for phrase in _CONCEDING)
     return range(start, stop) if is_conceded and tokens[stop - 1].pos != "AUX" else None
@@ -104,7 +104,7 @@ def means(document: Document, at: int, tasks: Mapping[int, str]) -> range | None
     if governing is None or tasks.get(governing) != "motion":
         return None
     stop = at
-    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _CLAUSE_ENDS:
         stop += 1
     return range(at - 1, stop)
 
@@ -114,10 +114,10 @@ def whereabouts(document: Document, at: int) -> range | None:
     tokens, sentences = document.tokens, document.sentences
     before = tokens[at - 1].lower if at and sentences[at - 1] == sentences[at] else "."
     said = [normal_form(token.lower) for token in tokens[at : at + 2]]
-    if before not in _ENDS or tokens[at].lower not in _PERSONS or said[1:] not in (["is"], ["'m"], ["am"]):
+    if before not in _CLAUSE_ENDS or tokens[at].lower not in _PERSONS or said[1:] not in (["is"], ["'m"], ["am"]):
         return None
     stop = at + 2
-    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _CLAUSE_ENDS:
         stop += 1
     behind = next((token for token in tokens[at + 2 : stop] if token.pos != "ADV"), None)
     return range(at, stop) if behind is not None and behind.pos == "ADP" else None
@@ -126,15 +126,15 @@ def whereabouts(document: Document, at: int) -> range | None:
 def reason(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it only tells why ("since the fan is broken"); or None."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[at].lower in _ENDS:
+    if tokens[at].lower in _CLAUSE_ENDS:
         return None
     start = at
-    while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _ENDS:
+    while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in _CLAUSE_ENDS:
         if tokens[start].lower in _REASONS:
             break
         start -= 1
     stop = start
-    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _ENDS:
+    while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _CLAUSE_ENDS:
         if stop > start + 2 and _is_order(document, stop):
             break  # "since you're in the kitchen check the oven"
         stop += 1

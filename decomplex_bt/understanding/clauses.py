@@ -123,7 +123,7 @@ _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
 _OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
-_JOINTS = frozenset(("and", "but", "or"))
+_COORDINATORS = frozenset(("and", "but", "or"))
 _DENYING = frozenset("no not n't n\u2019t".split())
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
 _JOINING = frozenset(("and", "or", "of", "&"))
@@ -324,7 +324,7 @@ def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
         return True
     tokens = document.tokens
     before = tokens[negation - 1]
-    if before.lower in _JOINTS or (before.pos == "ADP" and tokens[negation].lower == "no"):
+    if before.lower in _COORDINATORS or (before.pos == "ADP" and tokens[negation].lower == "no"):
         return False
     if before.lower in ("do", "does") and negation > task + 1 and last <= negation:
         return False
