@@ -64,6 +64,11 @@ class Clause:
         return self.task.type == "check_state" and not self.is_asked
 
     @property
+    def opening(self) -> tuple[str, ...]:
+        """The cues ahead of its verb but for those that say nothing of other clauses ("or somebody is *still* in")."""
+        return tuple(name for name in self.near if name not in _INNER)
+
+    @property
     def is_joined_check(self) -> bool:
         """Whether "and" or "or" may join it to the check before it."""
         return self.is_check and self.boundary in ("none", ",") and not self.far
@@ -77,7 +82,7 @@ class Clause:
             return ""
         if self.is_excepted:
             return self.wording.joins
-        is_bare = self.boundary == "none" and self.near == (self.wording.joins,)
+        is_bare = self.boundary == "none" and self.opening == (self.wording.joins,)
         is_certain = is_bare and (self.wording.joins == "or" or is_last)
         return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
 
@@ -118,6 +123,7 @@ class Clause:
 
 
 _IFS = frozenset(("if", "unless", "only_if"))
+_INNER = frozenset(("still", "not", "can", "there", "also"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
@@ -152,14 +158,14 @@ def _is_excepted(clause: Clause, before: Sequence[Clause], *, is_last: bool) -> 
     if not before or not clause.is_joined_check or not before[-1].is_check or clause.sentence != before[-1].sentence:
         return False
     is_first = len(before) == 1 or before[-2].sentence != clause.sentence
-    is_joint = clause.near in (("or",), ("and",)) or (clause.near == ("or", "if") and (is_last or is_first))
+    is_joint = clause.opening in (("or",), ("and",)) or (clause.opening == ("or", "if") and (is_last or is_first))
     return is_joint and (before[-1].is_excepted or "unless" in before[-1].near)
 
 
 def _excepted(clause: Clause) -> Clause:
     """The clause as one under an "unless": unless A or B is if not A and not B, unless A and B if not A or not B."""
     wording = clause.wording
-    joins = {"or": "and", "and": "or"}[clause.near[0]]
+    joins = {"or": "and", "and": "or"}[clause.opening[0]]
     return replace(clause, is_excepted=True, wording=replace(wording, is_negated=not wording.is_negated, joins=joins))
 
 

@@ -18,7 +18,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
     sides = list(attachments)
     for k in range(1, len(clauses)):
-        for rule in (_join, _forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
+        for rule in (_join, _except, _forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
             rule(clauses, roles, sides, k)
     return tuple(sides)
 
@@ -28,6 +28,24 @@ def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     makes the side on which it is asked."""
     if roles[k] in JOINTS and clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES:
         sides[k] = _HOLDS
+
+
+def _except(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden "unless ..." is done where that holds, so not as it is stated; around "unless A or B" the rest
+    of the sentence is done as it is stated, till something turns it."""
+    clause = clauses[k]
+    around = [j for j, other in enumerate(clauses) if other.sentence == clause.sentence and roles[j] == "task"]
+    is_opened = "unless" in clause.near and roles[k] in CONDITION_ROLES
+    if is_opened and k - 1 in around and clauses[k - 1].is_forbidden and sides[k - 1] == ">1+":
+        sides[k - 1] = ">1-"
+    if not clause.is_excepted or roles[k] not in JOINTS:
+        return
+    for j in around:
+        turning = {*clauses[j].far, *clauses[j].near, *clauses[j - 1].behind} & _TURNING if j > k else ()
+        if turning:
+            return
+        if sides[j] in (">1-", "<1-") and not clauses[j].is_forbidden:
+            sides[j] = f"{sides[j][:2]}+"
 
 
 def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

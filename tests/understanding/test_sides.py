@@ -115,3 +115,33 @@ def test_a_joined_check_points_to_the_one_before_it() -> None:
     sides = (">1+", "top", "<1-")
     assert stated_sides(found, ("task", "condition", "or"), sides) == (">1+", "top", "<1+")
     assert stated_sides(found, ("task", "condition", "condition"), sides) == sides
+
+
+@pytest.mark.parametrize(
+    ("order", "joined", "side"),
+    [
+        ("[Go](1:motion)", False, ">1+"),
+        ("Don't [go](1:motion)", False, ">1-"),
+        ("[Go](1:motion)", True, ">1+"),
+        ("Don't [go](1:motion)", True, ">1-"),
+    ],
+)
+@pytest.mark.parametrize("found", [">1+", ">1-"])
+def test_what_stands_before_an_unless_is_done_as_it_is_stated_but_what_is_forbidden(
+    order: str, joined: bool, side: str, found: str
+) -> None:
+    """Of an order ahead of a single "unless" the models know more."""
+    more = " or [the lamp](3:object) [is](3:check_state) [off](3:state)" if joined else ""
+    read = clauses(f"{order} unless [it](2:object)['s](2:check_state) [wet](2:state){more}.")
+    roles = ("task", "condition", "and")[: len(read)]
+    expected = found if not joined and "Don't" not in order else side
+    assert stated_sides(read, roles, (found, "top", "<1+")[: len(read)])[0] == expected
+
+
+def test_what_an_unless_of_two_parts_opens_is_done_as_it_is_stated_till_something_turns_it() -> None:
+    read = clauses(
+        "Unless [it](1:object)['s](1:check_state) [wet](1:state) or [the lamp](2:object) [is](2:check_state) "
+        "[off](2:state), [go](3:motion) [out](3:goal) and [wait](4:motion), otherwise [sit](5:motion) down."
+    )
+    roles = ("condition", "and", "task", "task", "task")
+    assert stated_sides(read, roles, ("top", "<1+", "<1-", "<1-", "<1-")) == ("top", "<1+", "<1+", "<1+", "<1-")
