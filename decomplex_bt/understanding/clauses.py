@@ -199,6 +199,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
     closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
     last = min([end, *closing]) - 1
     is_joined = previous >= 0 and document.sentences[previous] == document.sentences[token]
+    # "it is hot and the fan is not on": what stands behind the "and" is of the next task
+    joints = [j for j in range(token + 1, following) if document.tokens[j].lower in _COORDINATORS] if is_open else []
+    own_last = max(token, min([last, *joints[-1:]]))
     return Clause(
         task=tasks[k],
         first=min(first, token),
@@ -208,7 +211,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         behind=behind,
         sentence=document.sentences[token],
         boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
-        wording=_wording(observed, tasks[k], min(first, token), max(last, token), (far, near, own), is_joined),
+        wording=_wording(observed, tasks[k], min(first, token), own_last, (far, near, own), is_joined),
         objects=tuple(
             document.tokens[j].lemma
             for kind, indices in tasks[k].arguments

@@ -161,12 +161,18 @@ class Builder:
 
     def _parts(self, group: _Group) -> list[tuple[_Group, str]]:
         """A condition and those joined to it ("if A and B", "if A or B or C"), each with the side on which the next one
-        is asked, the last with the side that its clause states."""
-        for side, inner in group.sides.items():
-            joined = self.groups.get(inner[0]) if len(inner) == 1 else None
-            if joined is not None and joined.join:
-                return [(group, side), *self._parts(joined)]
-        return [(group, side_of(self.flips[group.first]))]
+        is asked, the last with the side that its clause states. A third one is joined where the second holds as it is
+        stated; elsewhere it is a condition of its own ("if A or B, X; if neither, but C, Y")."""
+        parts: list[tuple[_Group, str]] = []
+        while True:
+            stated = side_of(self.flips[group.first])
+            alone = [(side, self.groups.get(inner[0])) for side, inner in group.sides.items() if len(inner) == 1]
+            joined = [(side, inner) for side, inner in alone if inner and inner.join and (not parts or side == stated)]
+            if not joined:
+                return [*parts, (group, stated)]
+            side, following = joined[0]
+            parts.append((group, side))
+            group = following
 
     def _joined(self, parts: Sequence[tuple[_Group, str]]) -> Node:
         """The node of a condition of several parts; what more than one branch has stands whole in each, which
