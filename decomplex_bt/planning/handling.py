@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from decomplex_bt.planning.abilities import wipers_of
 from decomplex_bt.planning.belief import ROBOT
-from decomplex_bt.planning.ground_task import Referent
+from decomplex_bt.planning.ground_task import HERE, Referent
 from decomplex_bt.planning.looking import Looking
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.standing import NothingLeftError, Pursuit
@@ -19,12 +19,21 @@ class Handling(Looking):
     """How a task stands that handles things or has to do with people, and what to bring about next."""
 
     def settle_all(self) -> None:
-        """Binds "everything on the table", once the places were looked at, to what is there then."""
-        if self.task.type not in _HANDLING or not self.wheres or any(self._is_open(place) for place in self.wheres):
+        """Binds "everything on the table", once the places were looked at, to what is there then; a check of what is
+        there ("if there are dirty plates in the sink") finds out whether anything is."""
+        is_check = self.task.type == "check_state" and self.task.state in (None, HERE)
+        handles = self.task.type in _HANDLING
+        if not (handles or is_check) or not self.wheres or any(self._is_open(place) for place in self.wheres):
             return
         for referent in self.task.objects:
             if referent.is_all and referent not in self.bindings:
-                there = [name for name in self._fitting(referent) if self._is_there(name)]
+                there = [
+                    name
+                    for name in self._fitting(referent)
+                    if self._is_there(name) or (handles and self.belief.place_of(name) == ROBOT)  # picked up meanwhile
+                ]
+                if not there and is_check:
+                    continue
                 if not there:
                     raise NothingLeftError(self._why(f"{referent.phrase!r}: nothing of it is there", self.wheres))
                 self.bindings = self._bind({referent: there})

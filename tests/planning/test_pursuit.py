@@ -294,6 +294,40 @@ def test_somebody_is_followed_wherever_they_go() -> None:
     assert names(inside)[-1] == "(tag-along user)"
 
 
+@pytest.mark.parametrize(
+    ("places", "is_so"),
+    [
+        ({"plate_1": "sink", "plate_2": "cupboard"}, True),
+        ({"plate_1": "sink", "plate_2": "sink"}, True),
+        ({"plate_1": "counter", "plate_2": "cupboard"}, False),
+    ],
+)
+def test_there_are_some_where_one_is_wherever_the_others_are(places: dict[str, str], is_so: bool) -> None:
+    values = {("plate_1", "cleanliness"): "dirty", ("plate_2", "cleanliness"): "dirty"}
+    inside = world(places, values)
+    (checked,) = run("[Are](1:check_state) there [dirty plates](1:object) [in the sink](1:location)", inside)
+    assert (checked.status, checked.truth) == (DONE, is_so)
+    if is_so:
+        assert set(bound(checked)["dirty plates"]) == {name for name, place in places.items() if place == "sink"}
+
+
+def test_what_was_picked_up_before_the_rest_was_seen_is_of_all_as_well() -> None:
+    inside = world({"plate_1": "dishwasher", "plate_2": "dishwasher"})
+    grounded = ground(
+        read_markup(
+            "[Take](1:taking) [the plates](1:object) [out of the dishwasher](1:source)", DOMAIN.ontology, flow=[1]
+        ),
+        DOMAIN,
+    )
+    belief = Belief(DOMAIN)
+    taken = inside.run(grounded.tasks[0], belief, PLANNER, {})
+    assert set(bound(taken)["the plates"]) == {"plate_1", "plate_2"}
+    held = [name for name in ("plate_1", "plate_2") if belief.place_of(name) == ROBOT]
+    again = pursue(grounded.tasks[0], belief, {}, since=0)
+    assert held
+    assert (again.status, set(bound(again)["the plates"])) == (DONE, set(held))
+
+
 def test_all_stay_all_when_one_of_them_is_not_so() -> None:
     inside = world({}, {("cup_1", "cleanliness"): "dirty", ("cup_2", "cleanliness"): "dirty"})
     text = "if [the cups](1:object) [are](1:check_state) [clean](1:state), "
