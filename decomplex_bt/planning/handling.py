@@ -21,7 +21,7 @@ class Handling(Looking):
     def settle_all(self) -> None:
         """Binds "everything on the table", once the places were looked at, to what is there then; a check of what is
         there ("if there are dirty plates in the sink") finds out whether anything is."""
-        is_check = self.task.type == "check_state" and self.task.state in (None, HERE)
+        is_check = self.task.type == "check_state" and self.task.state == HERE
         handles = self.task.type in _HANDLING
         if not (handles or is_check) or not self.wheres or any(self._is_open(place) for place in self.wheres):
             return

@@ -39,7 +39,7 @@ def reasons(document: Document, tasks: Collection[int]) -> frozenset[int]:
 
 def means_of(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     """The tokens of all means in which no token is among the `tasks`: they tell a way, no thing."""
-    found = (means(document, i, tasks) for i in range(len(document)))
+    found = (means(document, token.i + 1, tasks) for token in document.tokens[:-1] if token.lower == "by")
     return frozenset(i for words in found if words is not None and tasks.keys().isdisjoint(words) for i in words)
 
 

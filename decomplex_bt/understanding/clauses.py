@@ -34,7 +34,8 @@ class Clause:
     whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
     `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
     `is_otherwise`: whether "otherwise" or the like does; `is_excepted`: whether it stands under the "unless" of the
-    clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?").
+    clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?");
+    `ends_sentence`: whether no task follows in its sentence.
     """
 
     task: MarkedTask
@@ -57,6 +58,7 @@ class Clause:
     is_otherwise: bool = False
     is_excepted: bool = False
     is_asked: bool = False
+    ends_sentence: bool = False
 
     @property
     def is_check(self) -> bool:
@@ -73,17 +75,17 @@ class Clause:
         """Whether "and" or "or" may join it to the check before it."""
         return self.is_check and self.boundary in ("none", ",") and not self.far
 
-    def joining_role(self, before: Clause, *, is_last: bool) -> str:
+    def joining_role(self, before: Clause) -> str:
         """The role, "and" or "or", of a check that is joined to the one before it under the same "if" or "unless" ("if
-        it is wet or the fan is off"), as parts are joined where both are as stated; "" where nothing settles that.
-        `is_last`: whether no task follows in its sentence, as in "open it if it is dry and the fan is on": else the
-        second may as well be a condition in the branch of the first."""
+        it is wet or the fan is off"), as parts are joined where both are as stated; "" where nothing settles that:
+        unless it ends the sentence ("open it if it is dry and the fan is on"), the second of two that "and" joins may
+        as well be a condition in the branch of the first."""
         if not self.is_joined_check or not before.is_check or self.sentence != before.sentence:
             return ""
         if self.is_excepted:
             return self.wording.joins
         is_bare = self.boundary == "none" and self.opening == (self.wording.joins,)
-        is_certain = is_bare and (self.wording.joins == "or" or is_last)
+        is_certain = is_bare and (self.wording.joins == "or" or self.ends_sentence)
         return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
 
     def is_of_what_there_is(self, first: Clause) -> bool:
@@ -147,18 +149,19 @@ def clauses_of(observed: Observed, tasks: Sequence[MarkedTask]) -> tuple[Clause,
     clauses: list[Clause] = []
     for k in range(len(tasks)):
         clause = _clause(observed, tasks, k, said)
-        is_last = k + 1 == len(tasks) or observed.document.sentences[tasks[k + 1].token] != clause.sentence
-        clauses.append(_excepted(clause) if _is_excepted(clause, clauses, is_last=is_last) else clause)
+        clauses.append(_excepted(clause) if _is_excepted(clause, clauses) else clause)
     return tuple(clauses)
 
 
-def _is_excepted(clause: Clause, before: Sequence[Clause], *, is_last: bool) -> bool:
+def _is_excepted(clause: Clause, before: Sequence[Clause]) -> bool:
     """Whether an "unless" before governs a clause as well: "unless it is wet or it is dark". What follows an "or if" is
     the consequence of that alone, unless the sentence began with the "unless"."""
     if not before or not clause.is_joined_check or not before[-1].is_check or clause.sentence != before[-1].sentence:
         return False
     is_first = len(before) == 1 or before[-2].sentence != clause.sentence
-    is_joint = clause.opening in (("or",), ("and",)) or (clause.opening == ("or", "if") and (is_last or is_first))
+    is_joint = clause.opening in (("or",), ("and",)) or (
+        clause.opening == ("or", "if") and (clause.ends_sentence or is_first)
+    )
     return is_joint and (before[-1].is_excepted or "unless" in before[-1].near)
 
 
@@ -232,6 +235,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         asks_where=_asks_where(document, tasks[k], behind),
         asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
         is_forbidden=is_forbidden(document, token),
+        ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
         or "whether" in behind
         or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),

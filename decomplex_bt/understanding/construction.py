@@ -32,7 +32,9 @@ class _Group:
 
 def flow_of(arcs: Sequence[Arc], wordings: Sequence[Wording]) -> Flow:
     """The control flow that these arcs say; total: an arc that points nowhere leads to the top."""
-    return Flow(in_reading_order(Builder(arcs, wordings).build()))
+    nodes = Builder(arcs, wordings).build()
+    has_parts = any(arc.role in JOINTS for arc in arcs)
+    return Flow(in_reading_order(nodes) if has_parts else nodes)
 
 
 class Builder:

@@ -111,9 +111,8 @@ def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str,
     one condition of two parts."""
     mended = list(roles)
     for k in range(1, len(clauses)):
-        is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clauses[k].sentence
         if mended[k - 1] in CONDITION_ROLES:
-            mended[k] = clauses[k].joining_role(clauses[k - 1], is_last=is_last) or mended[k]
+            mended[k] = clauses[k].joining_role(clauses[k - 1]) or mended[k]
     for k in range(2, len(clauses)):
         clause = clauses[k]
         says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated

@@ -48,6 +48,7 @@ _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
     """The tasks, in text order, brought in line with the facts; `types`: those that there are."""
     document = observed.document
+    types_found = {task.token: task.type for task in tasks}
     found: list[FoundTask] = []
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
@@ -59,7 +60,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             _is_reported_state(document, task, found)
             or _is_tag(document, task.token, found)
             or musing(document, task.token) is not None
-            or means(document, task.token, {other.token: other.type for other in found}) is not None
+            or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
             or (task.type == "check_state" and _is_beside(document, task.token))
         )

@@ -319,7 +319,7 @@ def _held_out_readings(data: Corpus, domain: Domain, jobs: int, progress: Progre
 def _read_by_others(others: Corpus, data: Corpus, domain: Domain) -> list[Held]:
     """The instructions of `data` with their readings by stages trained on `others`."""
     with tempfile.TemporaryDirectory() as scratch:
-        recombinations = _recombinations(others.plain, domain, Parser())
+        recombinations = _recombinations(others.plain, domain, Parser())  # a parser is not sent to another process
         _train_stages(Path(scratch), others, recombinations, lambda stage: None)
         return list(_held(data, load_stages(Path(scratch)), domain))
 
