@@ -45,7 +45,7 @@ class Wording:
     any, the number of its sentence, the order labels that its own cues speak for ("before you ...": `after`), and the
     `and` or `or` that joins it, as stated, to the clause before it as stated, without an "if" of its own ("unless A or
     B" is not A `and` not B). `is_contrary`: by its word alone it says that something failed or is not there ("if it
-    sticks", "if she is gone")."""
+    sticks", "if she is gone"). `is_echo`: it affirms what was said and says no more ("if she is")."""
 
     is_negated: bool = False
     state: str | None = None
@@ -54,6 +54,7 @@ class Wording:
     orders: tuple[str, ...] = ()
     joins: str = ""
     is_contrary: bool = False
+    is_echo: bool = False
 
     def is_opposite_of(self, other: Wording) -> bool:
         return self.state is not None and self.opposite is not None and other.state == self.opposite
@@ -80,9 +81,11 @@ def side_of(is_opposite: bool) -> str:
 
 def flip_of(token: int, first: int, wordings: Sequence[Wording], used: set[str]) -> bool:
     """`is_flipped`, but who states a condition again whose one side has its tasks already means the other side:
-    "if it is dry, fold it; if it is damp, hang it up" needs no word list to know that damp is not dry."""
+    "if it is dry, fold it; if it is damp, hang it up" needs no word list to know that damp is not dry. The
+    echo of what is denied affirms it: "don't lock up unless she is in; if she is, tell her"."""
     flipped = is_flipped(token, first, wordings)
-    if token != first and side_of(flipped) in used and len(used) == 1:
+    is_affirmed = wordings[token].is_echo and wordings[first].is_negated
+    if token != first and not is_affirmed and side_of(flipped) in used and len(used) == 1:
         return not flipped
     return flipped
 

@@ -125,6 +125,7 @@ class Clause:
 
 
 _IFS = frozenset(("if", "unless", "only_if"))
+_ECHOING = frozenset("is are am was were does do did has have had can will would".split())
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
@@ -293,7 +294,8 @@ _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 
 def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
     far, near, behind = cues
-    negations = len(_negations(observed, task, first, last)) + ("unless" in near)
+    # "there isn't no milk", "not there neither" deny once
+    is_denied = bool(_negations(observed, task, first, last))
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
@@ -302,13 +304,26 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     ]
     lemmas = {observed.document.tokens[j].lemma for j in range(first, last + 1)}
     return Wording(
-        negations % 2 == 1,
+        is_denied != ("unless" in near),
         state,
         OPPOSITES.get(state) if state else None,
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
         bool(lemmas & _CONTRARY) or state in _CONTRARY,
+        _is_echo(observed.document, task, last),
+    )
+
+
+def _is_echo(document: Document, task: MarkedTask, last: int) -> bool:
+    """Whether a check affirms what was said before and says no more: "if he is", "if it does", "when they have"."""
+    if task.type != "check_state" or document.tokens[task.token].lower not in _ECHOING:
+        return False
+    if any(kind != "object" or len(indices) > 1 for kind, indices in task.arguments):
+        return False
+    return all(
+        document.tokens[j].lower in _REFERRING or document.tokens[j].text in _PUNCTUATION
+        for j in range(task.token + 1, last + 1)
     )
 
 
