@@ -23,6 +23,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
+from decomplex_bt.understanding.repairs import repaired, restored, without
 from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
@@ -112,6 +113,13 @@ class Interpreter:
         return self._parser.tokens(text)
 
     def _understand(self, document: Document) -> Instruction:
+        cut = repaired(document)
+        if not cut:
+            return self._read(document)
+        left = without(document, cut)
+        return restored(self._read(self._parser.parse(left.text)), document.text, left.places)
+
+    def _read(self, document: Document) -> Instruction:
         observed = Observed(document, self._gazetteer)
         ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
         reading, belief = ranked[0][0], belief_of(ranked)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.repairs import replaced_orders
 
 _MARKS = tuple(
     tuple(phrase.split())
@@ -76,12 +77,13 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
     "Scratch that" and the like, a clause of their own said to the robot, take back the order before them in their
     sentence or, where they begin it, the sentence before; "no, leave it on the table" does so and is an order itself;
     "never mind the shirt" takes back the earlier orders about the shirt. Behind a condition in their sentence they are
-    said of one case alone, which is for the flow to say. Before a bare phrase they take back an argument.
+    said of one case alone, which is for the flow to say. Before a bare phrase they take back an argument. An order that
+    another one stands in place of is taken back, too, where it is not passed over as a repair.
     """
     if _TELLING.isdisjoint(token.lower for token in observed.document.tokens):
         return _NOTHING  # as with most instructions
     words = _Words.of(observed)
-    tokens: set[int] = set()
+    tokens = {i for order in replaced_orders(observed.document) for i in order}
     corrections: list[range] = []
     for at in range(len(words.tokens)):
         if (words.opens(at) or words.corrects(at)) and not words.is_conditional_before(at):

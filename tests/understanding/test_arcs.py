@@ -77,6 +77,13 @@ def test_a_condition_stated_again_means_the_other_side():
     assert flow_of(arcs, [PLAIN] * 4).to_json() == [{"if": [1, 3], "then": [2], "else": [4]}]
 
 
+def test_the_echo_of_what_an_unless_denies_affirms_it():
+    """ "Don't lock up unless he is in. If he is, tell him": the side that has a task already is meant again."""
+    arcs = [Arc("task", ">1-"), Arc("condition"), Arc("mention", "<1"), Arc("task", "<1+")]
+    wordings = [PLAIN, NEGATED, Wording(is_echo=True), PLAIN]
+    assert flow_of(arcs, wordings).to_json() == [{"if": [2, 3], "then": [1, 4]}]
+
+
 def test_an_antonym_means_the_other_side():
     on, off = Wording(state="on", opposite="off"), Wording(state="off", opposite="on")
     arcs = [Arc("condition"), Arc("mention", "<1"), Arc("task", "<1+")]

@@ -82,6 +82,9 @@ def test_a_statement_with_a_tag_asks_whether_it_is_so() -> None:
         ("If no [cup](1:object) [is](1:check_state) [clean](1:state), [wash](2:change_state) one.", True),
         ("[Ring](1:informing) Ann. If there['s](2:check_state) no [answer](2:object), [ring](3:informing) Tom.", True),
         ("if theres none [there](1:check_state) [bring](2:bringing) [tea](2:object)", True),
+        ("If there [is](1:check_state)n't no [milk](1:object), [bring](2:bringing) [tea](2:object).", True),
+        ("If [it](1:object) [is](1:check_state)n't [there](1:location) neither, [call](2:informing) me.", True),
+        ("Unless there [is](1:check_state)n't no [milk](1:object), [bring](2:bringing) it.", False),
         ("If there['s](1:check_state) [tea](1:object) but no milk, [bring](2:bringing) [it](2:object).", False),
         ("If [it](1:object)['s](1:check_state) [hot](1:state) but not too hot, [bring](2:bringing) it.", False),
         ("If [it](1:object) [is](1:check_state) [on](1:state) for no reason, [dust](2:change_state) it.", False),
@@ -189,3 +192,21 @@ def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: s
     roles = ["task", "condition", role, *["task"] * (len(found) - 3)]
     assert chained_roles(found, roles)[2] == expected
     assert chained_roles(found, ["task", "task", role, *roles[3:]])[2] == role
+
+
+@pytest.mark.parametrize(
+    ("words", "is_echo"),
+    [
+        ("[he](3:object) [is](3:check_state)", True),
+        ("[it](3:object) [does](3:check_state)", True),
+        ("[he](3:object) [is](3:check_state)n't", False),
+        ("[he](3:object) [is](3:check_state) [asleep](3:state)", False),
+        ("[the cat](3:object) [is](3:check_state)", False),
+    ],
+)
+def test_an_echo_affirms_and_says_no_more(words: str, is_echo: bool) -> None:
+    markup = (
+        "Don't [lock](1:change_state) [the door](1:object) unless [Dad](2:object) [is](2:check_state) "
+        f"[home](2:location). If {words}, [tell](4:informing) me."
+    )
+    assert clauses(markup)[2].wording.is_echo == is_echo

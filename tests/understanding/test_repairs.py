@@ -1,0 +1,106 @@
+"""What is put otherwise in the same breath does not count; what only sounds so does."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.repairs import repaired, without
+
+WORDS = "if it is no , um open the door - sorry . close get I mean and then".split()
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load("household", encoder=False)
+
+
+def left(parser: Parser, text: str) -> str:
+    document = parser.parse(text)
+    return without(document, repaired(document)).text
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("If it's, uh, if it's not hot, heat it.", "if it's not hot, heat it."),
+        ("Turn on the, turn on the lamp.", "turn on the lamp."),
+        ("Is - is there any tea?", "is there any tea?"),
+        ("get the get the get the ball and throw it", "get the ball and throw it"),
+        ("Put it on the, on the shelf.", "Put it on the shelf."),
+        ("Close it, then, um, then lock it.", "Close it, then lock it."),
+    ],
+)
+def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: str) -> None:
+    assert left(parser, text) == meant
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("If he's in the den, tell him, no, switch the radio off.", "If he's in the den, switch the radio off."),
+        ("Scrape the toast, or no, actually, throw the toast away.", "throw the toast away."),
+        ("Wash the cups and shout, I mean, call Anna.", "Wash the cups and call Anna."),
+        ("Bring me the, no, take the blue mug.", "take the blue mug."),
+    ],
+)
+def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str, meant: str) -> None:
+    assert left(parser, text) == meant
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the oven is open, open it further.",
+        "Please, please close the door.",
+        "Check the lamp, check the heater and tell me.",
+        "Knock, then knock again.",
+        "Turn it off. Turn it off in the hall as well.",
+        "Go to the kitchen, no wait, go to the bathroom first.",
+        "If yes, serve the soup, if no, heat the soup.",
+        "Say no, thanks, and close the door.",
+        "Hoover the stairs, no, forget the stairs.",
+        "Switch it off, wait, and switch it on again.",
+        "Close the window, no, leave it open.",
+        "See if she is in, no, he is out.",
+    ],
+)
+def test_what_is_no_repair(parser: Parser, text: str) -> None:
+    assert left(parser, text) == text
+
+
+def test_spans_are_those_of_the_whole_text(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("If it's, uh, if it's not hot, heat the soup in the, uh, in the pan.")
+    assert found.text.startswith("If it's, uh, if")
+    assert [(task.span.of(found.text), task.span.start) for task in found.tasks] == [("'s", 18), ("heat", 30)]
+    assert {a.type: a.value for a in found.tasks[1].arguments}["object"] == "the soup"
+    assert found.flow.to_json() == [{"if": 1, "else": [2]}]
+
+
+def test_a_pronoun_in_the_order_that_counts_finds_what_the_other_named(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Close the window, no, leave it open.")
+    (task,) = found.tasks
+    assert [a.value for a in task.arguments if a.type == "object"] == ["the window"]
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(st.sampled_from(WORDS), max_size=14))
+def test_something_is_left_of_everything_and_stands_where_it_did(words: list[str]) -> None:
+    text = " ".join(words)
+    document = _PARSER.parse(text)
+    rest = without(document, repaired(document))
+    assert bool(rest.text) == bool(document.tokens)
+    assert len(rest.text) == len(rest.places)
+    assert all(text[place] == c for c, place in zip(rest.text, rest.places, strict=True) if not c.isspace())
+    assert list(rest.places) == sorted(rest.places)
+
+
+_PARSER = Parser()
