@@ -258,10 +258,14 @@ def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None)
 
 def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
     if is_plural is False and tag in ("NNS", "NNPS"):
+        if text.endswith("xes"):  # "lunchboxes", which the lemmatizer does not know
+            return text[:-2]
         if lemma == text.lower() and text.endswith("s") and not text.endswith("ss"):
             return text[:-1]
         return lemma if text.islower() else text[: len(lemma)]
     if is_plural and tag == "NN" and (not text.endswith("s") or text.endswith(("ss", "us", "is"))):
+        if text.endswith("y") and text[-2:-1] not in "aeiou":
+            return f"{text[:-1]}ies"
         return text + ("es" if text.endswith(("s", "x", "ch", "sh")) else "s")
     return text
 

@@ -22,7 +22,7 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gaps import gap_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.phrases import candidates_of, noun_chunks
+from decomplex_bt.understanding.phrases import Candidate, candidates_of, noun_chunks, noun_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 
@@ -261,3 +261,19 @@ def test_what_is_put_away_or_hung_up_says_where_itself():
 def test_the_robot_that_is_spoken_to_is_nobodys_referent(words: tuple[str, ...], expected: set[str]) -> None:
     found = {candidate.text for candidate in candidates_of(Observed(document(*words), GAZETTEER), ())}
     assert {text for text in found if "robot" in text} == expected
+
+
+@pytest.mark.parametrize(
+    ("noun", "is_plural", "wanted"),
+    [
+        ("lunchboxes/NNS", False, "lunchbox"),
+        ("mugs/NNS", False, "mug"),
+        ("battery/NN", True, "batteries"),
+        ("key/NN", True, "keys"),
+        ("glass/NN", True, "glasses"),
+    ],
+)
+def test_a_noun_is_put_into_the_number_that_is_meant(noun: str, is_plural: bool, wanted: str) -> None:
+    doc = document("take/VB", "the/DT", noun)
+    candidate = Candidate(doc.text[5:], range(1, 3), 2)
+    assert noun_of(doc, candidate, is_plural=is_plural) == wanted
