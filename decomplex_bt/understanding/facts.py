@@ -28,7 +28,8 @@ _NOT_BROUGHT_ABOUT = frozenset(
     "asleep awake alive ok okay okey fine well safe happy comfortable gone there here home in out back ready".split()
 )
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
-_BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all".split())
+_HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
+_BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
     "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
@@ -50,6 +51,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     document = observed.document
     types_found = {task.token: task.type for task in tasks}
     found: list[FoundTask] = []
+    tasks = _with_passives(document, tasks)
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
         fact = "change_state" if _is_made_sure_too(document, task, found) else _type(observed, task, end)
@@ -67,6 +69,16 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if not is_none:
             found.append(task)
     return _with_idioms(document, found, types)
+
+
+def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
+    """The tasks, those next to each other that are one check ("has *been* *put* away") as one."""
+    kept = list(tasks)
+    for task, following in pairwise(tasks):
+        if task.type == "check_state" and _passive(document, task.token) == following.token:
+            kept[kept.index(following)] = replace(following, type="check_state")
+            kept.remove(task)
+    return kept
 
 
 def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
@@ -118,8 +130,11 @@ def _is_reported_state(document: Document, task: FoundTask, before: Sequence[Fou
 
 def _place(document: Document, at: int) -> int:
     """The token that a check is told by: of "'s", where it is "has", the participle ("it's been", "it's gone cold"),
-    and where it may as well be "is" that ("it's gone")."""
+    and where it may as well be "is" that ("it's gone"); of "has been washed" the last."""
     tokens = document.tokens
+    passive = _passive(document, at)
+    if passive is not None:
+        return passive
     if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
         return at if _goes_on(document, at) else at - 1
     if tokens[at].lower not in _IS_OR_HAS:
@@ -133,6 +148,16 @@ def _place(document: Document, at: int) -> int:
         return at  # "the cake's eaten" is no perfect
     is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
     return participle.i if is_perfect else at
+
+
+def _passive(document: Document, at: int) -> int | None:
+    """The participle of "has been washed", told from any of its words before that; None where nothing is done."""
+    words = document.tokens[at:]
+    been = next((token for token in words if token.lower not in _HAVE | _BETWEEN), None)
+    if been is None or been.lower != "been":
+        return None
+    participle = next((token for token in document.tokens[been.i + 1 :] if token.lower not in _BETWEEN), None)
+    return participle.i if participle is not None and participle.tag in ("VBN", "VBD") else None
 
 
 def _goes_on(document: Document, gone: int) -> bool:

@@ -38,10 +38,14 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), and the
-    weather of "should it rain". "Have" in "have a look" is searching.
+    weather of "should it rain". "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
     """
     checks = _stated(document, tasks) | _weather(document, tasks)
-    return {**dict.fromkeys(_looks(document, tasks), "searching"), **dict.fromkeys(checks, "check_state")}
+    return {
+        **dict.fromkeys(_looks(document, tasks), "searching"),
+        **dict.fromkeys(_lettings(document), "placing"),
+        **dict.fromkeys(checks, "check_state"),
+    }
 
 
 def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
@@ -82,6 +86,16 @@ def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
         if after not in _ASKED:  # "have a look, is the gate open?" asks
             found.append(i)
     return found
+
+
+def _lettings(document: Document) -> list[int]:
+    """Every "let" of an order to let go of something."""
+    words = [token.lower for token in document.tokens]
+    return [
+        i
+        for i in range(len(words) - 3)
+        if words[i : i + 3] == ["let", "go", "of"] and not _is_of_others(document, i)
+    ]
 
 
 def _is_of_others(document: Document, verb: int) -> bool:
