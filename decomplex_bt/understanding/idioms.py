@@ -92,9 +92,7 @@ def _lettings(document: Document) -> list[int]:
     """Every "let" of an order to let go of something."""
     words = [token.lower for token in document.tokens]
     return [
-        i
-        for i in range(len(words) - 3)
-        if words[i : i + 3] == ["let", "go", "of"] and not _is_of_others(document, i)
+        i for i in range(len(words) - 3) if words[i : i + 3] == ["let", "go", "of"] and not _is_of_others(document, i)
     ]
 
 

@@ -34,6 +34,9 @@ ENCODER_FOLDER = "encoder"
 LIKELY = 0.5
 """The confidence from which on an argument stands beside a surer one of its type."""
 
+MOST_REPAIRS = 3
+"""How often what is left without repairs is looked through for further ones."""
+
 CHUNK = 64
 """How many texts of a batch a process reads at a time."""
 
@@ -113,11 +116,15 @@ class Interpreter:
         return self._parser.tokens(text)
 
     def _understand(self, document: Document) -> Instruction:
-        cut = repaired(document)
-        if not cut:
-            return self._read(document)
-        left = without(document, cut)
-        return restored(self._read(self._parser.parse(left.text)), document.text, left.places)
+        left, places = document, tuple(range(len(document.text)))
+        for _ in range(MOST_REPAIRS):
+            cut = repaired(left)
+            if not cut:
+                break
+            rest = without(left, cut)
+            left, places = self._parser.parse(rest.text), tuple(places[place] for place in rest.places)
+        found = self._read(left)
+        return found if left is document else restored(found, document.text, places)
 
     def _read(self, document: Document) -> Instruction:
         observed = Observed(document, self._gazetteer)

@@ -1,106 +1,306 @@
-"""Repairs: what a speaker begins and then puts otherwise in the same breath ("if it's, uh, if it's not hot", "tell him,
-no, switch it off"); an instruction is read without it."""
+"""Repairs: what a speaker begins and then puts otherwise in the same breath ("if it's, uh, if it's not hot", "on the
+table, no, on the shelf", "tell him, no, switch it off"); an instruction is read without it.
+
+As in the literature on disfluency (E. Shriberg, Preliminaries to a theory of speech disfluencies, 1994), a repair has a
+*reparandum*, which goes, an *interregnum* ("uh", "no, sorry", "I mean"), which goes as well, and what takes its place.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import ENDS, Document
+from decomplex_bt.understanding.phrases import PREPOSITIONS
 
-_MARKS = frozenset((",", "-", "–", "—", "...", "…"))
-_HESITATING = frozenset("um uh er erm".split())
-_FILLERS = _MARKS | _HESITATING | frozenset("ah hmm like well sorry wait no".split())
-"""What may stand between something and its being said over again."""
-_CLAUSE_OPENERS = _FILLERS | ENDS | frozenset(": and but or so then if unless when oh ok okay please just to".split())
 LONGEST = 6
 """The most words that are said over again."""
-_TURNING = _FILLERS | frozenset("actually nope nah okay ok oh hang hold on or rather i mean meant just".split())
-"""What may stand between an order and the one in its place."""
-_DENYING = frozenset(("no", "nope", "nah", "sorry"))
-_MEANING = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather")))
+FARTHEST = 9
+"""The most tokens between words and their being said over again where something is taken back between."""
+_MARKS = frozenset((",", "-", "–", "—", "...", "…"))
+_HESITATING = frozenset("um uh er erm".split())
+_FILLERS = _MARKS | _HESITATING | frozenset("ah hmm like well sorry wait no please".split())
+"""What may stand between something and its being said over again."""
+_DENYING = frozenset(("no", "nope", "nah"))
+_EDITING = _MARKS | _HESITATING | _DENYING | frozenset("ah hmm oh well sorry wait actually okay ok or just".split())
+_PHRASES = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "i mean", "i meant", "or rather", "hang on", "hold on", "what 's it called", "what s it called",
+        "whats it called", "what is it called", "what are they called", "what do you call it", "what do you call them",
+        "what do you call that", "what 's his name", "what 's her name", "whatsit", "wotsit", "thingy", "thingummy",
+        "thingamajig", "whatchamacallit",
+    )
+)  # fmt: skip
+"""What is said while looking for words, beside single words."""
+_STRONG = _DENYING | {"sorry"}
+_STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather")))
+_TURNING = frozenset(("wait", "hang", "hold"))
+"""What takes something back where words are said over again."""
+_NO_EDITS_BEFORE = frozenset(
+    "is are 's s was be there got have has had with find see say says said if when or but and still by want yes a in "
+    "answer answers".split()
+)
+"""Before a "no" that no comma sets off, or a "sorry": what makes it part of what is said."""
+_YES = frozenset(("yes", "yeah", "yep", "so"))
+_UNFINISHED = frozenset("the a an my your our their".split())
+"""Words after which nothing ends."""
+_DETERMINERS = _UNFINISHED | frozenset("his her its this that these those some any".split())
+_OPENERS = frozenset("if when unless whether once after before while is are has does can could would will".split())
+_BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
+_CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
-_WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard hold hang wait make".split())
+_INTERJECTIONS = frozenset("oh ok okay right now and but so erm".split())
+_ASKING = frozenset("if whether unless when is are has does did 's".split())
+_WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard make need".split())
 """Verbs that take an order back and order nothing themselves: "no, forget the stairs", "no, make that five"."""
-_BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then"))
-_ASKING = frozenset("if whether unless when".split())
 _TAKING_UP = frozenset("it them that those this these one ones there".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
+_WITHIN = frozenset(("relcl", "acl", "xcomp"))
+_NAMING = frozenset(("NOUN", "PROPN", "ADJ", "NUM", "DET", "PART"))
 
 
 def repaired(document: Document) -> frozenset[int]:
-    """The tokens that a speaker puts otherwise in the same sentence, with what stands between.
+    """The tokens that are put otherwise in the same sentence, with what stands between.
 
-    Words that are said over again, a single one only behind an "um" or where it is a verb that begins a clause and a
-    mark stands between (in "if it is open, open it" and "please please" nothing is); and an order that another one
-    stands in place of, unless that speaks of what the first names.
+    Words that are said over again; phrases, clauses and orders that others stand in place of behind a "no, sorry" or
+    the like; what breaks off at an article. An order that is to be done *first* or *before* stands in place of none.
     """
-    words = [token.lower for token in document.tokens]
-    cut: set[int] = set()
-    last: dict[str, int] = {}
-    for i, word in enumerate(words):
-        first, last[word] = last.get(word), i
-        if first is not None and word not in _FILLERS and _is_said_over(document, words, first, i):
-            cut.update(range(first, i))
-    for order in replaced_orders(document):
-        if not takes_up(document, order):
-            cut.update(order)
+    said = _Said.of(document)
+    cut = {i for stretch in _said_over(said) for i in stretch}
+    for run in said.runs:
+        cut.update(_put_otherwise(said, run))
     return frozenset(cut)
 
 
 def replaced_orders(document: Document) -> Iterator[range]:
-    """The orders that another one behind a "no" stands in place of, with all that stands between; what is to be done
-    *first* or *before* stands in place of none."""
-    words = [token.lower for token in document.tokens]
-    for i, word in enumerate(words):
-        if word in _DENYING or tuple(words[max(0, i - 1) : i + 1]) in _MEANING:
-            order = _replaced(document, words, i)
-            if order:
-                yield order
+    """The orders that another one behind a "no" stands in place of, with all that stands between, though that speaks of
+    what they name: "close the window, no, leave it open"."""
+    said = _Said.of(document)
+    for run in said.runs:
+        order = _order_before(said, run)
+        if order and said.is_strong(run) and _takes_up(said, order):
+            yield order
 
 
-def takes_up(document: Document, order: range) -> bool:
-    """Whether the order in place of another speaks of what that names: "close the window, no, leave it open"."""
-    end = next((t.i for t in document.tokens[order.stop :] if t.text in _MARKS | ENDS), len(document))
-    names = any(token.pos in ("NOUN", "PROPN") for token in document.tokens[order.start : order.stop])
-    return names and any(token.lower in _TAKING_UP for token in document.tokens[order.stop : end])
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A document's words, lower-cased, with the `runs` of editing words and marks in them."""
+
+    document: Document
+    words: Sequence[str]
+    runs: Sequence[range]
+
+    @classmethod
+    def of(cls, document: Document) -> _Said:
+        words = [token.lower.replace("\u2019", "'") for token in document.tokens]
+        runs: list[range] = []
+        i = 0
+        while i < len(words):
+            stop = _run(document, words, i)
+            if stop > i:
+                runs.append(range(i, stop))
+            i = max(stop, i + 1)
+        return cls(document, words, runs)
+
+    def are_together(self, one: int, other: int) -> bool:
+        return self.document.sentences[one] == self.document.sentences[other]
+
+    def has(self, run: range, words: Collection[str]) -> bool:
+        return not set(words).isdisjoint(self.words[run.start : run.stop])
+
+    def begins_clause(self, i: int) -> bool:
+        return i == 0 or self.words[i - 1] in _CLAUSE_OPENERS or not self.are_together(i - 1, i)
+
+    def is_strong(self, run: range) -> bool:
+        """Whether a run of editing words takes something back: it has a "no", "sorry" or "I mean"."""
+        words = self.words[run.start : run.stop]
+        before = self.words[run.start - 1] if run.start else ""
+        is_denial = not _STRONG.isdisjoint(words)
+        if words[0] in _STRONG and (before in _NO_EDITS_BEFORE or before == ""):
+            is_denial = False
+        if is_denial and not _YES.isdisjoint(self.words[: run.start]) and _STRONG & set(words) <= _DENYING:
+            is_denial = False  # "yes, bring it, no, ..." answers
+        return is_denial or any(pair in _STRONG_PHRASES for pair in zip(words, words[1:], strict=False))
 
 
-def _is_said_over(document: Document, words: Sequence[str], first: int, again: int) -> bool:
-    """Whether all words from `first` to `again`, but for fillers before that, are said again there."""
-    stop = again
-    while words[stop - 1] in _FILLERS:
-        stop -= 1
-    count = stop - first
-    if count > LONGEST or document.sentences[first] != document.sentences[again]:
+def _run(document: Document, words: Sequence[str], start: int) -> int:
+    """Where the editing words and marks that begin at `start` end; a lone "or" or "just" edits nothing, and neither does
+    a well with water."""
+    i = start
+    while i < len(words):
+        phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
+        is_noun = words[i] == "well" and document.tokens[i].pos == "NOUN"
+        if phrase is None and (words[i] not in _EDITING or is_noun):
+            break
+        i += 1 if phrase is None else len(phrase)
+    is_editing = any(word not in ("or", "just") for word in words[start:i])
+    return i if is_editing else start
+
+
+def _said_over(said: _Said) -> Iterator[range]:
+    """Words that are said over again, up to the second time: nothing but fillers between, or, where they begin a
+    clause, something that is taken back. A single word is so only behind an "um", as an article, or where it is a verb
+    that begins a clause and a mark stands between (in "if it is open, open it" and "please please" nothing is)."""
+    words, last = said.words, dict[str, int]()
+    over = 0
+    for again, word in enumerate(words):
+        first, last[word] = last.get(word), again
+        if first is None or first < over or word in _FILLERS or not said.are_together(first, again):
+            continue
+        stop = again
+        while words[stop - 1] in _FILLERS:
+            stop -= 1
+        count = stop - first
+        if count <= LONGEST and words[first:stop] == words[again : again + count]:
+            is_hesitant = not _HESITATING.isdisjoint(words[stop:again])
+            is_verb = said.document.tokens[first].pos in ("VERB", "AUX") and said.begins_clause(first)
+            is_alone = word in _UNFINISHED or (stop < again and (is_verb or word in _DETERMINERS))
+            if count > 1 or is_hesitant or is_alone:
+                over = again
+                yield range(first, again)
+            continue
+        begun = _begun_over(said, first, again)
+        if begun:
+            over = again
+            yield begun
+
+
+def _begun_over(said: _Said, first: int, again: int) -> range:
+    """A clause that is begun over with the same words, where it was taken back or broken off between; empty where none
+    is. Of "put the fan on, no, wait, if it's hot put the fan on" the first four words are taken back alone."""
+    words = said.words
+    if first and words[first - 1] not in _BREAKS | _FILLERS | _INTERJECTIONS and said.are_together(first - 1, first):
+        return range(0)
+    count = 0
+    while first + count < again + count < len(words) and words[first + count] == words[again + count]:
+        count += 1
+    between = range(first + count, again)
+    inner = [run for run in said.runs if run.start >= between.start and run.stop <= between.stop]
+    end = next((i for i in range(again, len(words)) if not said.are_together(i, again)), len(words))
+    is_first = not _AHEAD.isdisjoint(words[again:end])
+    is_taken_back = [
+        not is_first and (said.is_strong(run) or (run.stop == again and said.has(run, _TURNING))) for run in inner
+    ]
+    if count > 2 and inner and inner[0].start == between.start and is_taken_back[0]:
+        return range(first, inner[0].stop)
+    if not inner or len(between) > FARTHEST:
+        return range(0)
+    is_broken = any(_is_broken_off(said, first, run.start) for run in inner)
+    seeking = inner[-1]
+    is_sought = said.has(seeking, _HESITATING) or _seeks(words[seeking.start : seeking.stop])
+    is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
+    is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
+    return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
+
+
+def _seeks(run: Sequence[str]) -> bool:
+    """Whether somebody looks for words: "what's it called"."""
+    return "what" in run or "whats" in run
+
+
+def _is_broken_off(said: _Said, first: int, stop: int) -> bool:
+    """Whether a clause stops where none ends: at an article, or the contraction of its verb ("if the baby's, ...")."""
+    if said.words[stop - 1] in _UNFINISHED:
+        return True
+    if said.words[stop - 1] not in ("'s", "'re", "'ll"):
         return False
-    is_opening = first == 0 or words[first - 1] in _CLAUSE_OPENERS
-    is_begun = is_opening and stop < again and document.tokens[first].pos in ("VERB", "AUX")
-    is_hesitant = not _HESITATING.isdisjoint(words[stop:again])
-    return (count > 1 or is_begun or is_hesitant) and words[first:stop] == words[again : again + count]
+    return not any(token.pos in ("VERB", "AUX") for token in said.document.tokens[first : stop - 1])
 
 
-def _replaced(document: Document, words: Sequence[str], denial: int) -> range:
-    """The order ahead of a "no" that the one behind it stands in place of, up to that; empty where none does."""
-    sentences = document.sentences
-    start, stop = denial, denial + 1
-    while start and words[start - 1] in _TURNING:
-        start -= 1
-    while stop < len(words) and words[stop] in _TURNING:
-        stop += 1
-    if stop == len(words) or words[start] not in _MARKS or sentences[max(0, start - 1)] != sentences[stop]:
+def _put_otherwise(said: _Said, run: range) -> range:
+    """What stands before a run of editing words and is put otherwise behind it, with the run; empty where nothing is."""
+    words, tokens = said.words, said.document.tokens
+    left, right = run.start - 1, run.stop
+    if left < 0 or right >= len(words) or not said.are_together(left, right):
         return range(0)
-    end = next((i for i in range(stop, len(words)) if sentences[i] != sentences[stop]), len(words))
-    is_other = _is_order(document, stop) and words[stop] not in _WITHDRAWING
-    if not is_other or not _AHEAD.isdisjoint(words[start:end]):
+    is_strong = said.is_strong(run)
+    is_broken = words[left] in _UNFINISHED
+    if is_broken and words[right] in _DETERMINERS:
+        return range(left, right)  # "the, um, that one"
+    if is_broken and words[right] == "not":
+        return _contrasted(said, left, right)
+    if is_broken and tokens[right].pos == "ADP" and left and tokens[left - 1].pos == "ADP":
+        return range(left - 1, right)  # "in the, in that box"
+    if is_broken or is_strong:
+        order = _order_before(said, run)
+        if order and not (is_strong and _takes_up(said, order)):
+            return order
+    if not is_strong:
         return range(0)
-    i = start - 1
-    while i and words[i - 1] not in _BREAKS and words[i] not in _ASKING:
-        i -= 1
-    while i < start and words[i] in _CLAUSE_OPENERS:
-        i += 1
-    return range(i, stop) if _is_order(document, i) and words[i] not in _ASKING else range(0)
+    if words[right] in _OPENERS:
+        same = (i for i in range(left, -1, -1) if words[i] == words[right] and said.are_together(i, right))
+        first = next(same, None)
+        return range(first, right) if first is not None and said.begins_clause(first) else range(0)
+    return _phrase_before(said, run)
+
+
+def _contrasted(said: _Said, left: int, right: int) -> range:
+    """ "Get the, *not the green one,* the red one": up to the phrase that is meant."""
+    words = said.words
+    mark = next((i for i in range(right, min(right + LONGEST, len(words))) if words[i] in _MARKS), None)
+    if mark is None or mark + 1 >= len(words) or words[mark + 1] not in _DETERMINERS:
+        return range(0)
+    return range(left, mark + 1)
+
+
+def _phrase_before(said: _Said, run: range) -> range:
+    """The phrase before a run, and the run, where one of the same kind stands behind it: with a preposition, or with an
+    article or number; "the red mug, no, the blue one" needs the noun of the first."""
+    words, tokens = said.words, said.document.tokens
+    left, right = run.start - 1, run.stop
+    is_led = tokens[right].pos == "ADP" or tokens[right].tag == "RP"
+    is_named = words[right] in _DETERMINERS or tokens[right].pos == "NUM"
+    end = next((i for i in range(right + 1, len(words)) if tokens[i].pos not in _NAMING), len(words))
+    is_clause = end < len(words) and tokens[end].pos in ("AUX", "VERB") and words[end] not in _BREAKS
+    if is_named and (is_clause or tokens[end - 1].pos not in ("NOUN", "PROPN", "NUM")):
+        return range(0)
+    if not (is_led or is_named):
+        return range(0)
+    if not said.are_together(right, end - 1) or "one" in words[right : end + 1] or "ones" in words[right : end + 1]:
+        return range(0)
+    first = left
+    while first >= 0 and said.are_together(first, left) and left - first < LONGEST:
+        token = tokens[first]
+        if is_led and (token.pos == "ADP" or token.tag == "RP"):
+            return range(first, right)
+        if is_named and (words[first] in _DETERMINERS or token.pos == "NUM"):
+            return range(first, right)
+        if token.pos not in _NAMING and token.tag != "PRP$":
+            break
+        first -= 1
+    return range(0)
+
+
+def _order_before(said: _Said, run: range) -> range:
+    """The order before a run, and the run, where another order stands behind it."""
+    words = said.words
+    left, right = run.start - 1, run.stop
+    while right < len(words) and words[right] in ("just", "please", "then"):
+        right += 1
+    if left < 0 or right >= len(words) or not said.are_together(left, right):
+        return range(0)
+    end = next((i for i in range(right, len(words)) if not said.are_together(i, right)), len(words))
+    is_other = _is_order(said.document, right) and words[right] not in _WITHDRAWING and right + 1 < end
+    is_other = is_other and words[right + 1] not in _EDITING
+    if not is_other or not _AHEAD.isdisjoint(words[right:end]) or {"and", "also"} & set(words[run.start : run.stop]):
+        return range(0)
+    for i in range(left, -1, -1):
+        if not said.are_together(i, right):
+            break
+        if _is_order(said.document, i) and said.document.tokens[i].dep not in _WITHIN:
+            return range(i, right)
+        if words[i] in _BREAKS or words[i] in _ASKING:
+            break
+    return range(0)
+
+
+def _takes_up(said: _Said, order: range) -> bool:
+    """Whether the order in place of another speaks of what that names: "close the window, no, leave it open"."""
+    end = next((i for i in range(order.stop, len(said.words)) if said.words[i] in _BREAKS), len(said.words))
+    names = any(token.pos in ("NOUN", "PROPN") for token in said.document.tokens[order.start : order.stop])
+    return names and not _TAKING_UP.isdisjoint(said.words[order.stop : end])
 
 
 def _is_order(document: Document, i: int) -> bool:
@@ -120,7 +320,7 @@ class Remainder:
     places: tuple[int, ...]
 
 
-def without(document: Document, cut: frozenset[int]) -> Remainder:
+def without(document: Document, cut: Collection[int]) -> Remainder:
     """The document's text without these tokens, of which some are left."""
     characters: list[str] = []
     places: list[int] = []
@@ -137,13 +337,26 @@ def without(document: Document, cut: frozenset[int]) -> Remainder:
 
 
 def restored(instruction: Instruction, text: str, places: Sequence[int]) -> Instruction:
-    """An instruction that was read from a remainder, with all spans as they stand in the whole text."""
+    """An instruction that was read from a remainder, with all spans as they stand in the whole text.
+
+    Of a phrase that is put otherwise behind its preposition ("in the box, no, the bag") the last saying is meant.
+    """
 
     def moved(span: Span) -> Span:
         return Span(places[span.start], places[span.end - 1] + 1)
 
     def with_place(argument: Argument) -> Argument:
-        return argument if argument.span is None else replace(argument, span=moved(argument.span))
+        span = argument.span
+        if span is None:
+            return argument
+        first = instruction.text.find(" ", span.start, span.end) + 1  # of the word behind the first one
+        is_apart = first > 0 and places[first] - places[first - 2] > 2
+        if is_apart and instruction.text[span.start : first - 1].lower() in PREPOSITIONS:
+            value = (
+                instruction.text[first : span.end] if argument.value == span.of(instruction.text) else argument.value
+            )
+            return replace(argument, value=value, span=moved(Span(first, span.end)))
+        return replace(argument, span=moved(span))
 
     tasks = [
         replace(task, span=moved(task.span), arguments=tuple(map(with_place, task.arguments)))

@@ -18,7 +18,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
     sides = list(attachments)
     for k in range(1, len(clauses)):
-        for rule in (_join, _except, _forbid, _oppose, _turn, _presuppose, _fall_back, _follow):
+        for rule in (_join, _except, _forbid, _oppose, _turn, _restrict, _presuppose, _fall_back, _follow):
             rule(clauses, roles, sides, k)
     return tuple(sides)
 
@@ -31,13 +31,18 @@ def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 
 def _except(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is forbidden "unless ..." is done where that holds, so not as it is stated; around "unless A or B" the rest
-    of the sentence is done as it is stated, till something turns it."""
+    """What is forbidden "unless ..." is done where that holds, so not as it is stated, and what is not forbidden as it is
+    stated; around "unless A or B" the rest of the sentence is done as it is stated, till something turns it."""
     clause = clauses[k]
     around = [j for j, other in enumerate(clauses) if other.sentence == clause.sentence and roles[j] == "task"]
     is_opened = "unless" in clause.near and roles[k] in CONDITION_ROLES
     if is_opened and k - 1 in around and clauses[k - 1].is_forbidden and sides[k - 1] == ">1+":
         sides[k - 1] = ">1-"
+    if is_opened and clause.wording.is_negated and "not" not in (*clause.near, *clauses[k - 1].behind):
+        for j in range(k - 1, -1, -1):
+            if j not in around or sides[j] != ">1-" or clauses[j].is_forbidden or clauses[j].wording.is_negated:
+                break
+            sides[j] = ">1+"
     if not clause.is_excepted or roles[k] not in JOINTS:
         return
     for j in around:
@@ -82,6 +87,19 @@ def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     is_behind_task = roles[k] == "condition" and roles[k - 1] == "task"
     if is_behind_task and sides[k - 1] == ">1+" and clauses[k].is_alternative:
         sides[k - 1] = ">1-"
+
+
+def _restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What restricts what an "otherwise" opens is asked there as well ("otherwise hang it up, unless it's dry")."""
+    if roles[k] != "condition" or roles[k - 1] != "task" or sides[k] not in (_HOLDS, "top"):
+        return
+    first = k
+    while first and roles[first - 1] == "task" and sides[first - 1][:2] == ">1":
+        first -= 1
+    is_own = first < k and clauses[first].sentence == clauses[k].sentence
+    leading = {*clauses[first].far, *clauses[first].near}
+    if is_own and leading & {"else", "fail"} and not CONDITION_ROLES.isdisjoint(roles[:first]):
+        sides[k] = _FAILS
 
 
 def _presuppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -130,12 +130,22 @@ def test_a_joined_check_points_to_the_one_before_it() -> None:
 def test_what_stands_before_an_unless_is_done_as_it_is_stated_but_what_is_forbidden(
     order: str, joined: bool, side: str, found: str
 ) -> None:
-    """Of an order ahead of a single "unless" the models know more."""
     more = " or [the lamp](3:object) [is](3:check_state) [off](3:state)" if joined else ""
     read = clauses(f"{order} unless [it](2:object)['s](2:check_state) [wet](2:state){more}.")
     roles = ("task", "condition", "and")[: len(read)]
-    expected = found if not joined and "Don't" not in order else side
-    assert stated_sides(read, roles, (found, "top", "<1+")[: len(read)])[0] == expected
+    assert stated_sides(read, roles, (found, "top", "<1+")[: len(read)])[0] == side
+
+
+@pytest.mark.parametrize(
+    ("opening", "side"), [("otherwise", "<1-"), ("if not,", "<1-"), ("then", "<1+"), ("and also", "<1+")]
+)
+def test_what_restricts_what_an_otherwise_opens_is_asked_there(opening: str, side: str) -> None:
+    found = clauses(
+        "If [it](1:object)['s](1:check_state) [dry](1:state), [fold](2:change_state) [it](2:object); "
+        f"{opening} [hang](3:placing) [it](3:object) up, unless [the line](4:object) [is](4:check_state) [full](4:state)."
+    )
+    roles = ("condition", "task", "task", "condition")
+    assert stated_sides(found, roles, ("top", "<1+", ">1+", "<1+"))[3] == side
 
 
 def test_what_an_unless_of_two_parts_opens_is_done_as_it_is_stated_till_something_turns_it() -> None:
