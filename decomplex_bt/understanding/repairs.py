@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import ENDS, Document
@@ -122,12 +123,12 @@ class _Said:
             is_denial = False
         if is_denial and not _YES.isdisjoint(self.words[: run.start]) and _STRONG & set(words) <= _DENYING:
             is_denial = False  # "yes, bring it, no, ..." answers
-        return is_denial or any(pair in _STRONG_PHRASES for pair in zip(words, words[1:], strict=False))
+        return is_denial or any(pair in _STRONG_PHRASES for pair in pairwise(words))
 
 
 def _run(document: Document, words: Sequence[str], start: int) -> int:
-    """Where the editing words and marks that begin at `start` end; a lone "or" or "just" edits nothing, and neither does
-    a well with water."""
+    """Where the editing words and marks that begin at `start` end; a lone "or" or "just" edits nothing, nor does a well
+    with water."""
     i = start
     while i < len(words):
         phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
@@ -210,7 +211,7 @@ def _is_broken_off(said: _Said, first: int, stop: int) -> bool:
 
 
 def _put_otherwise(said: _Said, run: range) -> range:
-    """What stands before a run of editing words and is put otherwise behind it, with the run; empty where nothing is."""
+    """What stands before a run of editing words and is put otherwise behind it, with the run; empty for nothing."""
     words, tokens = said.words, said.document.tokens
     left, right = run.start - 1, run.stop
     if left < 0 or right >= len(words) or not said.are_together(left, right):

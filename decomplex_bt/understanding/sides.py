@@ -11,6 +11,12 @@ _HOLDS, _FAILS = "<1+", "<1-"
 """In the branch of the condition before: where that holds as it is stated, and where it does not (`arcs`)."""
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
+_MOVING = frozenset(("placing", "bringing"))
+_OBSTRUCTED = frozenset(
+    "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
+    "service order".split()
+)
+"""States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
 _TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 
 
@@ -18,7 +24,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
     sides = list(attachments)
     for k in range(1, len(clauses)):
-        for rule in (_join, _except, _forbid, _oppose, _turn, _restrict, _presuppose, _fall_back, _follow):
+        for rule in (_join, _except, _forbid, _oppose, _turn, _restrict, _obstruct, _presuppose, _fall_back, _follow):
             rule(clauses, roles, sides, k)
     return tuple(sides)
 
@@ -31,8 +37,8 @@ def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 
 def _except(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is forbidden "unless ..." is done where that holds, so not as it is stated, and what is not forbidden as it is
-    stated; around "unless A or B" the rest of the sentence is done as it is stated, till something turns it."""
+    """What is forbidden "unless ..." is done where that holds, so not as it is stated, and all else as it is stated;
+    around "unless A or B" the rest of the sentence is done as it is stated, till something turns it."""
     clause = clauses[k]
     around = [j for j, other in enumerate(clauses) if other.sentence == clause.sentence and roles[j] == "task"]
     is_opened = "unless" in clause.near and roles[k] in CONDITION_ROLES
@@ -100,6 +106,21 @@ def _restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     leading = {*clauses[first].far, *clauses[first].near}
     if is_own and leading & {"else", "fail"} and not CONDITION_ROLES.isdisjoint(roles[:first]):
         sides[k] = _FAILS
+
+
+def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
+    put it on the shelf"), and that is asked where it would have been put."""
+    if k + 1 >= len(clauses) or roles[k] != "condition" or roles[k - 1] != roles[k + 1] or roles[k - 1] != "task":
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    are_moves = before.task.type in _MOVING and after.task.type in _MOVING
+    is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
+    is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
+    is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
+    is_leading = after.sentence == clause.sentence and clause.boundary != "none"
+    if are_moves and is_place and is_shut and is_same and is_leading and sides[k - 1] in ("top", _HOLDS, _FAILS):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
 def _presuppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

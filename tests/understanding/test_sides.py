@@ -142,7 +142,8 @@ def test_what_stands_before_an_unless_is_done_as_it_is_stated_but_what_is_forbid
 def test_what_restricts_what_an_otherwise_opens_is_asked_there(opening: str, side: str) -> None:
     found = clauses(
         "If [it](1:object)['s](1:check_state) [dry](1:state), [fold](2:change_state) [it](2:object); "
-        f"{opening} [hang](3:placing) [it](3:object) up, unless [the line](4:object) [is](4:check_state) [full](4:state)."
+        f"{opening} [hang](3:placing) [it](3:object) up, unless [the line](4:object) [is](4:check_state) "
+        "[full](4:state)."
     )
     roles = ("condition", "task", "task", "condition")
     assert stated_sides(found, roles, ("top", "<1+", ">1+", "<1+"))[3] == side
@@ -155,3 +156,28 @@ def test_what_an_unless_of_two_parts_opens_is_done_as_it_is_stated_till_somethin
     )
     roles = ("condition", "and", "task", "task", "task")
     assert stated_sides(read, roles, ("top", "<1+", "<1-", "<1-", "<1-")) == ("top", "<1+", "<1+", "<1+", "<1-")
+
+
+@pytest.mark.parametrize(
+    ("check", "then", "expected"),
+    [
+        ("[the box](2:object) [is](2:check_state) [full](2:state)", "[put](3:placing) [it](3:object)", (">1-", "top")),
+        (
+            "[the box](2:object) [is](2:check_state) [in use](2:state)",
+            "[put](3:placing) [it](3:object)",
+            (">1-", "top"),
+        ),
+        ("[the box](2:object) [is](2:check_state) [dirty](2:state)", "[put](3:placing) [it](3:object)", ("top", "top")),
+        ("[the hall](2:object) [is](2:check_state) [full](2:state)", "[put](3:placing) [it](3:object)", ("top", "top")),
+        (
+            "[the box](2:object) [is](2:check_state) [full](2:state)",
+            "[put](3:placing) [a lid](3:object)",
+            ("top", "top"),
+        ),
+    ],
+)
+def test_what_finds_its_place_full_is_put_elsewhere_instead(check: str, then: str, expected: tuple[str, str]) -> None:
+    found = clauses(
+        f"[Put](1:placing) [the ball](1:object) [in the box](1:goal). If {check}, {then} [on the shelf](3:goal)."
+    )
+    assert stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+"))[:2] == expected
