@@ -129,17 +129,20 @@ def _is_reported_state(document: Document, task: FoundTask, before: Sequence[Fou
 
 
 def _place(document: Document, at: int) -> int:
-    """The token that a check is told by: of "'s", where it is "has", the participle ("it's been", "it's gone cold"),
-    and where it may as well be "is" that ("it's gone"); of "has been washed" the last."""
+    """The token that a check is told by: of "has" the participle ("they've arrived"), of "has been washed" the last; of
+    "'s", where it is "has", the participle ("it's been", "it's gone cold"), and where it may as well be "is" that
+    ("it's gone")."""
     tokens = document.tokens
     passive = _passive(document, at)
     if passive is not None:
         return passive
     if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
         return at if _goes_on(document, at) else at - 1
+    participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
+    if tokens[at].lower in _HAVE - _IS_OR_HAS and participle is not None and participle.lower != "got":
+        return participle.i if participle.tag in ("VBN", "VBD") else at
     if tokens[at].lower not in _IS_OR_HAS:
         return at
-    participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
     if participle is None or participle.tag not in ("VBN", "VBD", "JJ", "NN", "VBP", "VB"):
         return at
     if participle.tag == "JJ" and participle.lower in _ADJECTIVES:

@@ -17,7 +17,7 @@ from decomplex_bt.understanding.phrases import PREPOSITIONS
 
 LONGEST = 6
 """The most words that are said over again."""
-FARTHEST = 9
+FARTHEST = 14
 """The most tokens between words and their being said over again where something is taken back between."""
 _MARKS = frozenset((",", "-", "–", "—", "...", "…"))
 _HESITATING = frozenset("um uh er erm".split())
@@ -40,7 +40,7 @@ _STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather")))
 _TURNING = frozenset(("wait", "hang", "hold"))
 """What takes something back where words are said over again."""
 _NO_EDITS_BEFORE = frozenset(
-    "is are 's s was be there got have has had with find see say says said if when or but and still by want yes a in "
+    "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and still by want yes a in "
     "answer answers".split()
 )
 """Before a "no" that no comma sets off, or a "sorry": what makes it part of what is said."""
@@ -57,6 +57,7 @@ _ASKING = frozenset("if whether unless when is are has does did 's".split())
 _WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard make need".split())
 """Verbs that take an order back and order nothing themselves: "no, forget the stairs", "no, make that five"."""
 _TAKING_UP = frozenset("it them that those this these one ones there".split())
+_SUBORDINATING = frozenset("before after once when if while until till unless as".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
 _NAMING = frozenset(("NOUN", "PROPN", "ADJ", "NUM", "DET", "PART"))
@@ -108,6 +109,10 @@ class _Said:
     def are_together(self, one: int, other: int) -> bool:
         return self.document.sentences[one] == self.document.sentences[other]
 
+    def turns(self, run: range, stop: int) -> bool:
+        """Whether a run that ends there turns the speaker round: ", wait, ...", but not "ask him to wait, ..."."""
+        return run.stop == stop and self.words[run.start] in _MARKS and self.has(run, _TURNING)
+
     def has(self, run: range, words: Collection[str]) -> bool:
         return not set(words).isdisjoint(self.words[run.start : run.stop])
 
@@ -157,7 +162,8 @@ def _said_over(said: _Said) -> Iterator[range]:
         if count <= LONGEST and words[first:stop] == words[again : again + count]:
             is_hesitant = not _HESITATING.isdisjoint(words[stop:again])
             is_verb = said.document.tokens[first].pos in ("VERB", "AUX") and said.begins_clause(first)
-            is_alone = word in _UNFINISHED or (stop < again and (is_verb or word in _DETERMINERS))
+            is_article = word in _UNFINISHED and said.document.tokens[first].pos in ("DET", "PRON")
+            is_alone = is_article or (stop < again and (is_verb or word in _DETERMINERS))
             if count > 1 or is_hesitant or is_alone:
                 over = again
                 yield range(first, again)
@@ -181,9 +187,7 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     inner = [run for run in said.runs if run.start >= between.start and run.stop <= between.stop]
     end = next((i for i in range(again, len(words)) if not said.are_together(i, again)), len(words))
     is_first = not _AHEAD.isdisjoint(words[again:end])
-    is_taken_back = [
-        not is_first and (said.is_strong(run) or (run.stop == again and said.has(run, _TURNING))) for run in inner
-    ]
+    is_taken_back = [not is_first and (said.is_strong(run) or said.turns(run, again)) for run in inner]
     if count > 2 and inner and inner[0].start == between.start and is_taken_back[0]:
         return range(first, inner[0].stop)
     if not inner or len(between) > FARTHEST:
@@ -205,7 +209,7 @@ def _is_broken_off(said: _Said, first: int, stop: int) -> bool:
     """Whether a clause stops where none ends: at an article, or the contraction of its verb ("if the baby's, ...")."""
     if said.words[stop - 1] in _UNFINISHED:
         return True
-    if said.words[stop - 1] not in ("'s", "'re", "'ll"):
+    if said.words[stop - 1] not in ("'s", "'re", "'ll") or said.words[stop] not in _MARKS:
         return False
     return not any(token.pos in ("VERB", "AUX") for token in said.document.tokens[first : stop - 1])
 
@@ -291,7 +295,8 @@ def _order_before(said: _Said, run: range) -> range:
         if not said.are_together(i, right):
             break
         if _is_order(said.document, i) and said.document.tokens[i].dep not in _WITHIN:
-            return range(i, right)
+            is_subordinate = not _SUBORDINATING.isdisjoint(words[max(0, i - 2) : i])
+            return range(0) if is_subordinate else range(i, right)
         if words[i] in _BREAKS or words[i] in _ASKING:
             break
     return range(0)
@@ -308,7 +313,9 @@ def _is_order(document: Document, i: int) -> bool:
     """Whether a token is a verb in its bare form whose subject is none but "you"; the tagger takes that of "hoover the
     stairs" for a noun."""
     token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
-    subjects = {document.tokens[j].lower for j in document.children[i] if document.tokens[j].dep in _SUBJECTS}
+    clause = next((j + 1 for j in range(i - 1, -1, -1) if document.tokens[j].text in _MARKS), 0)
+    near = (document.tokens[j] for j in document.children[i] if j >= clause)
+    subjects = {token.lower for token in near if token.dep in _SUBJECTS}
     is_verb = token.pos == "VERB" or (token.tag == "NN" and bool(following) and following[0].tag in ("DT", "PRP$"))
     return is_verb and token.lower == token.lemma and subjects <= {"you"}
 

@@ -37,6 +37,10 @@ def left(parser: Parser, text: str) -> str:
         ("get the get the get the ball and throw it", "get the ball and throw it"),
         ("Put it on the, on the shelf.", "Put it on the shelf."),
         ("Close it, then, um, then lock it.", "Close it, then lock it."),
+        ("Bring me the, the red mug.", "Bring me the red mug."),
+        ("turn on the the lamp", "turn on the lamp"),
+        ("If the tank's, actually forget the tank, if the tray's full, empty it.", "if the tray's full, empty it."),
+        ("When Tom, if he's, um, when Tom gets in, call me.", "when Tom gets in, call me."),
     ],
 )
 def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: str) -> None:
@@ -50,6 +54,12 @@ def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: s
         ("Scrape the toast, or no, actually, throw the toast away.", "throw the toast away."),
         ("Wash the cups and shout, I mean, call Anna.", "Wash the cups and call Anna."),
         ("Bring me the, no, take the blue mug.", "take the blue mug."),
+        ("Put it in the box, no, sorry, on the shelf.", "Put it on the shelf."),
+        ("look in the drawer no wait look under the bed for the cat", "look under the bed for the cat"),
+        ("Find the, what's it called, the stud finder.", "Find the stud finder."),
+        ("if the tank's full i mean if the tray's full empty it", "if the tray's full empty it"),
+        ("If it's hot, turn it down, no, turn the heater off.", "If it's hot, turn the heater off."),
+        ("Fetch the, not the green one, the red can.", "Fetch the red can."),
     ],
 )
 def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str, meant: str) -> None:
@@ -71,6 +81,13 @@ def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str,
         "Switch it off, wait, and switch it on again.",
         "Close the window, no, leave it open.",
         "See if she is in, no, he is out.",
+        "Before you lay the table, I mean, lock the hutch.",
+        "Carry the keg to the well, fill it and come back.",
+        "If there's no cup, bring a mug, and if there's no mug, bring a glass.",
+        "If she is in, say I'm sorry, and if she is out, come back.",
+        "In the event that he rings ask him to wait, in the meantime get him tea.",
+        "If the bins are full, and, uh, if the gate is open, take them out.",
+        "Is there milk? If yes, bring it to me, if no, bring it to Dad.",
     ],
 )
 def test_what_is_no_repair(parser: Parser, text: str) -> None:
@@ -83,6 +100,13 @@ def test_spans_are_those_of_the_whole_text(interpreter: Interpreter) -> None:
     assert [(task.span.of(found.text), task.span.start) for task in found.tasks] == [("'s", 18), ("heat", 30)]
     assert {a.type: a.value for a in found.tasks[1].arguments}["object"] == "the soup"
     assert found.flow.to_json() == [{"if": 1, "else": [2]}]
+
+
+def test_of_a_phrase_put_otherwise_behind_its_preposition_the_last_saying_is_meant(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Bring the lamp to the kitchen, no, the snug.")
+    assert [(a.span.of(found.text), a.value) for a in found.tasks[0].arguments if a.type == "goal" and a.span] == [
+        ("the snug", "the snug")
+    ]
 
 
 def test_a_pronoun_in_the_order_that_counts_finds_what_the_other_named(interpreter: Interpreter) -> None:
