@@ -35,7 +35,9 @@ class Clause:
     `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
     `is_otherwise`: whether "otherwise" or the like does; `is_excepted`: whether it stands under the "unless" of the
     clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?");
-    `ends_sentence`: whether no task follows in its sentence.
+    `ends_sentence`: whether no task follows in its sentence; `places`: the nouns of where it says that
+    something is, is looked for or taken from, and "there"; `says_absent`: whether it says no more than that what was
+    spoken of is not in such a place.
     """
 
     task: MarkedTask
@@ -59,6 +61,14 @@ class Clause:
     is_excepted: bool = False
     is_asked: bool = False
     ends_sentence: bool = False
+    places: frozenset[str] = frozenset()
+    says_absent: bool = False
+
+    def finds_out(self, after: Clause) -> bool:
+        """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
+        from the shed, and if they're not in the shed, ..."."""
+        is_place = "there" in after.places or not after.places.isdisjoint(self.places)
+        return after.says_absent and is_place and bool(self.places) and self.task.type in _FINDING
 
     @property
     def is_check(self) -> bool:
@@ -125,6 +135,7 @@ class Clause:
 
 
 _IFS = frozenset(("if", "unless", "only_if"))
+_FINDING = frozenset(("searching", "bringing", "taking"))
 _ECHOING = frozenset("is are am was were does do did has have had can will would".split())
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
@@ -236,6 +247,14 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         asks_where=_asks_where(document, tasks[k], behind),
         asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
         is_forbidden=is_forbidden(document, token),
+        places=frozenset(
+            document.tokens[j].lemma
+            for kind, indices in tasks[k].arguments
+            if kind in ("source", "location")
+            for j in indices
+            if document.tokens[j].pos in ("NOUN", "PROPN") or document.tokens[j].lower == "there"
+        ),
+        says_absent="unless" not in near and _says_absent(observed, tasks[k], min(first, token), own_last),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
         or "whether" in behind
@@ -287,6 +306,12 @@ def _number(document: Document, indices: range) -> str:
     if head.lemma in PERSON_NOUNS or head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
         return ""
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
+
+
+def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
+    said = {kind: [observed.document.tokens[j].lower for j in indices] for kind, indices in task.arguments}
+    is_of_it = task.type == "check_state" and _REFERRING.issuperset(said.get("object", ("",))) and "state" not in said
+    return is_of_it and bool(_negations(observed, task, first, last))
 
 
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]

@@ -104,15 +104,32 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
     return tuple(best.values())[:MAX_FLOWS]
 
 
+def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """What finds out what clause `k` tells of: the one before it, or the one before that where what is between is done
+    with what was found ("get it from the box and hang it up. If it isn't in the box, ...") or is done in that case
+    ("look in the box, and tell me if it isn't there")."""
+    if clauses[k - 1].finds_out(clauses[k]):
+        return k - 1
+    if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
+        return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
+    return None
+
+
 def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
-    """The roles, with three facts of English made certain: "if it is not there either" speaks of the search before it,
-    which is thereby a condition, however the model reads it; a check whose words are of another matter than all
-    conditions before it is no mention of one, but a condition of its own; and two checks under one "if" or "unless" are
-    one condition of two parts."""
+    """The roles, with four facts of English made certain: "if it is not there" speaks of the search or the fetching
+    before it, right ahead or with what is done with the thing between, which is thereby a condition however the model
+    reads it, and so does "... either"; a check whose words are of another matter than all conditions before it is no
+    mention of one, but a condition of its own; and two checks under one "if" or "unless" are one condition of two
+    parts."""
     mended = list(roles)
     for k in range(1, len(clauses)):
         if mended[k - 1] in CONDITION_ROLES:
             mended[k] = clauses[k].joining_role(clauses[k - 1]) or mended[k]
+    for k in range(1, len(clauses)):
+        found_out = _found_out(clauses, mended, k) if mended[k] in CONDITION_ROLES else None
+        if found_out is not None:
+            mended[k] = "mention"
+            mended[found_out] = "condition" if mended[found_out] == "task" else mended[found_out]
     for k in range(2, len(clauses)):
         clause = clauses[k]
         says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated

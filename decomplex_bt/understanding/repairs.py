@@ -17,7 +17,7 @@ from decomplex_bt.understanding.phrases import PREPOSITIONS
 
 LONGEST = 6
 """The most words that are said over again."""
-FARTHEST = 14
+FARTHEST = 16
 """The most tokens between words and their being said over again where something is taken back between."""
 _MARKS = frozenset((",", "-", "–", "—", "...", "…"))
 _HESITATING = frozenset("um uh er erm".split())
@@ -28,20 +28,20 @@ _EDITING = _MARKS | _HESITATING | _DENYING | frozenset("ah hmm oh well sorry wai
 _PHRASES = tuple(
     tuple(phrase.split())
     for phrase in (
-        "i mean", "i meant", "or rather", "hang on", "hold on", "what 's it called", "what s it called",
-        "whats it called", "what is it called", "what are they called", "what do you call it", "what do you call them",
-        "what do you call that", "what 's his name", "what 's her name", "whatsit", "wotsit", "thingy", "thingummy",
-        "thingamajig", "whatchamacallit",
+        "i mean", "i meant", "or rather", "hang on", "hold on", "i beg your pardon", "what am i saying",
+        "what 's it called", "what s it called", "whats it called", "what is it called", "what are they called",
+        "what do you call it", "what do you call them", "what do you call that", "what 's his name",
+        "what 's her name", "whatsit", "wotsit", "thingy", "thingummy", "thingamajig", "whatchamacallit",
     )
 )  # fmt: skip
 """What is said while looking for words, beside single words."""
 _STRONG = _DENYING | {"sorry"}
-_STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather")))
+_STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather"), ("your", "pardon"), ("am", "i")))
 _TURNING = frozenset(("wait", "hang", "hold"))
 """What takes something back where words are said over again."""
 _NO_EDITS_BEFORE = frozenset(
-    "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and still by want yes a in "
-    "answer answers".split()
+    "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and "
+    "still by want yes a in answer answers".split()
 )
 """Before a "no" that no comma sets off, or a "sorry": what makes it part of what is said."""
 _YES = frozenset(("yes", "yeah", "yep", "so"))
@@ -178,7 +178,8 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     """A clause that is begun over with the same words, where it was taken back or broken off between; empty where none
     is. Of "put the fan on, no, wait, if it's hot put the fan on" the first four words are taken back alone."""
     words = said.words
-    if first and words[first - 1] not in _BREAKS | _FILLERS | _INTERJECTIONS and said.are_together(first - 1, first):
+    opening = _BREAKS | _FILLERS | _INTERJECTIONS | {"you"}
+    if first and words[first - 1] not in opening and said.are_together(first - 1, first):
         return range(0)
     count = 0
     while first + count < again + count < len(words) and words[first + count] == words[again + count]:
@@ -187,17 +188,38 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     inner = [run for run in said.runs if run.start >= between.start and run.stop <= between.stop]
     end = next((i for i in range(again, len(words)) if not said.are_together(i, again)), len(words))
     is_first = not _AHEAD.isdisjoint(words[again:end])
-    is_taken_back = [not is_first and (said.is_strong(run) or said.turns(run, again)) for run in inner]
+    is_taken_back = [
+        not is_first and ((said.is_strong(run) and again - run.stop <= LONGEST) or said.turns(run, again))
+        for run in inner
+    ]
     if count > 2 and inner and inner[0].start == between.start and is_taken_back[0]:
         return range(first, inner[0].stop)
     if not inner or len(between) > FARTHEST:
         return range(0)
+    if count and _is_order_again(said, first, again) and not is_first:
+        is_turned = any(said.has(run, _TURNING) and words[run.start - 1] != "to" for run in inner)
+        if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
+            return range(first, again)
     is_broken = any(_is_broken_off(said, first, run.start) for run in inner)
     seeking = inner[-1]
     is_sought = said.has(seeking, _HESITATING) or _seeks(words[seeking.start : seeking.stop])
     is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
     is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
     return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
+
+
+def _is_order_again(said: _Said, first: int, again: int) -> bool:
+    """Whether the same verb orders something twice, and the second order is not added to the first."""
+    if said.words[again - 1] in ("and", "then", "or", "but", "to", "not", "n't"):
+        return False
+    end = next((i for i in range(again, len(said.words)) if said.words[i] in _BREAKS), len(said.words))
+    is_added = not {"too", "also", "well", "another"}.isdisjoint(said.words[again:end])
+    return not is_added and _is_order(said.document, first) and _is_order(said.document, again)
+
+
+def _is_contradicted(words: Sequence[str]) -> bool:
+    """Whether words are denied right behind them: "the baby not the baby"."""
+    return any(word == "not" and words[i - 2 : i] == words[i + 1 : i + 3] for i, word in enumerate(words) if i > 1)
 
 
 def _seeks(run: Sequence[str]) -> bool:

@@ -24,7 +24,19 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
     sides = list(attachments)
     for k in range(1, len(clauses)):
-        for rule in (_join, _except, _forbid, _oppose, _turn, _restrict, _obstruct, _presuppose, _fall_back, _follow):
+        for rule in (
+            _join,
+            _depend,
+            _except,
+            _forbid,
+            _oppose,
+            _turn,
+            _restrict,
+            _obstruct,
+            _presuppose,
+            _fall_back,
+            _follow,
+        ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
 
@@ -34,6 +46,15 @@ def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     makes the side on which it is asked."""
     if roles[k] in JOINTS and clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES:
         sides[k] = _HOLDS
+
+
+def _depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with a thing depends on its being found, where that is then said to fail ("get it from the box and
+    hang it up. If it isn't there, ...")."""
+    is_finding = k > 1 and (roles[k - 2], roles[k - 1], roles[k]) == ("condition", "task", "mention")
+    if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none":
+        is_of_it = clauses[k - 2].finds_out(clauses[k]) and clauses[k - 1].has_pronoun
+        sides[k - 1] = _HOLDS if is_of_it else sides[k - 1]
 
 
 def _except(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -82,10 +103,16 @@ def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "otherwise" opens right behind a condition is done where that does not hold ("if it's raining, fine,
-    otherwise ...")."""
+    otherwise ..."), and behind a mention that affirms the condition of a task on the other side than that task ("bring
+    it if it is, otherwise ..."), which is how such a mention is stated (`arcs.flip_of`)."""
     is_plain = roles[k - 1] == "condition" and not clauses[k - 1].wording.is_negated
     if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == _HOLDS:
         sides[k] = _FAILS
+    is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    if is_echo and first is not None and not clauses[first].wording.is_negated and clauses[k].is_otherwise:
+        is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
+        sides[k] = _HOLDS if is_of_it else sides[k]
 
 
 def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -210,3 +210,24 @@ def test_an_echo_affirms_and_says_no_more(words: str, is_echo: bool) -> None:
         f"[home](2:location). If {words}, [tell](4:informing) me."
     )
     assert clauses(markup)[2].wording.is_echo == is_echo
+
+
+@pytest.mark.parametrize(
+    ("check", "finds_out"),
+    [
+        ("[they](3:object)['re](3:check_state) not [there](3:location)", True),
+        ("[they](3:object)['re](3:check_state) not [in the shed](3:location)", True),
+        ("[they](3:object)['re](3:check_state) [there](3:location)", False),
+        ("[they](3:object)['re](3:check_state) not [in the hall](3:location)", False),
+        ("[Tom](3:object)['s](3:check_state) not [there](3:location)", False),
+        ("[they](3:object)['re](3:check_state) not [clean](3:state)", False),
+    ],
+)
+def test_that_something_is_not_there_tells_what_the_search_found_out(check: str, finds_out: bool) -> None:
+    found = clauses(
+        "[Get](1:taking) [the tongs](1:object) [from the shed](1:source) and [hang](2:placing) [them](2:object) up. "
+        f"If {check}, [call](4:informing) me."
+    )
+    assert found[0].finds_out(found[2]) == finds_out
+    roles = chained_roles(found, ["task", "task", "condition", "task"])
+    assert roles == (("condition", "task", "mention", "task") if finds_out else ("task", "task", "condition", "task"))

@@ -120,10 +120,21 @@ def test_a_verb_that_says_where_it_puts_a_thing_places_it(words: str, kind: str)
         ("if/IN it/PRP 's/VBZ locked/VBN", 2, 2),
         ("if/IN it/PRP is/VBZ gone/VBN cold/JJ", 2, 2),
         ("if/IN it/PRP 's/VBZ", 2, 2),
+        ("if/IN they/PRP 've/VBP flowered/VBN", 2, 3),
+        ("if/IN they/PRP have/VBP not/RB yet/RB eaten/VBN", 2, 5),
+        ("if/IN they/PRP have/VBP two/CD", 2, 2),
+        ("if/IN it/PRP has/VBZ been/VBN washed/VBN", 3, 4),
+        ("if/IN it/PRP has/VBZ been/VBN washed/VBN", 2, 4),
+        ("if/IN he/PRP has/VBZ been/VBN ill/JJ", 3, 3),
     ],
 )
 def test_a_perfect_is_told_by_its_participle(words: str, at: int, told_by: int) -> None:
     assert found(words, (at, "check_state")) == [(told_by, "check_state")]
+
+
+def test_what_has_been_done_is_one_check() -> None:
+    words = "if/IN it/PRP has/VBZ been/VBN put/VBN away/RB"
+    assert found(words, (3, "check_state"), (4, "placing")) == [(4, "check_state")]
 
 
 def test_a_place_that_another_task_has_is_left_to_it() -> None:

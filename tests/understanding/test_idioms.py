@@ -153,3 +153,9 @@ def told(parser: Parser, text: str) -> dict[str, str]:
     read = parser.parse(text)
     be = next(token.i for token in read.tokens if token.lower == "be")
     return {name: read.span(t.start, t.stop - 1).of(text) for name, t in predicated(read, be).items()}
+
+
+def test_to_let_go_of_something_is_to_place_it(parser: Parser) -> None:
+    assert found(parser, "Thanks, you can let go of the ladder now.") == [("let", "placing")]
+    assert found(parser, "Let it go on charging.") == []
+    assert found(parser, "She wants to let go of the rope.") == []

@@ -181,3 +181,23 @@ def test_what_finds_its_place_full_is_put_elsewhere_instead(check: str, then: st
         f"[Put](1:placing) [the ball](1:object) [in the box](1:goal). If {check}, {then} [on the shelf](3:goal)."
     )
     assert stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+"))[:2] == expected
+
+
+def test_what_is_done_with_a_thing_depends_on_its_being_found() -> None:
+    found = clauses(
+        "[Get](1:taking) [the tongs](1:object) [from the shed](1:source) and [hang](2:placing) [them](2:object) up. "
+        "If [they](3:object)['re](3:check_state) not [there](3:location), [call](4:informing) me."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert stated_sides(found, roles, ("top", "top", "<1", "<1+"))[1] == "<1+"
+
+
+@pytest.mark.parametrize("attachment", ["<1+", "<1-"])
+def test_an_otherwise_behind_an_echo_opens_the_other_side(attachment: str) -> None:
+    """The echo means the other side once the one it affirms has a task (`arcs.flip_of`)."""
+    found = clauses(
+        "[See](1:check_state) if [it](1:object) is [dry](1:state), [fold](2:change_state) [it](2:object) if "
+        "[it](3:object) [is](3:check_state), otherwise [hang](4:placing) [it](4:object) up."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1", attachment))[3] == "<1+"
