@@ -72,6 +72,9 @@ class _Pursuer(Handling):
 
     def _check_presence(self) -> Pursuit:
         found = self._found(lambda name: self._was_seen(name) and self._is_there(name))
+        if found is None and self.task.places and not any(self._is_open(place) for place in self.wheres):
+            # A floor is looked over by what was in view a moment ago; who was seen there then is there as well.
+            found = self._found(self._is_there)
         if found is not None:
             return self._done(found)
         if self.task.places:

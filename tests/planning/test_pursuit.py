@@ -12,6 +12,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import ROBOT, Belief
 from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.percept import Percept
 from decomplex_bt.planning.pursuit import Pursuit, PursuitStatus, pursue
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
@@ -335,3 +336,20 @@ def test_all_stay_all_when_one_of_them_is_not_so() -> None:
     checked, washed = run(text, inside)
     assert (checked.truth, washed.status) == (False, DONE)
     assert {inside.values[f"cup_{i}", "cleanliness"] for i in (1, 2)} == {"clean"}
+
+
+@pytest.mark.parametrize("is_remembered", [True, False])
+def test_who_was_in_a_room_a_moment_ago_is_there_once_it_was_looked_over(is_remembered: bool) -> None:
+    """A floor counts as looked over by what was in view a moment ago, and so does who was seen there."""
+    marked = "[Is](1:check_state) [Anna](1:object) [in the living room](1:location)"
+    task = ground(read_markup(marked, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0]
+    belief = Belief(DOMAIN)
+    floor = frozenset((DOMAIN.house.floor_of("living_room"),))
+    belief.update(Percept(room="living_room", places={"anna": "living_room"}))
+    remembered = {"anna": "living_room"} if is_remembered else {}
+    for seconds in (1.0, 2.0, 3.0):
+        belief.update(
+            Percept("living_room", places=remembered, unseen=frozenset(remembered), inspected=floor, seconds=seconds)
+        )
+    found = pursue(task, belief, {}, since=2)
+    assert (found.status, found.truth) == (DONE, is_remembered)
