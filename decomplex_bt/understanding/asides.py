@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 
 _TAGS = frozenset("is has have does do did can will would".split())
@@ -23,6 +23,8 @@ _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
 _GOING = frozenset("cross go walk pass take use follow climb drive cut skirt circle squeeze".split())
+LONGEST_CASES = 7
+"""The most words in which both of two cases are told."""
 _CLAUSE_ENDS = MARKS | {"and", "or", "but", "so"}
 
 
@@ -74,10 +76,13 @@ def musing(document: Document, at: int) -> range | None:
 
 def concession(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
-    is on"); or None. "Even if it is" takes a condition up."""
+    is on", "dirty or not, ..."); or None. "Even if it is" takes a condition up."""
     tokens, sentences = document.tokens, document.sentences
     if tokens[at].lower in _CLAUSE_ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
         return None
+    either = _either(document, at)
+    if either is not None:
+        return either
     start = stop = at
     while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in MARKS:
         start -= 1
@@ -87,6 +92,26 @@ def concession(document: Document, at: int) -> range | None:
         stop += 1
     is_conceded = any(_says(document, start, phrase) for phrase in _CONCEDING)
     return range(start, stop) if is_conceded and tokens[stop - 1].pos != "AUX" else None
+
+
+def _either(document: Document, at: int) -> range | None:
+    """The few words from a mark to the comma behind them that tell both of two cases: "dirty or not, ...", "full or
+    empty, ..."; or None."""
+    words = [token.lower for token in document.tokens]
+    stop = next((i for i in range(at, min(at + LONGEST_CASES, len(words))) if words[i] in MARKS), len(words))
+    start = at
+    while start and words[start - 1] not in MARKS and document.sentences[start - 1] == document.sentences[at]:
+        start -= 1
+    if stop >= len(words) or words[stop] != "," or stop - start > LONGEST_CASES or stop - start < 3:
+        return None
+    *_, one, joint, other = words[start:stop]
+    if any(
+        token.pos == "AUX" or token.tag in ("VB", "VBP", "VBZ", "MD", "IN")
+        for token in document.tokens[start : stop - 2]
+    ):
+        return None  # "tell me if it's full or not, ..."
+    are_opposites = stop - start == 3 and (OPPOSITES.get(one) == other or OPPOSITES.get(other) == one)
+    return range(start, stop) if joint == "or" and (other == "not" or are_opposites) else None
 
 
 def _says(document: Document, start: int, phrase: tuple[str, ...]) -> bool:
@@ -159,6 +184,6 @@ _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
     musing: frozenset(("let",)),
     reason: _REASONS,
-    concession: frozenset(phrase[0] for phrase in _CONCEDING),
+    concession: frozenset(phrase[0] for phrase in _CONCEDING) | {"or"},
 }
 """For each kind of aside words of which it has one."""

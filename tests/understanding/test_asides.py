@@ -39,6 +39,8 @@ def words(parser: Parser, text: str) -> str:
         ("Whether or not it is done, turn it off.", "Whether or not it is done"),
         ("Bring her the coat even if it's sunny.", "even if it 's sunny"),
         ("Lock the door regardless of whether Tom is in.", "regardless of whether Tom is in"),
+        ("If the mug is dirty, wash it. Dirty or not, put it away.", "Dirty or not"),
+        ("Fill it. Full or empty, put it away.", "Full or empty"),
     ],
 )
 def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
@@ -56,6 +58,9 @@ def test_what_is_an_aside(parser: Parser, text: str, aside: str) -> None:
         "Ask him unless it is on, and even if it is.",
         "Because it's late check that the kids are asleep.",
         "Bring him his cane, he's in the garden.",
+        "Tell me if it's full or not, then close the lid.",
+        "Is the lamp on or not? Turn it off.",
+        "Bring the red or blue, I don't mind.",
     ],
 )
 def test_what_is_none(parser: Parser, text: str) -> None:
