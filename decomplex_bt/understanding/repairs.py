@@ -35,6 +35,7 @@ _PHRASES = tuple(
     )
 )  # fmt: skip
 """What is said while looking for words, beside single words."""
+_BEGINNINGS = frozenset(phrase[0] for phrase in _PHRASES)
 _STRONG = _DENYING | {"sorry"}
 _STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather"), ("your", "pardon"), ("am", "i")))
 _TURNING = frozenset(("wait", "hang", "hold"))
@@ -136,7 +137,9 @@ def _run(document: Document, words: Sequence[str], start: int) -> int:
     with water."""
     i = start
     while i < len(words):
-        phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
+        phrase = None
+        if words[i] in _BEGINNINGS:
+            phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
         is_noun = words[i] == "well" and document.tokens[i].pos == "NOUN"
         if phrase is None and (words[i] not in _EDITING or is_noun):
             break
