@@ -37,7 +37,7 @@ class Clause:
     clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?");
     `ends_sentence`: whether no task follows in its sentence; `places`: the nouns of where it says that
     something is, is looked for or taken from, and "there"; `says_absent`: whether it says no more than that what was
-    spoken of is not in such a place.
+    spoken of is not in such a place; `is_of_somebody`: whether its object is "he", "she" or "they".
     """
 
     task: MarkedTask
@@ -63,6 +63,23 @@ class Clause:
     ends_sentence: bool = False
     places: frozenset[str] = frozenset()
     says_absent: bool = False
+    is_of_somebody: bool = False
+
+    def is_absence_of(self, before: Clause) -> bool:
+        """Whether it says no more than that whoever the task before should give or tell something to is not there:
+        "take it to Anna, and if she's out, ..."."""
+        if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
+            return False
+        kinds = {kind for kind, _ in before.task.arguments}
+        is_gone = self.wording.state in _GONE and not self.wording.is_negated
+        is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
+        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and (is_gone or is_away)
+
+    @property
+    def is_of_whereabouts(self) -> bool:
+        """Whether it asks where somebody or something is."""
+        is_located = any(kind == "location" for kind, _ in self.task.arguments)
+        return self.task.type == "check_state" and (is_located or self.wording.state in _PRESENT)
 
     def finds_out(self, after: Clause) -> bool:
         """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
@@ -135,6 +152,10 @@ class Clause:
 
 
 _IFS = frozenset(("if", "unless", "only_if"))
+_HANDING = frozenset(("bringing", "informing"))
+_PERSONS = frozenset(("he", "she", "they"))
+_GONE = frozenset(("out", "away", "gone"))
+_AROUND = frozenset("in home there here around about back".split())
 _FINDING = frozenset(("searching", "bringing", "taking"))
 _ECHOING = frozenset("is are am was were does do did has have had can will would".split())
 _INNER = frozenset(("still", "not", "can", "there", "also"))
@@ -252,8 +273,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             for kind, indices in tasks[k].arguments
             if kind in ("source", "location")
             for j in indices
-            if document.tokens[j].pos in ("NOUN", "PROPN") or document.tokens[j].lower == "there"
+            if document.tokens[j].pos in ("NOUN", "PROPN") or document.tokens[j].lower in _AROUND
         ),
+        is_of_somebody=_is_of_somebody(document, tasks[k]),
         says_absent="unless" not in near and _says_absent(observed, tasks[k], min(first, token), own_last),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
@@ -308,6 +330,11 @@ def _number(document: Document, indices: range) -> str:
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
 
 
+def _is_of_somebody(document: Document, task: MarkedTask) -> bool:
+    objects = [indices for kind, indices in task.arguments if kind == "object"]
+    return any(len(indices) == 1 and document.tokens[indices[0]].lower in _PERSONS for indices in objects)
+
+
 def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
     said = {kind: [observed.document.tokens[j].lower for j in indices] for kind, indices in task.arguments}
     is_of_it = task.type == "check_state" and _REFERRING.issuperset(said.get("object", ("",))) and "state" not in said
@@ -335,7 +362,7 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
-        bool(lemmas & _CONTRARY) or state in _CONTRARY,
+        bool(lemmas & _CONTRARY) or state in _CONTRARY or (state == "out" and _is_of_somebody(observed.document, task)),
         _is_echo(observed.document, task, last),
     )
 

@@ -105,10 +105,15 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
 
 
 def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
-    """What finds out what clause `k` tells of: the one before it, or the one before that where what is between is done
+    """What finds out what clause `k` tells of: the one before it, be it that who should get something is not there
+    ("take it to Anna, and if she's out, ..."), or the one before that where what is between is done
     with what was found ("get it from the box and hang it up. If it isn't in the box, ...") or is done in that case
     ("look in the box, and tell me if it isn't there")."""
-    if clauses[k - 1].finds_out(clauses[k]):
+    before = clauses[k - 1]
+    whom = before.nouns - set(before.objects)
+    checks = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES and clauses[j].is_of_whereabouts]
+    is_asked_before = any(not whom or not whom.isdisjoint(check.objects) for check in checks)
+    if before.finds_out(clauses[k]) or (clauses[k].is_absence_of(before) and not is_asked_before):
         return k - 1
     if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
         return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None

@@ -231,3 +231,32 @@ def test_that_something_is_not_there_tells_what_the_search_found_out(check: str,
     assert found[0].finds_out(found[2]) == finds_out
     roles = chained_roles(found, ["task", "task", "condition", "task"])
     assert roles == (("condition", "task", "mention", "task") if finds_out else ("task", "task", "condition", "task"))
+
+
+@pytest.mark.parametrize(
+    ("check", "is_absence"),
+    [
+        ("[she](2:object)['s](2:check_state) [out](2:state)", True),
+        ("[she](2:object) [is](2:check_state)n't [home](2:location)", True),
+        ("[she](2:object) [is](2:check_state) not [in](2:state)", True),
+        ("[she](2:object)['s](2:check_state) [home](2:location)", False),
+        ("[she](2:object)['s](2:check_state) [asleep](2:state)", False),
+        ("[Tom](2:object)['s](2:check_state) [out](2:state)", False),
+    ],
+)
+def test_that_somebody_is_out_tells_what_came_of_an_errand_to_them(check: str, is_absence: bool) -> None:
+    found = clauses(
+        f"[Take](1:bringing) [the soup](1:object) [to Ann](1:recipient). If {check}, [leave](3:placing) [it](3:object)."
+    )
+    assert found[1].is_absence_of(found[0]) == is_absence
+    roles = chained_roles(found, ["task", "condition", "task"])
+    assert roles == (("condition", "mention", "task") if is_absence else ("task", "condition", "task"))
+
+
+def test_whether_somebody_is_in_is_asked_once() -> None:
+    found = clauses(
+        "If [Ann](1:object) [is](1:check_state) [home](1:location), [take](2:bringing) [her](2:recipient) [the soup]"
+        "(2:object). If [she](3:object)['s](3:check_state) [out](3:state), [leave](4:placing) [it](4:object)."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert chained_roles(found, roles) == roles
