@@ -71,9 +71,12 @@ class Clause:
         if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
             return False
         kinds = {kind for kind, _ in before.task.arguments}
+        is_all = (
+            max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
+        )  # not "in by six"
         is_gone = self.wording.state in _GONE and not self.wording.is_negated
         is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
-        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and (is_gone or is_away)
+        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
 
     @property
     def is_of_whereabouts(self) -> bool:
@@ -282,7 +285,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         or "whether" in behind
         or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
         is_otherwise=any(
-            cue.name == "else" and document.tokens[cue.first].lower in _OTHERWISE
+            cue.name == "else"
+            and document.tokens[cue.first].lower in _OTHERWISE
+            and not _is_adverb(document, cue.first)
             for cue in cues
             if previous < cue.first < token
         ),
@@ -330,6 +335,13 @@ def _number(document: Document, indices: range) -> str:
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
 
 
+def _is_adverb(document: Document, otherwise: int) -> bool:
+    """Whether an "otherwise" opens nothing: "or otherwise damaged", "if he says otherwise"."""
+    before, after = document.tokens[otherwise - 1 : otherwise], document.tokens[otherwise + 1 : otherwise + 2]
+    is_of_adjective = bool(after) and after[0].tag in ("VBN", "JJ")
+    return is_of_adjective or (bool(before) and before[0].pos == "VERB")
+
+
 def _is_of_somebody(document: Document, task: MarkedTask) -> bool:
     objects = [indices for kind, indices in task.arguments if kind == "object"]
     return any(len(indices) == 1 and document.tokens[indices[0]].lower in _PERSONS for indices in objects)
@@ -337,7 +349,13 @@ def _is_of_somebody(document: Document, task: MarkedTask) -> bool:
 
 def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
     said = {kind: [observed.document.tokens[j].lower for j in indices] for kind, indices in task.arguments}
-    is_of_it = task.type == "check_state" and _REFERRING.issuperset(said.get("object", ("",))) and "state" not in said
+    is_being = observed.document.tokens[task.token].lower in _IS or observed.document.tokens[task.token].lemma in _BEING
+    is_of_it = (
+        task.type == "check_state"
+        and is_being
+        and _REFERRING.issuperset(said.get("object", ("",)))
+        and "state" not in said
+    )
     return is_of_it and bool(_negations(observed, task, first, last))
 
 

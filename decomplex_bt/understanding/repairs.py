@@ -45,7 +45,14 @@ _NO_EDITS_BEFORE = frozenset(
     "still by want yes a in answer answers".split()
 )
 """Before a "no" that no comma sets off, or a "sorry": what makes it part of what is said."""
-_YES = frozenset(("yes", "yeah", "yep", "so"))
+_ON_TOP = frozenset("too also well another again back".split())
+_PLACEHOLDERS = frozenset("whatsit wotsit thingy thingummy thingamajig whatchamacallit".split())
+_AFTER_NO = frozenset(
+    "one more longer matter doubt wonder thank thanks problem worries need rush hurry luck use idea way chance".split()
+)
+_AFTER_SORRY = frozenset("about for if that to but i it he she they".split())
+_TELLING = frozenset("tell tells told say says said answer answers".split())
+_YES = frozenset(("yes", "yeah", "yep"))
 _UNFINISHED = frozenset("the a an my your our their".split())
 """Words after which nothing ends."""
 _DETERMINERS = _UNFINISHED | frozenset("his her its this that these those some any".split())
@@ -121,15 +128,29 @@ class _Said:
         return i == 0 or self.words[i - 1] in _CLAUSE_OPENERS or not self.are_together(i - 1, i)
 
     def is_strong(self, run: range) -> bool:
-        """Whether a run of editing words takes something back: it has a "no", "sorry" or "I mean"."""
+        """Whether a run of editing words takes something back: it has a "no", "sorry" or "I mean" that says nothing
+        else ("no milk", "tell him no", "sorry for the trouble")."""
         words = self.words[run.start : run.stop]
-        before = self.words[run.start - 1] if run.start else ""
-        is_denial = not _STRONG.isdisjoint(words)
-        if words[0] in _STRONG and (before in _NO_EDITS_BEFORE or before == ""):
-            is_denial = False
-        if is_denial and not _YES.isdisjoint(self.words[: run.start]) and _STRONG & set(words) <= _DENYING:
-            is_denial = False  # "yes, bring it, no, ..." answers
-        return is_denial or any(pair in _STRONG_PHRASES for pair in pairwise(words))
+        if any(pair in _STRONG_PHRASES for pair in pairwise(words)):
+            return True
+        after = self.document.tokens[run.stop] if run.stop < len(self.words) else None
+        said = {word for word in words if word in _STRONG}
+        if after is not None and words[-1] in _DENYING and after.pos in ("NOUN", "PROPN", "ADJ", "PRON"):
+            said -= _DENYING  # "no milk"
+        if after is not None and after.pos == "NUM" and words[-1] in _DENYING:
+            is_number = run.start > 0 and self.document.tokens[run.start - 1].pos != "NUM"
+            said -= _DENYING if is_number else set()  # "room no 7"
+        if after is not None and words[-1] == "sorry" and after.lower in _AFTER_SORRY:
+            said.discard("sorry")
+        if after is not None and after.lower in _AFTER_NO:
+            said -= _DENYING
+        before = self.words[max(0, run.start - 2) : run.start]
+        is_part = not before or before[-1] in _NO_EDITS_BEFORE or not _TELLING.isdisjoint(before)
+        if words[0] in _STRONG and is_part:
+            return False
+        if not _YES.isdisjoint(self.words[: run.start]) and said <= _DENYING:
+            return False  # "yes, bring it, no, ..." answers
+        return bool(said)
 
 
 def _run(document: Document, words: Sequence[str], start: int) -> int:
@@ -166,8 +187,12 @@ def _said_over(said: _Said) -> Iterator[range]:
             is_hesitant = not _HESITATING.isdisjoint(words[stop:again])
             is_verb = said.document.tokens[first].pos in ("VERB", "AUX") and said.begins_clause(first)
             is_article = word in _UNFINISHED and said.document.tokens[first].pos in ("DET", "PRON")
-            is_alone = is_article or (stop < again and (is_verb or word in _DETERMINERS))
-            if count > 1 or is_hesitant or is_alone:
+            is_alone = is_article or (stop < again and is_verb)
+            is_named = said.document.tokens[first].pos in ("NOUN", "PROPN") and not said.begins_clause(first)
+            is_named = is_named and stop == again and first != over  # "from room to room to see"
+            if not _MARKS.isdisjoint(words[first:stop]) or words[again + count : again + count + 1] == ["again"]:
+                continue  # "turn left, go on, turn left, go on", "turn left, turn left again"
+            if (count > 1 and not is_named) or is_hesitant or is_alone:
                 over = again
                 yield range(first, again)
             continue
@@ -190,7 +215,7 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     between = range(first + count, again)
     inner = [run for run in said.runs if run.start >= between.start and run.stop <= between.stop]
     end = next((i for i in range(again, len(words)) if not said.are_together(i, again)), len(words))
-    is_first = not _AHEAD.isdisjoint(words[again:end])
+    is_first = not _AHEAD.isdisjoint(words[again:end]) or _is_added(words, again)
     is_taken_back = [
         not is_first and ((said.is_strong(run) and again - run.stop <= LONGEST) or said.turns(run, again))
         for run in inner
@@ -200,12 +225,13 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     if not inner or len(between) > FARTHEST:
         return range(0)
     if count and _is_order_again(said, first, again) and not is_first:
-        is_turned = any(said.has(run, _TURNING) and words[run.start - 1] != "to" for run in inner)
+        is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
         if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
             return range(first, again)
     is_broken = any(_is_broken_off(said, first, run.start) for run in inner)
     seeking = inner[-1]
-    is_sought = said.has(seeking, _HESITATING) or _seeks(words[seeking.start : seeking.stop])
+    is_stuck = said.document.tokens[seeking.start - 1].pos in ("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ")
+    is_sought = (said.has(seeking, _HESITATING) and is_stuck) or _seeks(words[seeking.start : seeking.stop])
     is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
     is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
     return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
@@ -215,9 +241,23 @@ def _is_order_again(said: _Said, first: int, again: int) -> bool:
     """Whether the same verb orders something twice, and the second order is not added to the first."""
     if said.words[again - 1] in ("and", "then", "or", "but", "to", "not", "n't"):
         return False
-    end = next((i for i in range(again, len(said.words)) if said.words[i] in _BREAKS), len(said.words))
-    is_added = not {"too", "also", "well", "another"}.isdisjoint(said.words[again:end])
-    return not is_added and _is_order(said.document, first) and _is_order(said.document, again)
+    return _is_order(said.document, first) and _is_order(said.document, again)
+
+
+def _is_added(words: Sequence[str], start: int) -> bool:
+    """Whether the clause that begins there is said to come on top of what was said: "could you also ...", "... too"."""
+    end = next((i for i in range(start, len(words)) if words[i] in _BREAKS), len(words))
+    return not _ON_TOP.isdisjoint(words[start:end])
+
+
+def _is_exclaimed(said: _Said, run: range) -> bool:
+    """Whether a "wait" is said to oneself: not "wait for Anna", "wait thirty seconds", "ask him to wait"."""
+    after = said.document.tokens[run.stop] if run.stop < len(said.words) else None
+    is_order = (
+        after is not None and said.words[run.stop - 1] in _TURNING and after.pos in ("ADP", "NUM", "DET", "SCONJ")
+    )
+    is_place = after is not None and after.lower in ("there", "here", "outside", "inside", "until", "till")
+    return not is_order and not is_place and said.words[run.start - 1] != "to"
 
 
 def _is_contradicted(words: Sequence[str]) -> bool:
@@ -246,9 +286,11 @@ def _put_otherwise(said: _Said, run: range) -> range:
     if left < 0 or right >= len(words) or not said.are_together(left, right):
         return range(0)
     is_strong = said.is_strong(run)
-    is_broken = words[left] in _UNFINISHED
+    is_broken = words[left] in _UNFINISHED and tokens[left].tag in ("DT", "PRP$") and tokens[left].text != "A"
     if is_broken and words[right] in _DETERMINERS:
         return range(left, right)  # "the, um, that one"
+    if said.has(run, _PLACEHOLDERS):
+        return range(0)  # "put the thingy on the table"
     if is_broken and words[right] == "not":
         return _contrasted(said, left, right)
     if is_broken and tokens[right].pos == "ADP" and left and tokens[left - 1].pos == "ADP":
@@ -262,7 +304,9 @@ def _put_otherwise(said: _Said, run: range) -> range:
     if words[right] in _OPENERS:
         same = (i for i in range(left, -1, -1) if words[i] == words[right] and said.are_together(i, right))
         first = next(same, None)
-        return range(first, right) if first is not None and said.begins_clause(first) else range(0)
+        is_added = not {"also", "too"}.isdisjoint(words[right : right + 4])
+        is_again = first is not None and said.begins_clause(first) and not is_added
+        return range(first, right) if first is not None and is_again else range(0)
     return _phrase_before(said, run)
 
 

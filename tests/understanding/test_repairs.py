@@ -128,3 +128,25 @@ def test_something_is_left_of_everything_and_stands_where_it_did(words: list[str
 
 
 _PARSER = Parser()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn the router off, wait thirty seconds, turn it back on.",
+        "Go to the front door, wait for Anna, go with her to the car.",
+        "If you can find my glasses bring them up, no problem if you can't.",
+        "If it's hot, bring me juice, no ice, if it's cold, bring me tea.",
+        "Put the red box on the shelf, um, put the blue box on the floor.",
+        "Put the toys in the box, sorry about the mess, and vacuum the carpet.",
+        "Could you put the kettle on, sorry, could you also let the dog out?",
+        "If the salesman rings again, tell him no, close the door.",
+        "Go to room A, then fetch the box.",
+        "Go from room to room to see if the windows are shut.",
+        "Turn left, turn left again, and go in.",
+        "Take the key from the locker no 7.",
+        "Put the spoons in the thingy by the stove.",
+    ],
+)
+def test_words_that_also_mend_are_often_meant(parser: Parser, text: str) -> None:
+    assert left(parser, text) == text
