@@ -37,7 +37,8 @@ class Clause:
     clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?");
     `ends_sentence`: whether no task follows in its sentence; `places`: the nouns of where it says that
     something is, is looked for or taken from, and "there"; `says_absent`: whether it says no more than that what was
-    spoken of is not in such a place; `is_of_somebody`: whether its object is "he", "she" or "they".
+    spoken of is not in such a place; `is_of_somebody`: whether its object is "he", "she" or "they";
+    `is_of_person`: "he" or "she".
     """
 
     task: MarkedTask
@@ -64,6 +65,7 @@ class Clause:
     places: frozenset[str] = frozenset()
     says_absent: bool = False
     is_of_somebody: bool = False
+    is_of_person: bool = False
 
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:
@@ -88,7 +90,8 @@ class Clause:
         """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
         from the shed, and if they're not in the shed, ..."."""
         is_place = "there" in after.places or not after.places.isdisjoint(self.places)
-        return after.says_absent and is_place and bool(self.places) and self.task.type in _FINDING
+        is_thing = self.task.type == "searching" or not after.is_of_person
+        return after.says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
 
     @property
     def is_check(self) -> bool:
@@ -278,7 +281,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             for j in indices
             if document.tokens[j].pos in ("NOUN", "PROPN") or document.tokens[j].lower in _AROUND
         ),
-        is_of_somebody=_is_of_somebody(document, tasks[k]),
+        is_of_somebody=_is_of_somebody(document, tasks[k], _PERSONS),
+        is_of_person=_is_of_somebody(document, tasks[k], _PERSONS - {"they"}),
         says_absent="unless" not in near and _says_absent(observed, tasks[k], min(first, token), own_last),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
@@ -342,9 +346,9 @@ def _is_adverb(document: Document, otherwise: int) -> bool:
     return is_of_adjective or (bool(before) and before[0].pos == "VERB")
 
 
-def _is_of_somebody(document: Document, task: MarkedTask) -> bool:
+def _is_of_somebody(document: Document, task: MarkedTask, persons: frozenset[str]) -> bool:
     objects = [indices for kind, indices in task.arguments if kind == "object"]
-    return any(len(indices) == 1 and document.tokens[indices[0]].lower in _PERSONS for indices in objects)
+    return any(len(indices) == 1 and document.tokens[indices[0]].lower in persons for indices in objects)
 
 
 def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
@@ -372,7 +376,8 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         *(label for name in near for label in _SUBORDINATE.get(name, ())),
         *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
     ]
-    lemmas = {observed.document.tokens[j].lemma for j in range(first, last + 1)}
+    tokens = observed.document.tokens
+    lemmas = {tokens[j].lemma for j in range(first, last + 1) if tokens[j - 1].lower not in ("right", "straight")}
     return Wording(
         is_denied != ("unless" in near),
         state,
@@ -380,7 +385,9 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
-        bool(lemmas & _CONTRARY) or state in _CONTRARY or (state == "out" and _is_of_somebody(observed.document, task)),
+        bool(lemmas & _CONTRARY)
+        or state in _CONTRARY
+        or (state == "out" and _is_of_somebody(observed.document, task, _PERSONS)),
         _is_echo(observed.document, task, last),
     )
 

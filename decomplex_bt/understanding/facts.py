@@ -139,6 +139,8 @@ def _place(document: Document, at: int) -> int:
     if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
         return at if _goes_on(document, at) else at - 1
     participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
+    if participle is not None and participle.dep == "amod":
+        return at  # "has frozen peas"
     if tokens[at].lower in _HAVE - _IS_OR_HAS and participle is not None and participle.lower != "got":
         return participle.i if participle.tag in ("VBN", "VBD") else at
     if tokens[at].lower not in _IS_OR_HAS:

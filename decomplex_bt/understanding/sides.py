@@ -12,6 +12,7 @@ _HOLDS, _FAILS = "<1+", "<1-"
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
 _MOVING = frozenset(("placing", "bringing"))
+_FILLED = frozenset("full packed crammed overflowing".split())
 _OBSTRUCTED = frozenset(
     "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
     "service order".split()
@@ -145,8 +146,17 @@ def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
     is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
+    is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED  # "if the bin is full, take it out"
     is_leading = after.sentence == clause.sentence and clause.boundary != "none"
-    if are_moves and is_place and is_shut and is_same and is_leading and sides[k - 1] in ("top", _HOLDS, _FAILS):
+    if (
+        are_moves
+        and not is_carried
+        and is_place
+        and is_shut
+        and is_same
+        and is_leading
+        and sides[k - 1] in ("top", _HOLDS, _FAILS)
+    ):
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
