@@ -228,7 +228,7 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
         is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
         if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
             return range(first, again)
-    is_broken = any(_is_broken_off(said, first, run.start) for run in inner)
+    is_broken = any(_is_broken_off(said, first, run) for run in inner)
     seeking = inner[-1]
     is_stuck = said.document.tokens[seeking.start - 1].pos in ("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ")
     is_sought = (said.has(seeking, _HESITATING) and is_stuck) or _seeks(words[seeking.start : seeking.stop])
@@ -270,13 +270,15 @@ def _seeks(run: Sequence[str]) -> bool:
     return "what" in run or "whats" in run
 
 
-def _is_broken_off(said: _Said, first: int, stop: int) -> bool:
-    """Whether a clause stops where none ends: at an article, or the contraction of its verb ("if the baby's, ...")."""
-    if said.words[stop - 1] in _UNFINISHED:
-        return True
-    if said.words[stop - 1] not in ("'s", "'re", "'ll") or said.words[stop] not in _MARKS:
+def _is_broken_off(said: _Said, first: int, run: range) -> bool:
+    """Whether a clause stops where none ends: at an article without its noun behind the run, or at the contraction of
+    its verb ("if the baby's, ...")."""
+    tokens, last = said.document.tokens, said.words[run.start - 1]
+    if last in _UNFINISHED:
+        return tokens[run.stop].pos not in ("NOUN", "PROPN", "ADJ")
+    if last not in ("'s", "'re", "'ll") or said.words[run.start] not in _MARKS:
         return False
-    return not any(token.pos in ("VERB", "AUX") for token in said.document.tokens[first : stop - 1])
+    return not any(token.pos in ("VERB", "AUX") for token in tokens[first : run.start - 1])
 
 
 def _put_otherwise(said: _Said, run: range) -> range:
@@ -297,7 +299,8 @@ def _put_otherwise(said: _Said, run: range) -> range:
         return range(left - 1, right)  # "in the, in that box"
     if is_broken or is_strong:
         order = _order_before(said, run)
-        if order and not (is_strong and _takes_up(said, order)):
+        is_noun = not is_strong and not _has_object(said, order.stop)  # "the, um, plug"
+        if order and not is_noun and not (is_strong and _takes_up(said, order)):
             return order
     if not is_strong:
         return range(0)
@@ -369,6 +372,11 @@ def _order_before(said: _Said, run: range) -> range:
         if words[i] in _BREAKS or words[i] in _ASKING:
             break
     return range(0)
+
+
+def _has_object(said: _Said, verb: int) -> bool:
+    """Whether an object that cannot be part of a compound follows a verb: "rinse the cups", "tell her"."""
+    return any(token.tag in ("DT", "PRP", "PRP$") for token in said.document.tokens[verb + 1 : verb + 2])
 
 
 def _takes_up(said: _Said, order: range) -> bool:

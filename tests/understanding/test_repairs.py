@@ -146,6 +146,7 @@ _PARSER = Parser()
         "Turn left, turn left again, and go in.",
         "Take the key from the locker no 7.",
         "Put the spoons in the thingy by the stove.",
+        "Get the, um, plug out of the basin.",
     ],
 )
 def test_words_that_also_mend_are_often_meant(parser: Parser, text: str) -> None:
