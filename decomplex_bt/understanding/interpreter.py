@@ -23,7 +23,8 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
-from decomplex_bt.understanding.repairs import repaired, restored, without
+from decomplex_bt.understanding.remainder import restored, without
+from decomplex_bt.understanding.repairs import repaired
 from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
@@ -116,13 +117,14 @@ class Interpreter:
         return self._parser.tokens(text)
 
     def _understand(self, document: Document) -> Instruction:
-        left, places = document, tuple(range(len(document.text)))
+        left = document
+        places: Sequence[int] = range(len(document.text))
         for _ in range(MOST_REPAIRS):
             cut = repaired(left)
             if not cut:
                 break
             rest = without(left, cut)
-            left, places = self._parser.parse(rest.text), tuple(places[place] for place in rest.places)
+            left, places = self._parser.parse(rest.text), [places[place] for place in rest.places]
         found = self._read(left)
         return found if left is document else restored(found, document.text, places)
 
