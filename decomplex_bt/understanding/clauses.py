@@ -73,9 +73,8 @@ class Clause:
         if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
             return False
         kinds = {kind for kind, _ in before.task.arguments}
-        is_all = (
-            max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
-        )  # not "in by six"
+        # not "in by six"
+        is_all = max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
         is_gone = self.wording.state in _GONE and not self.wording.is_negated
         is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
         return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
@@ -377,7 +376,9 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
     ]
     tokens = observed.document.tokens
-    lemmas = {tokens[j].lemma for j in range(first, last + 1) if tokens[j - 1].lower not in ("right", "straight")}
+    lemmas = {
+        tokens[j].lemma for j in range(first, last + 1) if not j or tokens[j - 1].lower not in ("right", "straight")
+    }  # "right away" is no "away"
     return Wording(
         is_denied != ("unless" in near),
         state,
