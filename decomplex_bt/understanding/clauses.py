@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arcs import Wording
-from decomplex_bt.understanding.asides import tag_question
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, are_apart
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, are_apart
+from decomplex_bt.understanding.denials import WILLING, negations
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.phrases import PERSON_NOUNS, head_of
@@ -27,18 +27,21 @@ class MarkedTask:
 class Clause:
     """What surrounds one task, in token indices.
 
-    `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there to
-    the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the clause.
-    `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas); `has_pronoun`: whether an argument
-    is a pronoun; `number`: whether its object is "one" thing or "many", "" where the words leave it open; `asks_where`:
-    whether it asks for nothing but where something is; `asks_whether_any`: whether it asks if there is something;
-    `is_forbidden`: whether it says not to do something ("don't open it"); `is_alternative`: whether "or if" opens it;
-    `is_otherwise`: whether "otherwise" or the like does; `is_excepted`: whether it stands under the "unless" of the
-    clause before it; `is_asked`: whether it orders to check ("see if it is on") or asks ("is it on?");
-    `ends_sentence`: whether no task follows in its sentence; `places`: the nouns of where it says that
-    something is, is looked for or taken from, and "there"; `says_absent`: whether it says no more than that what was
-    spoken of is not in such a place; `is_of_somebody`: whether its object is "he", "she" or "they";
-    `is_of_person`: "he" or "she".
+    `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there
+    to the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the
+    clause. `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas), `receivers`: of those
+    who get or are told something; `has_pronoun`: whether an argument is a pronoun; `number`: whether its object is
+    "one" thing or "many", "" where the words leave it open; `asks_where`: whether it asks for nothing but where
+    something is; `asks_whether_any`: whether it asks if there is something; `is_forbidden`: whether it says not to do
+    something ("don't open it"); `is_alternative`: whether "or if" opens it; `is_otherwise`: whether "otherwise" or
+    the like does; `is_excepted`: whether it stands under the "unless" of the clause before it; `is_asked`: whether it
+    orders to check ("see if it is on") or asks ("is it on?"); `ends_sentence`: whether no task follows in its
+    sentence; `places`: the nouns of where it says that something is, is looked for or taken from, and "there";
+    `says_absent`: whether it says no more than that what was spoken of is not in such a place, `says_named_absent`:
+    that something is not that has a name; `says_undone`: whether it says no more than that what was spoken of does
+    not do what it was made to ("if it won't open", "if they don't start"); `is_of_somebody`: whether its object is
+    "he", "she" or "they"; `is_of_person`: "he" or "she"; `covers`: "+" or "-" where it says that all that is ordered
+    before hangs on it ("all this only if ...", "none of it if ..."), "" where it does not.
     """
 
     task: MarkedTask
@@ -52,6 +55,7 @@ class Clause:
     wording: Wording
     objects: tuple[str, ...]
     nouns: frozenset[str]
+    receivers: frozenset[str]
     has_pronoun: bool
     number: str = ""
     asks_where: bool = False
@@ -64,8 +68,11 @@ class Clause:
     ends_sentence: bool = False
     places: frozenset[str] = frozenset()
     says_absent: bool = False
+    says_named_absent: bool = False
+    says_undone: bool = False
     is_of_somebody: bool = False
     is_of_person: bool = False
+    covers: str = ""
 
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:
@@ -76,8 +83,19 @@ class Clause:
         # not "in by six"
         is_all = max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
         is_gone = self.wording.state in _GONE and not self.wording.is_negated
+        is_trailing = self.boundary == "none" and self.ends_sentence  # "bring the dog in if he's still out"
         is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
-        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
+        return (
+            bool(kinds & {"recipient", "goal"})
+            and "unless" not in self.near
+            and is_all
+            and not is_trailing
+            and (is_gone or is_away)
+        )
+
+    def is_failure_of(self, before: Clause) -> bool:
+        """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..."."""
+        return before.task.type == "change_state" and self.says_undone and "unless" not in self.near
 
     @property
     def is_of_whereabouts(self) -> bool:
@@ -87,10 +105,12 @@ class Clause:
 
     def finds_out(self, after: Clause) -> bool:
         """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
-        from the shed, and if they're not in the shed, ..."."""
+        from the shed, and if they're not in the shed, ...", "..., and if the tongs aren't there, ..."."""
         is_place = "there" in after.places or not after.places.isdisjoint(self.places)
         is_thing = self.task.type == "searching" or not after.is_of_person
-        return after.says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
+        is_named = bool(after.objects) and set(after.objects) <= set(self.objects)
+        says_absent = after.says_absent or (after.says_named_absent and is_named)
+        return says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
 
     @property
     def is_check(self) -> bool:
@@ -163,6 +183,19 @@ _GONE = frozenset(("out", "away", "gone"))
 _AROUND = frozenset("in home there here around about back".split())
 _FINDING = frozenset(("searching", "bringing", "taking"))
 _ECHOING = frozenset("is are am was were does do did has have had can will would".split())
+_COVERING = frozenset(("if", "only_if", "unless", "when"))
+_IT = ("this", "that", "it")
+_ALL_OF_IT = frozenset(
+    (*(f"all {it}" for it in _IT), *(f"all of {it}" for it in _IT), *(f"{it} all" for it in _IT), "all of them")
+)
+_NONE_OF_IT = frozenset(
+    (
+        *(f"none of {it}" for it in _IT), *(f"skip all {it}" for it in _IT), *(f"skip all of {it}" for it in _IT),
+        *(f"there 's no need for any of {it}" for it in _IT), *(f"do n't do any of {it}" for it in _IT),
+        *(f"do n't bother with any of {it}" for it in _IT), "the whole thing 's off", "it 's all off", "it is all off",
+    )
+)  # fmt: skip
+_STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
@@ -170,7 +203,6 @@ _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
 _OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 _COORDINATORS = frozenset(("and", "but", "or"))
-_DENYING = frozenset("no not n't n\u2019t".split())
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
 _JOINING = frozenset(("and", "or", "of", "&"))
 _PRESENT = frozenset(
@@ -243,6 +275,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
     # "it is hot and the fan is not on": what stands behind the "and" is of the next task
     joints = [j for j in range(token + 1, following) if document.tokens[j].lower in _COORDINATORS] if is_open else []
     own_last = max(token, min([last, *joints[-1:]]))
+    kinds = [kind for kind, _ in tasks[k].arguments]
     return Clause(
         task=tasks[k],
         first=min(first, token),
@@ -253,19 +286,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         sentence=document.sentences[token],
         boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
         wording=_wording(observed, tasks[k], min(first, token), own_last, (far, near, own), is_joined),
-        objects=tuple(
-            document.tokens[j].lemma
-            for kind, indices in tasks[k].arguments
-            if kind == "object"
-            for j in indices
-            if document.tokens[j].pos in ("NOUN", "PROPN")
-        ),
-        nouns=frozenset(
-            document.tokens[j].lemma
-            for _, indices in tasks[k].arguments
-            for j in indices
-            if document.tokens[j].pos in ("NOUN", "PROPN")
-        ),
+        objects=tuple(_nouns(document, tasks[k], ("object",))),
+        nouns=frozenset(_nouns(document, tasks[k], kinds)),
+        receivers=frozenset(_nouns(document, tasks[k], ("recipient", "goal"))),
         has_pronoun=any(
             document.tokens[indices[-1]].lower in _REFERRING for _, indices in tasks[k].arguments if len(indices)
         ),
@@ -282,7 +305,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ),
         is_of_somebody=_is_of_somebody(document, tasks[k], _PERSONS),
         is_of_person=_is_of_somebody(document, tasks[k], _PERSONS - {"they"}),
+        covers=_covers(document, [cue for cue in cues if previous < cue.first < token and cue.name in _COVERING]),
+        says_undone=_says_undone(observed, tasks[k], previous, own_last, near),
         says_absent="unless" not in near and _says_absent(observed, tasks[k], min(first, token), own_last),
+        says_named_absent="unless" not in near
+        and _says_absent(observed, tasks[k], min(first, token), own_last, is_named=True),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
         or "whether" in behind
@@ -300,6 +327,12 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             if cue.first < token
         ),
     )
+
+
+def _nouns(document: Document, task: MarkedTask, kinds: Collection[str]) -> list[str]:
+    """The nouns, as lemmas, of a task's arguments of some kinds."""
+    indices = [j for kind, indices in task.arguments if kind in kinds for j in indices]
+    return [document.tokens[j].lemma for j in indices if document.tokens[j].pos in ("NOUN", "PROPN")]
 
 
 def _is_sought(document: Document, indices: range) -> bool:
@@ -350,16 +383,47 @@ def _is_of_somebody(document: Document, task: MarkedTask, persons: frozenset[str
     return any(len(indices) == 1 and document.tokens[indices[0]].lower in persons for indices in objects)
 
 
-def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
+def _covers(document: Document, openings: Sequence[Cue]) -> str:
+    """Whether words like "all this" stand before the word that opens a condition, at the beginning of a clause."""
+    if len(openings) != 1:
+        return ""
+    stop = openings[0].first
+    words = [token.lower for token in document.tokens[max(0, stop - 6) : stop]]
+    words = words[next((i + 1 for i in range(len(words) - 1, -1, -1) if words[i] in _STARTING), 0) :]
+    said = " ".join(words)
+    if said in _ALL_OF_IT:
+        return "-" if openings[0].name == "unless" else "+"
+    return "-" if said in _NONE_OF_IT and openings[0].name != "unless" else ""
+
+
+def _is_being_of(document: Document, task: MarkedTask, persons: frozenset[str]) -> bool:
+    return document.tokens[task.token].lemma in {"be", *_BEING} and _is_of_somebody(document, task, persons)
+
+
+def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int, *, is_named: bool = False) -> bool:
     said = {kind: [observed.document.tokens[j].lower for j in indices] for kind, indices in task.arguments}
     is_being = observed.document.tokens[task.token].lower in _IS or observed.document.tokens[task.token].lemma in _BEING
-    is_of_it = (
-        task.type == "check_state"
-        and is_being
-        and _REFERRING.issuperset(said.get("object", ("",)))
-        and "state" not in said
-    )
-    return is_of_it and bool(_negations(observed, task, first, last))
+    thing = said.get("object", [""])
+    is_of_it = thing[0] in _DEFINITE if is_named else _REFERRING.issuperset(thing)
+    is_check = task.type == "check_state" and is_being and "state" not in said
+    return is_check and is_of_it and bool(negations(observed, task.token, first, last))
+
+
+def _says_undone(observed: Observed, task: MarkedTask, previous: int, last: int, near: Sequence[str]) -> bool:
+    tokens = observed.document.tokens
+    things = [indices for kind, indices in task.arguments if kind in ("object", "goal", "source", "location")]
+    if len(things) > 1 or not all(tokens[j].lower in _THINGS for indices in things for j in indices):
+        return False
+    first = next((j for j in range(task.token - 1, previous, -1) if tokens[j].text in _PUNCTUATION), previous) + 1
+    states = [tokens[j].lower for kind, indices in task.arguments if kind == "state" for j in indices]
+    words = [token.lower for token in tokens[first : task.token]]
+    # "it doesn't" is a cue for a failure in itself
+    is_denied = "fail" in near or bool(negations(observed, task.token, first, last))
+    if "still" in words or not is_denied or not _PARTICLES.issuperset(states):
+        return False
+    if not WILLING.isdisjoint(words):
+        return tokens[task.token].lemma not in _FITTING
+    return not _DOING.isdisjoint(words) and tokens[task.token].lemma in _HAPPENING
 
 
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
@@ -368,7 +432,7 @@ _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
     far, near, behind = cues
     # "there isn't no milk", "not there neither" deny once
-    is_denied = bool(_negations(observed, task, first, last))
+    is_denied = bool(negations(observed, task.token, first, last))
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
@@ -388,7 +452,7 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
-        or (state == "out" and _is_of_somebody(observed.document, task, _PERSONS)),
+        or (state == "out" and _is_being_of(observed.document, task, _PERSONS)),
         _is_echo(observed.document, task, last),
     )
 
@@ -403,50 +467,6 @@ def _is_echo(document: Document, task: MarkedTask, last: int) -> bool:
         document.tokens[j].lower in _REFERRING or document.tokens[j].text in _PUNCTUATION
         for j in range(task.token + 1, last + 1)
     )
-
-
-def _negations(observed: Observed, task: MarkedTask, first: int, last: int) -> list[int]:
-    """The tokens that deny what a task's clause says: of its verb, its subject or what it says of it, and not of a part
-    of these ("a mug that isn't dirty", "with no sound", "hot but not too hot")."""
-    document = observed.document
-    if last + 2 < len(document) and tag_question(document, last + 2) is not None:
-        return []  # "the light isn't on, is it?" asks whether it is
-    found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
-    found = [i for i in found if not _is_polite(document, i) and _is_of(document, i, task.token, last)]
-    if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
-        found = [i for i in found if document.tokens[i].lower != "nor"]
-    # "if there is no answer" is a cue for a failure, but its verb may be a task as well
-    wholes = [cue for cue in observed.cues if cue.name in PRO_FORMS and cue.first <= task.token <= cue.last]
-    said = [i for cue in wholes for i in range(cue.first, cue.last + 1)]
-    if any(document.tokens[i].lower == "there" for i in said):
-        found += [i for i in said if document.tokens[i].lower in _DENYING and i not in found]
-    return found
-
-
-def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
-    """Whether a negation is of the task's own clause: not of a verb behind it ("if it is on and nobody is there"), nor
-    of a part of what it says. By the words around it, for where marks are lacking the parse is often wrong."""
-    if negation <= task:
-        return True
-    tokens = document.tokens
-    before = tokens[negation - 1]
-    if before.lower in _COORDINATORS or (before.pos == "ADP" and tokens[negation].lower == "no"):
-        return False
-    if before.lower in ("do", "does") and negation > task + 1 and last <= negation:
-        return False
-    relatives = [j for j in range(task + 1, negation) if tokens[j].tag in ("WDT", "WP")]
-    return not (relatives or before.lower == "that") or not any(
-        tokens[i].dep in ("relcl", "acl") for i in (negation, *document.ancestors(negation))
-    )
-
-
-def _is_polite(document: Document, negation: int) -> bool:
-    """Whether a negation asks somebody to do something: "why don't you see if ...", "wouldn't you look"."""
-    tokens = document.tokens
-    after = tokens[negation + 1] if negation + 1 < len(tokens) else None
-    if after is None or after.lower != "you" or negation == 0:
-        return False
-    return tokens[negation - 1].lower in _WILLING or (negation > 1 and tokens[negation - 2].lower == "why")
 
 
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
@@ -464,7 +484,13 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     return None
 
 
-_WILLING = frozenset(("would", "will", "wo"))
+_DOING = frozenset(("do", "does", "did"))
+_THINGS = frozenset("it they them that this those these one".split())
+_PARTICLES = frozenset("on off up down out in".split())
+_FITTING = frozenset(("fit", "stop", "find"))
+_HAPPENING = frozenset(
+    "open close shut start light flush pair work go come turn switch move budge lock unlock respond connect".split()
+)
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 
 

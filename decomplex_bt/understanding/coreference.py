@@ -94,6 +94,8 @@ class ReferenceModel:
     def _best(self, context: Context, gap: Gap, hints: Hints | None) -> tuple[Option, float]:
         """The likeliest filling; options with the same words share their probability."""
         options = options_of(context, gap)
+        if gap.is_certain and len(options) > 1:
+            options = options[:-1]
         scores = self.scores(options)
         if hints is not None:
             scores = [score + added for score, added in zip(scores, hints(gap, options), strict=True)]

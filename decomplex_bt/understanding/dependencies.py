@@ -106,14 +106,23 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
 
 def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
     """What finds out what clause `k` tells of: the one before it, be it that who should get something is not there
-    ("take it to Anna, and if she's out, ..."), or the one before that where what is between is done
-    with what was found ("get it from the box and hang it up. If it isn't in the box, ...") or is done in that case
-    ("look in the box, and tell me if it isn't there")."""
-    before = clauses[k - 1]
-    whom = before.nouns - set(before.objects)
-    checks = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES and clauses[j].is_of_whereabouts]
-    is_asked_before = any(not whom or not whom.isdisjoint(check.objects) for check in checks)
-    if before.finds_out(clauses[k]) or (clauses[k].is_absence_of(before) and not is_asked_before):
+    ("take it to Anna, and if she's out, ...") or that what was to be changed does not do so ("unlock it. If it won't
+    open, ..."), or the one before that where what is between is done with what was found ("get it from the box and
+    hang it up. If it isn't in the box, ...") or is done in that case ("look in the box, and tell me if it isn't
+    there")."""
+    before, clause = clauses[k - 1 : k + 1]
+    earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
+    is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
+    if (before.finds_out(clause) and is_own) or clause.is_failure_of(before):
+        return k - 1
+    # it is a mention of that where it was asked before where somebody is
+    checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
+    checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
+    is_asked = any(
+        not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks
+    )
+    if clause.is_absence_of(before) and not is_asked:
         return k - 1
     if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
         return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
@@ -33,6 +34,8 @@ _DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
+_BEING = frozenset(("be", "look", "seem", "feel"))
+_OPENING = frozenset(("if", "when", "unless", "and", "but", "case"))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
 
@@ -41,7 +44,7 @@ class Gap:
     """Something to be resolved: an argument's words, or an argument that was not said (`tokens` empty at the task).
 
     `word`: the head of the words, "" where unsaid; `form`: how the words are built, which tells how to spell what fills
-    them; `preposition`: the word before them.
+    them; `preposition`: the word before them; `is_certain`: whether something is left out for certain.
     """
 
     task: Task
@@ -52,6 +55,7 @@ class Gap:
     preposition: str = ""
     tokens: range = range(0)
     is_required: bool = False
+    is_certain: bool = False
 
 
 def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
@@ -141,9 +145,20 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
         if group[0] == "goal" and observed.gazetteer.particle(document, position) in ("away", "up"):
             continue  # "put the cups away", "hang up the washing"
         if group[0] in ("object", "goal") and not said & set(group):
-            yield Gap(task, group[0], position, "", is_required=group[0] == "object")
+            is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
+            yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
         yield Gap(task, PREDICATE, position, "")
+
+
+def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
+    """Whether a check says how something is without saying what: "if is still wet", "if it is dry but isn't folded"."""
+    tokens = observed.document.tokens
+    if task.type != "check_state" or tokens[verb].lemma not in _BEING or verb == 0:
+        return False
+    spans = [argument.span for argument in task.arguments if argument.span is not None]
+    words = {tokens[i].lower for span in spans for i in observed.document.indices(span)}
+    return tokens[verb - 1].lower in _OPENING and bool(words) and WEATHER.isdisjoint(words)
 
 
 def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:

@@ -58,6 +58,8 @@ _OPENERS = frozenset("if when unless whether once after before while is are has 
 _BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
 _CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
+_STATING = frozenset("he she it they we i that".split())
+_FINITE = frozenset("'s s is are 're re 'm m has have 've ve was were had will 'll wo ca can does do did".split())
 _INTERJECTIONS = frozenset("oh ok okay right now and but so erm".split())
 _ASKING = frozenset("if whether unless when is are has does did 's".split())
 _WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard make need".split())
@@ -79,6 +81,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut = {i for stretch in _said_over(said) for i in stretch}
     for run in said.runs:
         cut.update(_put_otherwise(said, run))
+        cut.update(_dropped(said, run))
     return frozenset(cut)
 
 
@@ -122,6 +125,10 @@ class _Said:
     def has(self, run: range, words: Collection[str]) -> bool:
         return not set(words).isdisjoint(self.words[run.start : run.stop])
 
+    def states(self, i: int) -> bool:
+        """Whether a statement about somebody or something named before begins there: "he's out", "it has gone"."""
+        return self.words[i] in _STATING and self.words[i + 1 : i + 2] != [] and self.words[i + 1] in _FINITE
+
     def begins_clause(self, i: int) -> bool:
         return i == 0 or self.words[i - 1] in _CLAUSE_OPENERS or not self.are_together(i - 1, i)
 
@@ -133,7 +140,8 @@ class _Said:
             return True
         after = self.document.tokens[run.stop] if run.stop < len(self.words) else None
         said = {word for word in words if word in _STRONG}
-        if after is not None and words[-1] in _DENYING and after.pos in ("NOUN", "PROPN", "ADJ", "PRON"):
+        is_named = after is not None and after.pos in ("NOUN", "PROPN", "ADJ", "PRON")
+        if is_named and words[-1] in _DENYING and not self.states(run.stop):
             said -= _DENYING  # "no milk"
         if after is not None and after.pos == "NUM" and words[-1] in _DENYING:
             is_number = run.start > 0 and self.document.tokens[run.start - 1].pos != "NUM"
@@ -231,8 +239,16 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     is_stuck = said.document.tokens[seeking.start - 1].pos in ("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ")
     is_sought = (said.has(seeking, _HESITATING) and is_stuck) or _seeks(words[seeking.start : seeking.stop])
     is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
-    is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
+    is_meant = said.has(seeking, _HESITATING) and _is_meant(said, again + count)
+    is_over = is_broken or (count > 1 and (any(is_taken_back) or ((is_sought or is_meant) and is_adjacent)))
     return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
+
+
+def _is_meant(said: _Said, start: int) -> bool:
+    """Whether an "I mean" behind the words from there on says that they are right: "if she's up, um, if she's dressed I
+    mean, ..."."""
+    behind = (run for run in said.runs if start <= run.start <= start + LONGEST)
+    return any("mean" in said.words[run.start : run.stop] for run in behind)
 
 
 def _is_order_again(said: _Said, first: int, again: int) -> bool:
@@ -302,6 +318,8 @@ def _put_otherwise(said: _Said, run: range) -> range:
             return order
     if not is_strong:
         return range(0)
+    if words[right] == "not":
+        return _denied(said, run)
     if words[right] in _OPENERS:
         same = (i for i in range(left, -1, -1) if words[i] == words[right] and said.are_together(i, right))
         first = next(same, None)
@@ -309,6 +327,34 @@ def _put_otherwise(said: _Said, run: range) -> range:
         is_again = first is not None and said.begins_clause(first) and not is_added
         return range(first, right) if first is not None and is_again else range(0)
     return _phrase_before(said, run)
+
+
+def _denied(said: _Said, run: range) -> range:
+    """A phrase that is denied with its own words and another one named: "to the shed, no, not the shed, the garage"."""
+    words, again = said.words, run.stop + 1
+    for count in range(min(LONGEST, run.start), 0, -1):
+        stop = again + count
+        if words[again:stop] != words[run.start - count : run.start]:
+            continue
+        while stop < len(words) and words[stop] in _MARKS:
+            stop += 1
+        is_other = stop < len(words) and said.document.tokens[stop].pos in ("DET", "ADP", "PRON", "PROPN", "NUM")
+        is_other = is_other and said.are_together(run.start, stop) and not said.states(stop)
+        return range(run.start - count, stop) if is_other else range(0)
+    return range(0)
+
+
+def _dropped(said: _Said, run: range) -> range:
+    """A condition that is dropped with a reason before anything hangs on it, where another one follows: "If Dan's in,
+    no, he's at work. If Eva's in, ..."."""
+    words, document = said.words, said.document
+    if run.stop >= len(words) or not said.states(run.stop) or not said.is_strong(run):
+        return range(0)
+    first = next((i for i in range(run.start, -1, -1) if i == 0 or not said.are_together(i - 1, run.start)), 0)
+    end = next((i for i in range(run.stop, len(words)) if not said.are_together(i, run.start)), len(words))
+    opening = next((i for i in range(first, run.start) if words[i] not in _EDITING | _INTERJECTIONS), run.start)
+    is_condition = words[opening] in ("if", "when") and not any(_is_order(document, i) for i in range(opening, end))
+    return range(first, end) if is_condition and words[end : end + 1] == [words[opening]] else range(0)
 
 
 def _contrasted(said: _Said, left: int, right: int) -> range:

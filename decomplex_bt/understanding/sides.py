@@ -26,11 +26,16 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     sides = list(attachments)
     for k in range(1, len(clauses)):
         for rule in (
+            _name,
             _join,
+            _cover,
             _depend,
             _except,
             _forbid,
             _oppose,
+            _affirm,
+            _precede,
+            _close,
             _turn,
             _restrict,
             _obstruct,
@@ -42,6 +47,31 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     return tuple(sides)
 
 
+def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A mention that names what a condition before was about, as no other one was, is of that condition ("if the stove
+    is cold, light the kindling, and if it won't burn, ... If the stove is still warm, ...")."""
+    clause = clauses[k]
+    if roles[k] != "mention" or clause.task.type != "check_state" or not clause.objects:
+        return
+    groups = _groups(roles, sides, k)
+    nearest = list(dict.fromkeys(groups[j] for j in range(k - 1, -1, -1) if j in groups))
+    named = {groups[j] for j in groups if clause.objects[-1] in clauses[j].objects}
+    if len(named) == 1:
+        sides[k] = f"<{nearest.index(named.pop()) + 1}"
+
+
+def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:
+    """Of every condition and mention before `k` the condition that it is, or is a mention of (`construction`)."""
+    groups: dict[int, int] = {}
+    for j in range(k):
+        if roles[j] not in CONDITION_ROLES:
+            continue
+        before = list(dict.fromkeys(groups[i] for i in range(j - 1, -1, -1) if i in groups))
+        rank = int(sides[j][1]) if roles[j] == "mention" and sides[j] != "top" else 0
+        groups[j] = before[rank - 1] if 0 < rank <= len(before) else j
+    return groups
+
+
 def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
     makes the side on which it is asked."""
@@ -49,11 +79,17 @@ def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k] = _HOLDS
 
 
+def _cover(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """All that was ordered before hangs on what "all this only if ..." asks, be it the first that is asked."""
+    if clauses[k].covers and roles[k] == "condition" and set(roles[:k]) == {"task"}:
+        sides[:k] = [f">1{clauses[k].covers}"] * k
+
+
 def _depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with a thing depends on its being found, where that is then said to fail ("get it from the box and
     hang it up. If it isn't there, ...")."""
     is_finding = k > 1 and (roles[k - 2], roles[k - 1], roles[k]) == ("condition", "task", "mention")
-    if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none":
+    if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none" and not clauses[k - 1].wording.orders:
         is_of_it = clauses[k - 2].finds_out(clauses[k]) and clauses[k - 1].has_pronoun
         sides[k - 1] = _HOLDS if is_of_it else sides[k - 1]
 
@@ -109,11 +145,56 @@ def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_plain = roles[k - 1] == "condition" and not clauses[k - 1].wording.is_negated
     if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == _HOLDS:
         sides[k] = _FAILS
-    is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
-    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
-    if is_echo and first is not None and not clauses[first].wording.is_negated and clauses[k].is_otherwise:
+    if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
         is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
         sides[k] = _HOLDS if is_of_it else sides[k]
+
+
+def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether an echo that affirms a condition stands right before, and what is done in that case before the echo."""
+    is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    return is_echo and first is not None and not clauses[first].wording.is_negated
+
+
+def _affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if" or "only if" what was asked before proves true, said behind it at the end of a sentence, is
+    done where it does ("..., failing that, ask Tom. Bring it to me if you find it")."""
+    clause, task = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+        return
+    is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[first].wording)
+    is_trailing = clause.sentence == task.sentence and clause.boundary == "none" and clause.ends_sentence
+    is_leading = k > 1 and clauses[k - 2].sentence != task.sentence
+    is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
+    is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
+    if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (_HOLDS, _FAILS):
+        sides[k - 1] = _FAILS if clauses[first].wording.is_negated else _HOLDS
+
+
+def _precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "before that", in its sentence, is done in the same case ("otherwise switch it on, but before that
+    plug it in"), and so is what is done with it then."""
+    if "before_that" not in clauses[k].near or roles[k] != "task" or roles[k - 1] != "task":
+        return
+    if sides[k - 1] not in (_HOLDS, _FAILS):
+        return
+    for j in range(k, len(clauses)):
+        is_joined = clauses[j].sentence == clauses[k - 1].sentence and roles[j] == "task" and sides[j] == "top"
+        if not is_joined or (j > k and set(clauses[j].near) - {"and"}):
+            return
+        sides[j] = sides[k - 1]
+
+
+def _close(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence orders that begins with "either way" or the like is done in any case."""
+    clause = clauses[k]
+    is_first = roles[k] == "task" and clauses[k - 1].sentence != clause.sentence
+    if is_first and "either_way" in (*clause.far, *clause.near)[:1] and sides[k] in (_HOLDS, _FAILS):
+        first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), k)
+        if sides[first] == "top":
+            sides[k] = "top"
 
 
 def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -169,9 +250,14 @@ def _presuppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
 
 def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "failing that" opens is never done where something held."""
-    leading = {*clauses[k].far, *clauses[k].near}
-    if roles[k] == "task" and sides[k] == _HOLDS and "fail" in leading and leading.isdisjoint(_OTHERS):
+    is_echoed = _is_echoed_before(clauses, roles, k)
+    if roles[k] == "task" and sides[k] == _HOLDS and _falls_back(clauses[k]) and not is_echoed:
         sides[k] = _FAILS
+
+
+def _falls_back(clause: Clause) -> bool:
+    leading = {*clause.far, *clause.near}
+    return "fail" in leading and leading.isdisjoint(_OTHERS)
 
 
 def _follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -43,6 +43,7 @@ _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
 _CORRECTING = frozenset("no nope wait sorry actually".split())
+_NEEDLESS = frozenset("no nope wait actually hang hold".split())
 _DENYING = frozenset(("no", "nope", "nah"))
 _TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_THINGS)} | {"mean", "meant", "rather"}
 """Words of which every withdrawal has one."""
@@ -90,6 +91,7 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
             found = _taken_back(words, at)
             tokens |= found.tokens
             corrections += [phrase for phrase in found.corrections if phrase not in corrections]
+    tokens |= _needless(words)
     return Withdrawals(frozenset(tokens), tuple(corrections))
 
 
@@ -141,7 +143,9 @@ class _Words:
         """Whether a clause ends before `stop`; behind a "no" also where another verb follows without a mark."""
         if stop >= len(self.said) or self.said[stop] in _BREAKS or self._begins_sentence(stop):
             return True
-        return self.said[stop] in _GOING_ON or (is_reversed and self.tokens[stop].tag in ("VB", "VBP"))
+        is_reason = is_reversed and self.said[stop] in _SUBJECT_WORDS and stop + 1 < len(self.said)
+        is_reason = is_reason and self.tokens[stop + 1].pos == "AUX"  # "no, scratch that it's too late"
+        return self.said[stop] in _GOING_ON or is_reason or (is_reversed and self.tokens[stop].tag in ("VB", "VBP"))
 
     def is_conditional_before(self, at: int) -> bool:
         sentences = self.document.sentences
@@ -165,6 +169,27 @@ class _Words:
         while at and not self._begins_sentence(at) and (self.said[at - 1] in _OPENERS or self.said[at - 1] in _BREAKS):
             at -= 1
         return at
+
+
+def _needless(words: _Words) -> frozenset[int]:
+    """The orders that a statement shows to be needless, where another order says what to do instead: "Fetch the ladder.
+    Oh no, it's here. Bring me the stool instead" needs no ladder."""
+    sentences = words.document.sentences
+    found: set[int] = set()
+    for at in range(1, len(words.said)):
+        if sentences[at] == sentences[at - 1]:
+            continue
+        lead = at
+        while lead < len(words.said) - 1 and (words.said[lead] in _OPENERS or words.said[lead] in _BREAKS):
+            lead += 1
+        is_told = words.said[lead] in _SUBJECT_WORDS and sentences[lead] == sentences[at]
+        if not is_told or _NEEDLESS.isdisjoint(words.said[at:lead]):
+            continue
+        after = [words.said[i] for i in range(at, len(words.said)) if sentences[i] == sentences[at] + 1]
+        ahead = after[: next((i for i, word in enumerate(after) if word in ("if", "unless", "when")), len(after))]
+        if "instead" in ahead and sentences[at] - 1 not in words.conditional:
+            found |= _before(words, at, is_last=True)
+    return frozenset(found)
 
 
 def _taken_back(words: _Words, at: int) -> Withdrawals:
@@ -243,7 +268,7 @@ def _before(words: _Words, at: int, *, is_last: bool) -> frozenset[int]:
     own = any(words.said[i].isalpha() and words.said[i] not in _OPENERS for i in said)
     if not own:
         said = [i for i in range(at) if sentences[i] == sentences[at] - 1]
-    if not said or (own and sentences[said[0]] in words.conditional):
+    if not said or (own and words.is_conditional_before(at)):
         return frozenset()
     start = _order(words, said) if own or is_last else said[0]
     return frozenset(range(start, at))

@@ -260,3 +260,97 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
     )
     roles = ("condition", "task", "mention", "task")
     assert chained_roles(found, roles) == roles
+
+
+@pytest.mark.parametrize(
+    ("check", "is_failure"),
+    [
+        ("[it](2:object) won't [open](2:check_state)", True),
+        ("[it](2:object) doesn't [start](2:check_state)", True),
+        ("[it](2:object) doesn't [come](2:check_state) [on](2:state)", True),
+        ("[it](2:object) doesn't [turn](2:check_state) [green](2:state)", False),
+        ("[it](2:object) still won't [open](2:check_state)", False),
+        ("[it](2:object) won't [fit](2:check_state)", False),
+        ("[the key](2:object) won't [turn](2:check_state)", False),
+        ("[it](2:object) [starts](2:check_state)", False),
+    ],
+)
+def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
+    found = clauses(f"[Unlock](1:change_state) [the door](1:object). If {check}, [call](3:informing) me.")
+    assert found[1].is_failure_of(found[0]) == is_failure
+    roles = chained_roles(found, ["task", "condition", "task"])
+    assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
+
+
+@pytest.mark.parametrize(
+    ("check", "finds_out"),
+    [
+        ("[the tongs](2:object) [are](2:check_state)n't [there](2:location)", True),
+        ("[the tongs](2:object) [are](2:check_state) not [in the shed](2:location)", True),
+        ("[the tongs](2:object) [are](2:check_state) [there](2:location)", False),
+        ("[the peg](2:object) [is](2:check_state)n't [there](2:location)", False),
+        ("[tongs](2:object) [are](2:check_state)n't [there](2:location)", False),
+    ],
+)
+def test_what_was_to_be_fetched_may_be_missed_by_its_name(check: str, finds_out: bool) -> None:
+    found = clauses(
+        f"[Get](1:taking) [the tongs](1:object) [from the shed](1:source). If {check}, [call](3:informing) me."
+    )
+    assert found[0].finds_out(found[1]) == finds_out
+
+
+def test_what_was_asked_about_before_is_missed_by_that() -> None:
+    """Where it is was asked before it was brought somewhere: that it is not there tells nothing of the bringing."""
+    found = clauses(
+        "[Look](1:searching) [for the tongs](1:object). If [they](2:object) [are](2:check_state) [there](2:location), "
+        "[bring](3:bringing) [them](3:object) [to the patio](3:goal). If [they](4:object) [are](4:check_state) not "
+        "[there](4:location), [tell](5:informing) me."
+    )
+    roles = ("condition", "mention", "task", "mention", "task")
+    assert chained_roles(found, roles) == roles
+
+
+def test_he_is_where_it_was_asked_he_was() -> None:
+    found = clauses(
+        "If [Tom](1:object) [is](1:check_state) [home](1:location), [tell](2:informing) [him](2:recipient) "
+        "[the soup is on the stove](2:message). If [he](3:object) [is](3:check_state)n't [home](3:location), "
+        "[wrap](4:change_state) [it](4:object)."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert chained_roles(found, roles) == roles
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        (
+            "If [it](1:object) [is](1:check_state) [hot](1:state) don't touch it just [tell](2:informing) me",
+            (False, False),
+        ),
+        ("If [it](1:object) [is](1:check_state) [hot](1:state) don't [touch](2:taking) it", (False, True)),
+        ("If [it](1:object) [is](1:check_state)n't [hot](1:state), [tell](2:informing) me", (True, False)),
+        ("[Check](1:check_state) [the taps](1:object) don't drip, then [tell](2:informing) me", (True, False)),
+        ("[Check](1:check_state) [the tap](1:object), no forget it, just [tell](2:informing) me", (False, False)),
+    ],
+)
+def test_what_is_forbidden_beside_denies_nothing(markup: str, is_negated: tuple[bool, bool]) -> None:
+    assert tuple(clause.wording.is_negated for clause in clauses(markup)) == is_negated
+
+
+@pytest.mark.parametrize(
+    ("opening", "covers"),
+    [
+        ("All this only if", "+"),
+        ("All of that assuming", "+"),
+        ("But none of it if", "-"),
+        ("Skip all that if", "-"),
+        ("All that unless", "-"),
+        ("Only if", ""),
+        ("Close this all the time if", ""),
+    ],
+)
+def test_a_condition_may_say_that_all_hangs_on_it(opening: str, covers: str) -> None:
+    found = clauses(
+        f"[Take](1:taking) [the bag](1:object). {opening} [the gate](2:object) [is](2:check_state) [open](2:state)."
+    )
+    assert found[1].covers == covers

@@ -277,3 +277,18 @@ def test_a_noun_is_put_into_the_number_that_is_meant(noun: str, is_plural: bool,
     doc = document("take/VB", "the/DT", noun)
     candidate = Candidate(doc.text[5:], range(1, 3), 2)
     assert noun_of(doc, candidate, is_plural=is_plural) == wanted
+
+
+@pytest.mark.parametrize(
+    ("words", "is_certain"),
+    [
+        ("check/VB the/DT pot/NN ,/, if/IN be/VB hot/JJ", True),
+        ("check/VB the/DT pot/NN ,/, if/IN be/VB raining/VBG", False),
+        ("check/VB the/DT pot/NN ,/, it/PRP be/VB hot/JJ", False),
+    ],
+)
+def test_a_check_without_a_subject_is_of_something(words: str, is_certain: bool) -> None:
+    doc = document(*words.split())
+    task = Task(2, "check_state", doc.span(5, 5), (Argument("state", "hot", doc.span(6, 6)),))
+    gaps = unsaid_gaps(Observed(doc, GAZETTEER), task, load_domain("household").ontology)
+    assert [gap.is_certain for gap in gaps if gap.type == "object"] == [is_certain]

@@ -42,6 +42,9 @@ def left(parser: Parser, text: str) -> str:
         ("turn on the the lamp", "turn on the lamp"),
         ("If the tank's, actually forget the tank, if the tray's full, empty it.", "if the tray's full, empty it."),
         ("When Tom, if he's, um, when Tom gets in, call me.", "when Tom gets in, call me."),
+        ("if he's up um if he's dressed I mean follow him", "if he's dressed I mean follow him"),
+        ("ask Colin no he's at bowls ask Meg", "ask Meg"),
+        ("If Dan's in, no, he's at work. If Eva's in, tell her.", "If Eva's in, tell her."),
     ],
 )
 def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: str) -> None:
@@ -56,6 +59,8 @@ def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: s
         ("Wash the cups and shout, I mean, call Anna.", "Wash the cups and call Anna."),
         ("Bring me the, no, take the blue mug.", "take the blue mug."),
         ("Put it in the box, no, sorry, on the shelf.", "Put it on the shelf."),
+        ("go to the shed uh no not the shed the garage and wait", "go to the garage and wait"),
+        ("Put it in the oven, no, not in the oven, in the fridge.", "Put it in the fridge."),
         ("look in the drawer no wait look under the bed for the cat", "look under the bed for the cat"),
         ("Find the, what's it called, the stud finder.", "Find the stud finder."),
         ("if the tank's full i mean if the tray's full empty it", "if the tray's full empty it"),
@@ -89,6 +94,10 @@ def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str,
         "In the event that he rings ask him to wait, in the meantime get him tea.",
         "If the bins are full, and, uh, if the gate is open, take them out.",
         "Is there milk? If yes, bring it to me, if no, bring it to Dad.",
+        "If he's awake, um, if he's dressed, follow him.",
+        "If there's no one in, no, he's at work. Close the door.",
+        "tell him no he can't and tell her yes",
+        "Put the red one away, no, not today.",
     ],
 )
 def test_what_is_no_repair(parser: Parser, text: str) -> None:

@@ -201,3 +201,64 @@ def test_an_otherwise_behind_an_echo_opens_the_other_side(attachment: str) -> No
     )
     roles = ("condition", "task", "mention", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1", attachment))[3] == "<1+"
+
+
+def test_failing_that_behind_an_echo_opens_the_other_side() -> None:
+    found = clauses(
+        "[See](1:check_state) if [it](1:object) is [dry](1:state). [Fold](2:change_state) [it](2:object) only if "
+        "[it](3:object) [is](3:check_state); failing that, [hang](4:placing) [it](4:object) up."
+    )
+    roles = ("condition", "task", "mention", "task")
+    for attachment in ("<1+", "<1-"):
+        assert stated_sides(found, roles, ("top", "<1+", "<1", attachment))[3] == "<1+"
+
+
+@pytest.mark.parametrize(("denial", "side"), [("", "<1+"), ("n't", "<1-")])
+def test_what_is_done_if_that_proves_true_is_done_there(denial: str, side: str) -> None:
+    found = clauses(
+        f"[Is](1:check_state){denial} [the pump](1:object) [in the shed](1:location)? [Ask](2:informing) "
+        "[Tom](2:recipient). [Bring](3:bringing) [it](3:object) [to me](3:recipient) if you [find](4:searching) "
+        "[it](4:object)."
+    )
+    roles = ("condition", "task", "task", "mention")
+    for attachment in ("<1+", "<1-"):
+        assert stated_sides(found, roles, ("top", "<1-", attachment, "<1"))[2] == side
+
+
+def test_what_is_done_before_that_is_done_in_the_same_case() -> None:
+    markup = (
+        "If [it](1:object) [is](1:check_state) [wet](1:state), [tell](2:informing) me. Otherwise "
+        "[switch](3:change_state) [the pump](3:object) on, {}[connect](4:change_state) [it](4:object) and "
+        "[plug](5:change_state) [it](5:object) in."
+    )
+    roles = ("condition", "task", "task", "task", "task")
+    sides = ("top", "<1+", "<1-", "top", "top")
+    assert stated_sides(clauses(markup.format("but before that ")), roles, sides) == ("top", "<1+", "<1-", "<1-", "<1-")
+    assert stated_sides(clauses(markup.format("and finally ")), roles, sides) == sides
+
+
+@pytest.mark.parametrize(("opening", "side"), [("Either way, ", "top"), ("Then ", "<1-"), ("If not, ", "<1-")])
+def test_what_either_way_opens_is_done_in_any_case(opening: str, side: str) -> None:
+    found = clauses(
+        "If [it](1:object) [is](1:check_state) [wet](1:state), [hang](2:placing) [it](2:object) up. "
+        f"{opening}[close](3:change_state) [the door](3:object)."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1-"))[2] == side
+
+
+def test_all_that_was_ordered_hangs_on_what_all_this_is_said_of() -> None:
+    found = clauses(
+        "[Take](1:taking) [the bag](1:object). [Close](2:change_state) [the door](2:object). None of that if [Tom]"
+        "(3:object) [is](3:check_state) [in](3:state)."
+    )
+    assert stated_sides(found, ("task", "task", "condition"), ("top", ">1+", "top")) == (">1-", ">1-", "top")
+
+
+@pytest.mark.parametrize(("thing", "mention"), [("the stove", "<2"), ("the kindling", "<1"), ("the cat", "<1")])
+def test_a_mention_is_of_what_it_names(thing: str, mention: str) -> None:
+    found = clauses(
+        "If [the old stove](1:object) [is](1:check_state) [cold](1:state), [see](2:check_state) if [the kindling]"
+        f"(2:object) is [dry](2:state). If [{thing}](3:object) [is](3:check_state) [damp](3:state), "
+        "[tell](4:informing) me."
+    )
+    assert stated_sides(found, ("condition", "condition", "mention", "task"), ("top", "<1+", "<1", "<1+"))[2] == mention

@@ -48,6 +48,11 @@ def tasks(instruction: Instruction) -> list[str]:
             "Bring the monitor . No , leave that where it is",
         ),
         ("Turn on the lamp. No, don\u2019t.", "Turn on the lamp . No , do n\u2019t"),
+        (
+            "run the bath no scratch that it's late now get the towels and if they're wet dry them",
+            "run the bath no scratch that",
+        ),
+        ("Fetch the ladder. Oh no, hang on, it's here. Bring a stool instead.", "Fetch the ladder ."),
     ],
 )
 def test_what_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
@@ -95,6 +100,8 @@ def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken
         "Hang the coats up, forget that old jacket, and sweep the hall.",
         "Water the plants, and scratch that label off the jar.",
         "Turn off the oven. Forget that it was ever on.",
+        "Fetch the ladder. Oh wait, it's in the shed. Bring it in.",
+        "Fetch the ladder. Oh wait, it's in the shed. If it isn't, bring a stool instead.",
         "Bring the milk and the eggs in, and don't forget the milk.",
         "Take out the cake before I forget the cake.",
         "Mop the floor but don't scratch that.",

@@ -1,0 +1,75 @@
+"""Denials: the words that deny what a clause says."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.asides import tag_question
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, PRO_FORMS
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+
+WILLING = frozenset(("would", "will", "wo"))
+_COORDINATORS = frozenset(("and", "but", "or"))
+_DENYING = frozenset("no not n't n\u2019t".split())
+
+
+def negations(observed: Observed, task: int, first: int, last: int) -> list[int]:
+    """The tokens from `first` to `last` that deny what the clause of the task at token `task` says: of its verb, its
+    subject or what it says of it, and not of a part of these ("a mug that isn't dirty", "with no sound", "hot but not too hot")."""
+    document = observed.document
+    if last + 2 < len(document) and tag_question(document, last + 2) is not None:
+        return []  # "the light isn't on, is it?" asks whether it is
+    found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
+    found = [i for i in found if not _is_polite(document, i) and _is_of(document, i, task, last)]
+    if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
+        found = [i for i in found if document.tokens[i].lower != "nor"]
+    # "if there is no answer" is a cue for a failure, but its verb may be a task as well
+    wholes = [cue for cue in observed.cues if cue.name in PRO_FORMS and cue.first <= task <= cue.last]
+    said = [i for cue in wholes for i in range(cue.first, cue.last + 1)]
+    if any(document.tokens[i].lower == "there" for i in said):
+        found += [i for i in said if document.tokens[i].lower in _DENYING and i not in found]
+    return found
+
+
+def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
+    """Whether a negation is of the task's own clause: not of a verb behind it ("if it is on and nobody is there"), nor
+    of a part of what it says. By the words around it, for where marks are lacking the parse is often wrong."""
+    tokens = document.tokens
+    if _is_of_another_order(document, negation, task):
+        return False
+    if negation <= task:
+        return True
+    before = tokens[negation - 1]
+    if before.lower in _COORDINATORS or (before.pos == "ADP" and tokens[negation].lower == "no"):
+        return False
+    if before.lower in ("do", "does") and negation > task + 1 and last <= negation:
+        return False
+    relatives = [j for j in range(task + 1, negation) if tokens[j].tag in ("WDT", "WP")]
+    return not (relatives or before.lower == "that") or not any(
+        tokens[i].dep in ("relcl", "acl") for i in (negation, *document.ancestors(negation))
+    )
+
+
+def _is_of_another_order(document: Document, negation: int, task: int) -> bool:
+    """Whether a negation forbids something else, which is no task: "if it is hot don't touch it, just tell me", "no,
+    forget the remote, turn it off"."""
+    tokens = document.tokens
+    after = tokens[negation + 1] if negation + 1 < len(tokens) else None
+    if after is None or after.tag != "VB" or after.i == task:
+        return False
+    if tokens[negation].lower == "no":
+        return negation < task
+    if tokens[negation - 1].lower != "do" or (negation > 1 and tokens[negation - 2].dep in ("nsubj", "expl")):
+        return False
+    if task < negation and tokens[task].lemma in ASKING_LEMMAS:
+        return False  # "check the taps don't drip"
+    between = [token.lower for token in tokens[after.i + 1 : task]]
+    return task < negation or "just" in between or "only" in between
+
+
+def _is_polite(document: Document, negation: int) -> bool:
+    """Whether a negation asks somebody to do something: "why don't you see if ...", "wouldn't you look"."""
+    tokens = document.tokens
+    after = tokens[negation + 1] if negation + 1 < len(tokens) else None
+    if after is None or after.lower != "you" or negation == 0:
+        return False
+    return tokens[negation - 1].lower in WILLING or (negation > 1 and tokens[negation - 2].lower == "why")
