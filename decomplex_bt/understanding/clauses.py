@@ -83,19 +83,17 @@ class Clause:
         # not "in by six"
         is_all = max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
         is_gone = self.wording.state in _GONE and not self.wording.is_negated
-        is_trailing = self.boundary == "none" and self.ends_sentence  # "bring the dog in if he's still out"
         is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
-        return (
-            bool(kinds & {"recipient", "goal"})
-            and "unless" not in self.near
-            and is_all
-            and not is_trailing
-            and (is_gone or is_away)
-        )
+        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
 
     def is_failure_of(self, before: Clause) -> bool:
         """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..."."""
         return before.task.type == "change_state" and self.says_undone and "unless" not in self.near
+
+    @property
+    def is_trailing(self) -> bool:
+        """Whether it stands behind what hangs on it: "bring the dog in if he's still out"."""
+        return self.boundary == "none" and self.ends_sentence
 
     @property
     def is_of_whereabouts(self) -> bool:

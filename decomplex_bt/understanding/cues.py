@@ -159,6 +159,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
+        if length == 1 and _is_adjective(document, words, position):
+            names = ()
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
@@ -185,6 +187,15 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     ) or words[end : end + 1] in (["one"], ["body"])
 
 
+def _is_adjective(document: Document, words: Sequence[str], position: int) -> bool:
+    """Whether a "next" or "last" says where, when or which: "next to the sink", "the last one"."""
+    behind = words[position + 1 : position + 2]
+    if words[position] == "next":
+        return not _BEHIND_NEXT.isdisjoint(behind)
+    before = document.tokens[position - 1].tag if position else ""
+    return words[position] == "last" and (before in ("DT", "PRP$") or not _BEHIND_LAST.isdisjoint(behind))
+
+
 def _is_named(words: Sequence[str], position: int) -> bool:
     """Whether a noun that may stand for a failure is part of a clause that goes on: "it is no good", "a fallback"."""
     return words[position] in _NOUNS_OF_FAILURE and position > 0 and words[position - 1] in _AHEAD_OF_NOUNS
@@ -192,6 +203,8 @@ def _is_named(words: Sequence[str], position: int) -> bool:
 
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
 _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())
+_BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))
+_BEHIND_LAST = frozenset(("one", "ones", "night", "time", "week", "year", "piece", "bit", "drop", "few"))
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
 _AFTER_BEFORE = frozenset(
     "you i he she it we they that this the my your ur his her our their any all doing going".split()

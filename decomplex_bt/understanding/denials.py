@@ -14,7 +14,7 @@ _DENYING = frozenset("no not n't n\u2019t".split())
 
 def negations(observed: Observed, task: int, first: int, last: int) -> list[int]:
     """The tokens from `first` to `last` that deny what the clause of the task at token `task` says: of its verb, its
-    subject or what it says of it, and not of a part of these ("a mug that isn't dirty", "with no sound", "hot but not too hot")."""
+    subject or what it says of it, and not of a part of these ("a mug that isn't dirty", "hot but not too hot")."""
     document = observed.document
     if last + 2 < len(document) and tag_question(document, last + 2) is not None:
         return []  # "the light isn't on, is it?" asks whether it is

@@ -114,7 +114,8 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
     is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
-    if (before.finds_out(clause) and is_own) or clause.is_failure_of(before):
+    is_outcome = (before.finds_out(clause) and is_own) or clause.is_failure_of(before)
+    if is_outcome and not clause.is_trailing:
         return k - 1
     # it is a mention of that where it was asked before where somebody is
     checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
@@ -122,7 +123,7 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     is_asked = any(
         not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks
     )
-    if clause.is_absence_of(before) and not is_asked:
+    if clause.is_absence_of(before) and not is_asked and not clause.is_trailing:
         return k - 1
     if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
         return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None

@@ -35,7 +35,6 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _oppose,
             _affirm,
             _precede,
-            _close,
             _turn,
             _restrict,
             _obstruct,
@@ -55,7 +54,7 @@ def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         return
     groups = _groups(roles, sides, k)
     nearest = list(dict.fromkeys(groups[j] for j in range(k - 1, -1, -1) if j in groups))
-    named = {groups[j] for j in groups if clause.objects[-1] in clauses[j].objects}
+    named = {groups[j] for j in groups if clause.objects[-1:] == clauses[j].objects[-1:]}
     if len(named) == 1:
         sides[k] = f"<{nearest.index(named.pop()) + 1}"
 
@@ -185,16 +184,6 @@ def _precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         if not is_joined or (j > k and set(clauses[j].near) - {"and"}):
             return
         sides[j] = sides[k - 1]
-
-
-def _close(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What a sentence orders that begins with "either way" or the like is done in any case."""
-    clause = clauses[k]
-    is_first = roles[k] == "task" and clauses[k - 1].sentence != clause.sentence
-    if is_first and "either_way" in (*clause.far, *clause.near)[:1] and sides[k] in (_HOLDS, _FAILS):
-        first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), k)
-        if sides[first] == "top":
-            sides[k] = "top"
 
 
 def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -354,3 +354,12 @@ def test_a_condition_may_say_that_all_hangs_on_it(opening: str, covers: str) -> 
         f"[Take](1:taking) [the bag](1:object). {opening} [the gate](2:object) [is](2:check_state) [open](2:state)."
     )
     assert found[1].covers == covers
+
+
+def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
+    found = clauses(
+        "[Take](1:taking) [the bag](1:object) [from the shed](1:source) if [it](2:object) [is](2:check_state)n't "
+        "[there](2:location) any more."
+    )
+    assert found[0].finds_out(found[1])
+    assert chained_roles(found, ["task", "condition"]) == ("task", "condition")

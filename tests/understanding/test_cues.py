@@ -38,6 +38,10 @@ from decomplex_bt.understanding.document import Parser
         ("ahead of everything close it", ["before_all"]),
         ("earlier still close it", ["before_that"]),
         ("close it at the end", ["last"]),
+        ("close it last", ["last"]),
+        ("close the last one", []),
+        ("next close it", ["then"]),
+        ("put it next to the door", []),
         ("put it at the end of the shelf", []),
     ],
 )

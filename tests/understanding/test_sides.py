@@ -237,15 +237,6 @@ def test_what_is_done_before_that_is_done_in_the_same_case() -> None:
     assert stated_sides(clauses(markup.format("and finally ")), roles, sides) == sides
 
 
-@pytest.mark.parametrize(("opening", "side"), [("Either way, ", "top"), ("Then ", "<1-"), ("If not, ", "<1-")])
-def test_what_either_way_opens_is_done_in_any_case(opening: str, side: str) -> None:
-    found = clauses(
-        "If [it](1:object) [is](1:check_state) [wet](1:state), [hang](2:placing) [it](2:object) up. "
-        f"{opening}[close](3:change_state) [the door](3:object)."
-    )
-    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1-"))[2] == side
-
-
 def test_all_that_was_ordered_hangs_on_what_all_this_is_said_of() -> None:
     found = clauses(
         "[Take](1:taking) [the bag](1:object). [Close](2:change_state) [the door](2:object). None of that if [Tom]"
