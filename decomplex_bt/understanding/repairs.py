@@ -37,6 +37,7 @@ _BEGINNINGS = frozenset(phrase[0] for phrase in _PHRASES)
 _STRONG = _DENYING | {"sorry"}
 _STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather"), ("your", "pardon"), ("am", "i")))
 _TURNING = frozenset(("wait", "hang", "hold"))
+_MUSING = frozenset(("oh", "ah", "hmm"))
 """What takes something back where words are said over again."""
 _NO_EDITS_BEFORE = frozenset(
     "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and "
@@ -226,29 +227,36 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
         not is_first and ((said.is_strong(run) and again - run.stop <= LONGEST) or said.turns(run, again))
         for run in inner
     ]
-    if count > 2 and inner and inner[0].start == between.start and is_taken_back[0]:
-        return range(first, inner[0].stop)
+    if count > 2 and inner and inner[0].start == between.start:
+        is_moved = not is_first and not _SUBORDINATING.isdisjoint(words[inner[0].stop : again])
+        if is_taken_back[0] or (is_moved and (said.is_strong(inner[0]) or said.has(inner[0], _TURNING))):
+            return range(first, inner[0].stop)
+    if len(between) <= FARTHEST and words[first] in _OPENERS and _is_meant(said, again + count):
+        return range(first, again)
     if not inner or len(between) > FARTHEST:
         return range(0)
     if count and _is_order_again(said, first, again) and not is_first:
         is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
-        if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
+        is_mused = any(said.has(run, _MUSING) and again - run.stop > 1 for run in inner)
+        is_mused = is_mused and (_AHEAD | {"and", "but", "after"}).isdisjoint(words[first:again])
+        if is_turned or is_mused or any(is_taken_back) or _is_contradicted(words[first:again]):
             return range(first, again)
     is_broken = any(_is_broken_off(said, first, run) for run in inner)
     seeking = inner[-1]
     is_stuck = said.document.tokens[seeking.start - 1].pos in ("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ")
     is_sought = (said.has(seeking, _HESITATING) and is_stuck) or _seeks(words[seeking.start : seeking.stop])
     is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
-    is_meant = said.has(seeking, _HESITATING) and _is_meant(said, again + count)
-    is_over = is_broken or (count > 1 and (any(is_taken_back) or ((is_sought or is_meant) and is_adjacent)))
+    is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
     return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
 
 
 def _is_meant(said: _Said, start: int) -> bool:
-    """Whether an "I mean" behind the words from there on says that they are right: "if she's up, um, if she's dressed I
-    mean, ..."."""
-    behind = (run for run in said.runs if start <= run.start <= start + LONGEST)
-    return any("mean" in said.words[run.start : run.stop] for run in behind)
+    """Whether an "I mean" or "that is" behind the words from there on says that they are right: "if she's up, if she's
+    dressed I mean, ..."."""
+    words, tokens = said.words, said.document.tokens
+    behind = range(start, min(start + LONGEST, len(words) - 2))
+    ends = [i + 2 for i in behind if words[i : i + 2] in (["i", "mean"], ["i", "meant"], ["that", "is"])]
+    return any(words[i] in _MARKS or (tokens[i].pos == "VERB" and words[i] == tokens[i].lemma) for i in ends)
 
 
 def _is_order_again(said: _Said, first: int, again: int) -> bool:
