@@ -20,7 +20,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.flow import If
 from decomplex_bt.formats.huric import read_huric, single_tasks
-from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.document import Document, Parser, Spelling
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.noise import edited
@@ -108,13 +108,14 @@ class KnownDocuments(Parser):
     def model_name(self) -> str:
         return self._model_name
 
-    def parse(self, text: str) -> Document:
-        return next(self.parse_batch([text]))
+    def parse(self, text: str, spelling: Spelling | None = None) -> Document:
+        return next(self.parse_batch([text], spelling=spelling))
 
-    def parse_batch(self, texts: Any, *, batch_size: int = 128) -> Iterator[Document]:
+    def parse_batch(self, texts: Any, *, batch_size: int = 128, spelling: Spelling | None = None) -> Iterator[Document]:
         asked = list(texts)
         unknown = list(dict.fromkeys(text for text in asked if text not in self._documents))
-        parsed = dict(zip(unknown, self._parser.parse_batch(unknown), strict=True)) if unknown else {}
+        documents = self._parser.parse_batch(unknown, spelling=spelling) if unknown else ()
+        parsed = dict(zip(unknown, documents, strict=True))
         return (self._documents[text] if text in self._documents else parsed[text] for text in asked)
 
 

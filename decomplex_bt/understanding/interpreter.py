@@ -25,6 +25,7 @@ from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.repairs import repaired
+from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
@@ -63,6 +64,7 @@ class Interpreter:
             self._stages = load_stages(models)
         self._readings = ReadingModel(folder / "readings.json")
         self._calibration = Calibration(folder / CALIBRATION_FILE)
+        self._spelling = Speller(models / WORDS_FILE).meant
         self._references = ReferenceModel(models / REFERENCES_FILE, domain.ontology)
         for read in dict.fromkeys((models, folder)):  # last, since the parser may still be loading
             check_language(read, parser.model_name)
@@ -91,7 +93,7 @@ class Interpreter:
         Raises `InputError` for text that is empty, longer than `MAX_CHARACTERS` or no valid Unicode.
         """
         check_text(text)
-        return self._understand(self._parser.parse(text))
+        return self._understand(self._parser.parse(text, self._spelling))
 
     def interpret_batch(self, texts: Iterable[str], *, jobs: int = 1) -> Iterator[Instruction]:
         """As `interpret` for many texts, in order: lazily in this process, or after all texts are there in `jobs`
@@ -101,7 +103,7 @@ class Interpreter:
         """
         usable = _checked(texts, check_text)
         if jobs == 1:
-            for document in self._parser.parse_batch(usable):
+            for document in self._parser.parse_batch(usable, spelling=self._spelling):
                 yield self._understand(document)
             return
         from joblib import Parallel, delayed
@@ -124,7 +126,7 @@ class Interpreter:
             if not cut:
                 break
             rest = without(left, cut)
-            left, places = self._parser.parse(rest.text), [places[place] for place in rest.places]
+            left, places = self._parser.parse(rest.text, self._spelling), [places[place] for place in rest.places]
         found = self._read(left)
         return found if left is document else restored(found, document.text, places)
 

@@ -16,7 +16,7 @@ MANIFEST_FILE = "manifest.json"
 FEATURES_VERSION = 3
 """Raised with every change of features or labels: models of another version do not fit the code."""
 MODEL_NAMES = ("tasks", "arguments", "roles", "attachments", "orders")
-FILES = ("references.json", "readings.json", "calibration.json")
+FILES = ("references.json", "readings.json", "calibration.json", "words.json")
 """What lies in a folder of models besides the CRFs."""
 LIBRARIES = ("spacy", "python-crfsuite", "sklearn-crfsuite", "numpy")
 

@@ -29,7 +29,7 @@ def without(document: Document, cut: Collection[int]) -> Remainder:
             gap = document.text[before.end : token.start] if is_next else " "
             characters += gap
             places += range(before.end, before.end + len(gap))
-        characters += token.text
+        characters += document.text[token.start : token.end]
         places += range(token.start, token.end)
     return Remainder("".join(characters), tuple(places))
 

@@ -34,6 +34,7 @@ from decomplex_bt.understanding.readings import (
     train_readings,
 )
 from decomplex_bt.understanding.recombination.copies import recombined
+from decomplex_bt.understanding.spelling import WORDS_FILE, write_words
 from decomplex_bt.understanding.tasks import train_tasks
 
 Progress = Callable[[str], None]
@@ -130,6 +131,7 @@ def train_models(
     left_out = _train_stages(folder, data, _recombinations(data.plain, domain, parser), progress)
     progress("references")
     train_references(folder / REFERENCES_FILE, data.plain, domain.ontology)
+    write_words(folder / WORDS_FILE, (observed.document for observed, _ in data.plain))
     return left_out, _train_choice(folder, list(_held_out_readings(data, domain, jobs, progress)))
 
 
