@@ -54,6 +54,7 @@ class Clause:
     boundary: str
     wording: Wording
     objects: tuple[str, ...]
+    thing: frozenset[str]
     nouns: frozenset[str]
     receivers: frozenset[str]
     has_pronoun: bool
@@ -74,6 +75,12 @@ class Clause:
     is_of_person: bool = False
     covers: str = ""
 
+    def names_same(self, other: Clause) -> bool:
+        """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
+        small box" and "the big box"."""
+        is_head = bool(self.objects) and self.objects[-1:] == other.objects[-1:]
+        return is_head and (self.thing <= other.thing or other.thing <= self.thing)
+
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:
         "take it to Anna, and if she's out, ..."."""
@@ -88,7 +95,10 @@ class Clause:
 
     def is_failure_of(self, before: Clause) -> bool:
         """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..."."""
-        return before.task.type == "change_state" and self.says_undone and "unless" not in self.near
+        is_one = not (self.number and before.number) or self.number == before.number
+        is_opposite = self.wording.state is not None and OPPOSITES.get(self.wording.state) == before.wording.state
+        is_change = before.task.type == "change_state" and is_one and not is_opposite
+        return is_change and self.says_undone and "unless" not in self.near
 
     @property
     def is_trailing(self) -> bool:
@@ -106,8 +116,7 @@ class Clause:
         from the shed, and if they're not in the shed, ...", "..., and if the tongs aren't there, ..."."""
         is_place = "there" in after.places or not after.places.isdisjoint(self.places)
         is_thing = self.task.type == "searching" or not after.is_of_person
-        is_named = bool(after.objects) and set(after.objects) <= set(self.objects)
-        says_absent = after.says_absent or (after.says_named_absent and is_named)
+        says_absent = after.says_absent or (after.says_named_absent and after.names_same(self))
         return says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
 
     @property
@@ -183,9 +192,7 @@ _FINDING = frozenset(("searching", "bringing", "taking"))
 _ECHOING = frozenset("is are am was were does do did has have had can will would".split())
 _COVERING = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
-_ALL_OF_IT = frozenset(
-    (*(f"all {it}" for it in _IT), *(f"all of {it}" for it in _IT), *(f"{it} all" for it in _IT), "all of them")
-)
+_ALL_OF_IT = frozenset((*(f"all {it}" for it in _IT), *(f"all of {it}" for it in _IT), *(f"{it} all" for it in _IT)))
 _NONE_OF_IT = frozenset(
     (
         *(f"none of {it}" for it in _IT), *(f"skip all {it}" for it in _IT), *(f"skip all of {it}" for it in _IT),
@@ -285,6 +292,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
         wording=_wording(observed, tasks[k], min(first, token), own_last, (far, near, own), is_joined),
         objects=tuple(_nouns(document, tasks[k], ("object",))),
+        thing=_thing(document, tasks[k]),
         nouns=frozenset(_nouns(document, tasks[k], kinds)),
         receivers=frozenset(_nouns(document, tasks[k], ("recipient", "goal"))),
         has_pronoun=any(
@@ -331,6 +339,11 @@ def _nouns(document: Document, task: MarkedTask, kinds: Collection[str]) -> list
     """The nouns, as lemmas, of a task's arguments of some kinds."""
     indices = [j for kind, indices in task.arguments if kind in kinds for j in indices]
     return [document.tokens[j].lemma for j in indices if document.tokens[j].pos in ("NOUN", "PROPN")]
+
+
+def _thing(document: Document, task: MarkedTask) -> frozenset[str]:
+    tokens = [document.tokens[j] for kind, indices in task.arguments if kind == "object" for j in indices]
+    return frozenset(token.lemma for token in tokens if token.pos not in ("DET", "ADP", "PUNCT"))
 
 
 def _is_sought(document: Document, indices: range) -> bool:
@@ -413,15 +426,18 @@ def _says_undone(observed: Observed, task: MarkedTask, previous: int, last: int,
     if len(things) > 1 or not all(tokens[j].lower in _THINGS for indices in things for j in indices):
         return False
     first = next((j for j in range(task.token - 1, previous, -1) if tokens[j].text in _PUNCTUATION), previous) + 1
-    states = [tokens[j].lower for kind, indices in task.arguments if kind == "state" for j in indices]
     words = [token.lower for token in tokens[first : task.token]]
     # "it doesn't" is a cue for a failure in itself
     is_denied = "fail" in near or bool(negations(observed, task.token, first, last))
-    if "still" in words or not is_denied or not _PARTICLES.issuperset(states):
+    behind = {token.lower for token in tokens[task.token + 1 : last + 1]}
+    if "still" in words or not is_denied or not behind <= _PARTICLES | _EMPTY:
         return False
+    lemma = tokens[task.token].lemma
+    if lemma in _MOVING and behind.isdisjoint(_PARTICLES):
+        return False  # "if they don't come"
     if not WILLING.isdisjoint(words):
-        return tokens[task.token].lemma not in _FITTING
-    return not _DOING.isdisjoint(words) and tokens[task.token].lemma in _HAPPENING
+        return lemma not in _FITTING
+    return not _DOING.isdisjoint(words) and lemma in _HAPPENING
 
 
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
@@ -430,17 +446,20 @@ _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
     far, near, behind = cues
     # "there isn't no milk", "not there neither" deny once
-    is_denied = bool(negations(observed, task.token, first, last))
+    tokens = observed.document.tokens
+    # "if it refuses to open"
+    refusing = [j for j in range(first, task.token) if tokens[j].lemma in _REFUSING and tokens[j + 1].lower == "to"]
+    is_denied = bool(negations(observed, task.token, first, last)) != bool(refusing)
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
         *(label for name in near for label in _SUBORDINATE.get(name, ())),
         *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
     ]
-    tokens = observed.document.tokens
     lemmas = {
         tokens[j].lemma for j in range(first, last + 1) if not j or tokens[j - 1].lower not in ("right", "straight")
     }  # "right away" is no "away"
+    lemmas -= {tokens[j].lemma for j in refusing}
     return Wording(
         is_denied != ("unless" in near),
         state,
@@ -485,10 +504,13 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
 _DOING = frozenset(("do", "does", "did"))
 _THINGS = frozenset("it they them that this those these one".split())
 _PARTICLES = frozenset("on off up down out in".split())
+_EMPTY = frozenset("at all properly fully for you , then".split())
+_MOVING = frozenset(("come", "go", "turn", "switch", "move"))
 _FITTING = frozenset(("fit", "stop", "find"))
 _HAPPENING = frozenset(
     "open close shut start light flush pair work go come turn switch move budge lock unlock respond connect".split()
 )
+_REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 
 

@@ -32,7 +32,7 @@ PENALTY = 0.5
 """Weight of the squared norm in the loss of `train_references`."""
 RAREST = 2
 """Features seen less often in training are left out."""
-SMALLEST = 0.03
+SMALLEST = 0.08
 """Weights below are left out of the file: together they hardly change a probability."""
 
 
@@ -94,8 +94,8 @@ class ReferenceModel:
     def _best(self, context: Context, gap: Gap, hints: Hints | None) -> tuple[Option, float]:
         """The likeliest filling; options with the same words share their probability."""
         options = options_of(context, gap)
-        if gap.is_certain and len(options) > 1:
-            options = options[:-1]
+        if gap.is_certain:
+            options = [option for option in options if option.candidate is not None] or options
         scores = self.scores(options)
         if hints is not None:
             scores = [score + added for score, added in zip(scores, hints(gap, options), strict=True)]
@@ -112,7 +112,8 @@ def train_references(path: Path, data: Sequence[tuple[Observed, Instruction]], o
     """Fits the weights by conditional logit on annotated instructions and writes them to `path`."""
     choices = [choice for observed, instruction in data for choice in choices_of(observed, instruction, ontology)]
     weights = _fitted(choices)
-    kept = {name: round(weight, 3) for name, weight in sorted(weights.items()) if abs(weight) >= SMALLEST}
+    rounded = {name: round(weight, 3) for name, weight in sorted(weights.items())}
+    kept = {name: weight for name, weight in rounded.items() if abs(weight) >= SMALLEST}
     path.write_text(json.dumps(kept, indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
 
 

@@ -192,8 +192,11 @@ def _is_adjective(document: Document, words: Sequence[str], position: int) -> bo
     behind = words[position + 1 : position + 2]
     if words[position] == "next":
         return not _BEHIND_NEXT.isdisjoint(behind)
-    before = document.tokens[position - 1].tag if position else ""
-    return words[position] == "last" and (before in ("DT", "PRP$") or not _BEHIND_LAST.isdisjoint(behind))
+    if words[position] != "last":
+        return False
+    is_noun = position + 1 < len(words) and document.tokens[position + 1].pos == "NOUN"
+    is_of_noun = position > 0 and document.tokens[position - 1].tag in ("DT", "PRP$") and is_noun
+    return is_of_noun or not _BEHIND_LAST.isdisjoint(behind)
 
 
 def _is_named(words: Sequence[str], position: int) -> bool:

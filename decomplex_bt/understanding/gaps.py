@@ -35,6 +35,8 @@ _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
 _BEING = frozenset(("be", "look", "seem", "feel"))
+_AIR = frozenset("hot cold warm freezing chilly cool icy stuffy humid late early noisy quiet bright light".split())
+"""States of the day or the room, of which "is cold" may say what it names nothing for."""
 _OPENING = frozenset(("if", "when", "unless", "and", "but", "case"))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
@@ -158,7 +160,9 @@ def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
         return False
     spans = [argument.span for argument in task.arguments if argument.span is not None]
     words = {tokens[i].lower for span in spans for i in observed.document.indices(span)}
-    return tokens[verb - 1].lower in _OPENING and bool(words) and WEATHER.isdisjoint(words)
+    is_of_place = any(argument.type == "location" for argument in task.arguments)
+    is_told = bool(words) and not is_of_place and (WEATHER | _AIR).isdisjoint(words)
+    return tokens[verb - 1].lower in _OPENING and is_told
 
 
 def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:

@@ -37,7 +37,6 @@ _BEGINNINGS = frozenset(phrase[0] for phrase in _PHRASES)
 _STRONG = _DENYING | {"sorry"}
 _STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather"), ("your", "pardon"), ("am", "i")))
 _TURNING = frozenset(("wait", "hang", "hold"))
-_MUSING = frozenset(("oh", "ah", "hmm"))
 """What takes something back where words are said over again."""
 _NO_EDITS_BEFORE = frozenset(
     "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and "
@@ -228,18 +227,17 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
         for run in inner
     ]
     if count > 2 and inner and inner[0].start == between.start:
-        is_moved = not is_first and not _SUBORDINATING.isdisjoint(words[inner[0].stop : again])
-        if is_taken_back[0] or (is_moved and (said.is_strong(inner[0]) or said.has(inner[0], _TURNING))):
+        is_moved = not is_first and not {"if", "when"}.isdisjoint(words[inner[0].stop : again])
+        is_turned = said.has(inner[0], _TURNING) and _is_exclaimed(said, inner[0])
+        if is_taken_back[0] or (is_moved and (said.is_strong(inner[0]) or is_turned)):
             return range(first, inner[0].stop)
-    if len(between) <= FARTHEST and words[first] in _OPENERS and _is_meant(said, again + count):
+    if len(between) <= FARTHEST and words[first] in _OPENERS and _is_meant(said, first, again, count):
         return range(first, again)
     if not inner or len(between) > FARTHEST:
         return range(0)
     if count and _is_order_again(said, first, again) and not is_first:
         is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
-        is_mused = any(said.has(run, _MUSING) and again - run.stop > 1 for run in inner)
-        is_mused = is_mused and (_AHEAD | {"and", "but", "after"}).isdisjoint(words[first:again])
-        if is_turned or is_mused or any(is_taken_back) or _is_contradicted(words[first:again]):
+        if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
             return range(first, again)
     is_broken = any(_is_broken_off(said, first, run) for run in inner)
     seeking = inner[-1]
@@ -250,12 +248,16 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
 
 
-def _is_meant(said: _Said, start: int) -> bool:
-    """Whether an "I mean" or "that is" behind the words from there on says that they are right: "if she's up, if she's
-    dressed I mean, ..."."""
+def _is_meant(said: _Said, first: int, again: int, count: int) -> bool:
+    """Whether an "I mean" or "that is" behind a clause that is begun over says that its words are right, and nothing
+    was ordered before: "if she's up, if she's dressed I mean, ..."."""
     words, tokens = said.words, said.document.tokens
-    behind = range(start, min(start + LONGEST, len(words) - 2))
-    ends = [i + 2 for i in behind if words[i : i + 2] in (["i", "mean"], ["i", "meant"], ["that", "is"])]
+    is_added = words[again - 1] in ("and", "or", "but")
+    if is_added or any(_is_order(said.document, i) for i in range(first, again)):
+        return False
+    behind = range(again + count, min(again + count + LONGEST, len(words) - 2))
+    marks = [i for i in behind if words[i : i + 2] in (["i", "mean"], ["i", "meant"], ["that", "is"])]
+    ends = [i + 2 for i in marks if words[i - 1] not in ("what", "that", "as", "which", "who")]
     return any(words[i] in _MARKS or (tokens[i].pos == "VERB" and words[i] == tokens[i].lemma) for i in ends)
 
 
@@ -339,14 +341,18 @@ def _put_otherwise(said: _Said, run: range) -> range:
 
 def _denied(said: _Said, run: range) -> range:
     """A phrase that is denied with its own words and another one named: "to the shed, no, not the shed, the garage"."""
-    words, again = said.words, run.stop + 1
+    words, tokens, again = said.words, said.document.tokens, run.stop + 1
     for count in range(min(LONGEST, run.start), 0, -1):
         stop = again + count
         if words[again:stop] != words[run.start - count : run.start]:
             continue
+        is_led = tokens[again].pos == "ADP"
+        is_marked = words[stop : stop + 1] != [] and words[stop] in _MARKS
         while stop < len(words) and words[stop] in _MARKS:
             stop += 1
-        is_other = stop < len(words) and said.document.tokens[stop].pos in ("DET", "ADP", "PRON", "PROPN", "NUM")
+        kinds = {"DET", "NUM", *(("ADP",) if is_led else ()), *(("PROPN",) if is_marked else ())}
+        is_other = stop < len(words) and (tokens[stop].pos in kinds or tokens[stop].tag == "PRP$")
+        is_other = is_other and (is_marked or tokens[again + count - 1].pos != "PROPN")
         is_other = is_other and said.are_together(run.start, stop) and not said.states(stop)
         return range(run.start - count, stop) if is_other else range(0)
     return range(0)
@@ -362,7 +368,8 @@ def _dropped(said: _Said, run: range) -> range:
     end = next((i for i in range(run.stop, len(words)) if not said.are_together(i, run.start)), len(words))
     opening = next((i for i in range(first, run.start) if words[i] not in _EDITING | _INTERJECTIONS), run.start)
     is_condition = words[opening] in ("if", "when") and not any(_is_order(document, i) for i in range(opening, end))
-    return range(first, end) if is_condition and words[end : end + 1] == [words[opening]] else range(0)
+    is_again = words[end : end + 1] == [words[opening]] and not _STATING.intersection(words[end + 1 : end + 2])
+    return range(first, end) if is_condition and is_again else range(0)
 
 
 def _contrasted(said: _Said, left: int, right: int) -> range:

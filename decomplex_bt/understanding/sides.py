@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.clauses import Clause
+from decomplex_bt.understanding.cues import are_apart
 
 _HOLDS, _FAILS = "<1+", "<1-"
 """In the branch of the condition before: where that holds as it is stated, and where it does not (`arcs`)."""
@@ -54,8 +55,10 @@ def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         return
     groups = _groups(roles, sides, k)
     nearest = list(dict.fromkeys(groups[j] for j in range(k - 1, -1, -1) if j in groups))
-    named = {groups[j] for j in groups if clause.objects[-1:] == clauses[j].objects[-1:]}
-    if len(named) == 1:
+    named = {groups[j] for j in groups if clause.names_same(clauses[j])}
+    states = {clauses[j].wording.state for j in groups if groups[j] in named}
+    is_other = any(state and clause.wording.state and are_apart(state, clause.wording.state) for state in states)
+    if len(named) == 1 and not is_other:
         sides[k] = f"<{nearest.index(named.pop()) + 1}"
 
 
@@ -164,7 +167,8 @@ def _affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
     is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[first].wording)
-    is_trailing = clause.sentence == task.sentence and clause.boundary == "none" and clause.ends_sentence
+    is_taken_up = clause.wording.is_echo or clause.task.type == "searching"
+    is_trailing = is_taken_up and clause.sentence == task.sentence and clause.is_trailing
     is_leading = k > 1 and clauses[k - 2].sentence != task.sentence
     is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
@@ -175,7 +179,8 @@ def _affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 def _precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "before that", in its sentence, is done in the same case ("otherwise switch it on, but before that
     plug it in"), and so is what is done with it then."""
-    if "before_that" not in clauses[k].near or roles[k] != "task" or roles[k - 1] != "task":
+    near = clauses[k].near
+    if "before_that" not in near or "either_way" in near or roles[k] != "task" or roles[k - 1] != "task":
         return
     if sides[k - 1] not in (_HOLDS, _FAILS):
         return

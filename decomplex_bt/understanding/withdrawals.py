@@ -187,7 +187,10 @@ def _needless(words: _Words) -> frozenset[int]:
             continue
         after = [words.said[i] for i in range(at, len(words.said)) if sentences[i] == sentences[at] + 1]
         ahead = after[: next((i for i, word in enumerate(after) if word in ("if", "unless", "when")), len(after))]
-        if "instead" in ahead and sentences[at] - 1 not in words.conditional:
+        told = [words.said[i] for i in range(lead, len(words.said)) if sentences[i] == sentences[at]]
+        is_there = not {"here", "already"}.isdisjoint(told) or ("not" in told and "any" in told)
+        is_instead = "instead" in ahead and "instead of" not in " ".join(ahead) and _AGAIN.isdisjoint(ahead)
+        if is_there and is_instead and sentences[at] - 1 not in words.conditional:
             found |= _before(words, at, is_last=True)
     return frozenset(found)
 

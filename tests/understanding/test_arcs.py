@@ -172,9 +172,3 @@ def test_a_joint_that_can_be_told_both_ways_is_told_as_its_words_have_it(joins):
     assert arcs is not None
     assert arcs[2].role == joins
     assert flow_of(arcs, wordings) == flow
-
-
-def test_what_refuses_to_do_something_does_not_do_it():
-    on, refused = Wording(state="on", opposite="off"), Wording(state="on", opposite="off", is_contrary=True)
-    arcs = [Arc("condition"), Arc("mention", "<1"), Arc("task", "<1+")]
-    assert flow_of(arcs, [on, refused, PLAIN]).to_json() == [{"if": [1, 2], "else": [3]}]

@@ -273,6 +273,9 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
         ("[it](2:object) won't [fit](2:check_state)", False),
         ("[the key](2:object) won't [turn](2:check_state)", False),
         ("[it](2:object) [starts](2:check_state)", False),
+        ("[they](2:object) won't [open](2:check_state)", False),  # one door
+        ("[it](2:object) doesn't [work](2:check_state) today", False),
+        ("[it](2:object) doesn't [come](2:check_state)", False),
     ],
 )
 def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
@@ -289,6 +292,7 @@ def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failu
         ("[the tongs](2:object) [are](2:check_state) not [in the shed](2:location)", True),
         ("[the tongs](2:object) [are](2:check_state) [there](2:location)", False),
         ("[the peg](2:object) [is](2:check_state)n't [there](2:location)", False),
+        ("[the long tongs](2:object) [are](2:check_state)n't [there](2:location)", True),
         ("[tongs](2:object) [are](2:check_state)n't [there](2:location)", False),
     ],
 )
@@ -363,3 +367,15 @@ def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
     )
     assert found[0].finds_out(found[1])
     assert chained_roles(found, ["task", "condition"]) == ("task", "condition")
+
+
+@pytest.mark.parametrize(
+    ("check", "is_negated"),
+    [("refuses to [open](2:check_state)", True), ("[opens](2:check_state)", False), ("[fails](2:check_state)", False)],
+)
+def test_what_refuses_to_do_something_does_not_do_it(check: str, is_negated: bool) -> None:
+    found = clauses(
+        f"[Unlock](1:change_state) [the door](1:object). If [it](2:object) {check}, [call](3:informing) me."
+    )
+    assert found[1].wording.is_negated == is_negated
+    assert found[1].wording.is_contrary == ("fails" in check)

@@ -39,6 +39,7 @@ from decomplex_bt.understanding.document import Parser
         ("earlier still close it", ["before_that"]),
         ("close it at the end", ["last"]),
         ("close it last", ["last"]),
+        ("do this last", ["last"]),
         ("close the last one", []),
         ("next close it", ["then"]),
         ("put it next to the door", []),

@@ -245,11 +245,14 @@ def test_all_that_was_ordered_hangs_on_what_all_this_is_said_of() -> None:
     assert stated_sides(found, ("task", "task", "condition"), ("top", ">1+", "top")) == (">1-", ">1-", "top")
 
 
-@pytest.mark.parametrize(("thing", "mention"), [("the stove", "<2"), ("the kindling", "<1"), ("the cat", "<1")])
+@pytest.mark.parametrize(
+    ("thing", "mention"),
+    [("the stove", "<2"), ("the old stove", "<2"), ("the new stove", "<1"), ("the kindling", "<1"), ("the cat", "<1")],
+)
 def test_a_mention_is_of_what_it_names(thing: str, mention: str) -> None:
     found = clauses(
         "If [the old stove](1:object) [is](1:check_state) [cold](1:state), [see](2:check_state) if [the kindling]"
-        f"(2:object) is [dry](2:state). If [{thing}](3:object) [is](3:check_state) [damp](3:state), "
+        f"(2:object) is [dry](2:state). If [{thing}](3:object) [is](3:check_state) [warm](3:state), "
         "[tell](4:informing) me."
     )
     assert stated_sides(found, ("condition", "condition", "mention", "task"), ("top", "<1+", "<1", "<1+"))[2] == mention
