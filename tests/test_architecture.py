@@ -41,6 +41,15 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
 }
 """Which rooms each room may import, itself apart; "" is the package's own front door. Lazy imports count, too."""
 
+INSIDE_UNDERSTANDING: dict[str, frozenset[str]] = {
+    "references": frozenset(),
+    "rules": frozenset({"references"}),
+    "control_flow": frozenset({"references", "rules"}),
+    "recombination": frozenset(),
+    "encoder": frozenset({"references", "control_flow"}),
+}
+"""Which of its inner rooms each inner room of `understanding` may import, itself apart."""
+
 HEAVY = ("spacy", "sklearn", "sklearn_crfsuite", "pycrfsuite", "pyperplan", "joblib", "PIL", "rich", "typer")
 """What neither `import decomplex_bt` nor `gym.make` may load: language, planners, pictures, the command line."""
 
@@ -93,6 +102,21 @@ def test_module_imports_only_what_its_room_may(module: str) -> None:
     for imported in imports_of(modules()[module], at_import=False):
         target = room_of(imported)
         assert target == room or target in MAY_IMPORT[room], f"{module} imports {imported}: against the data flow"
+
+
+@pytest.mark.parametrize("room", sorted(INSIDE_UNDERSTANDING))
+def test_inner_room_imports_only_what_it_may(room: str) -> None:
+    prefix = "decomplex_bt.understanding."
+    inside = [module for module in modules() if module.startswith(f"{prefix}{room}.")]
+    imported = {name for module in inside for name in imports_of(modules()[module], at_import=False)}
+    targets = {name.removeprefix(prefix).split(".")[0] for name in imported if name.startswith(prefix)}
+    assert inside
+    assert targets & INSIDE_UNDERSTANDING.keys() <= INSIDE_UNDERSTANDING[room] | {room}
+
+
+def test_every_inner_room_is_in_the_table() -> None:
+    folders = {path.parent.name for path in (SOURCE / "understanding").glob("*/__init__.py")}
+    assert folders == INSIDE_UNDERSTANDING.keys()
 
 
 def test_no_imports_in_a_circle() -> None:

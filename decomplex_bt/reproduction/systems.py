@@ -10,7 +10,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.reproduction.lexicon_induction import lex_induct
 from decomplex_bt.understanding.arguments import AssociationArguments, FoundArgument, Method, train_association
-from decomplex_bt.understanding.clauses import clauses_of
+from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.crf import transition_weights
 from decomplex_bt.understanding.dependencies import (
     PaperDependencies,

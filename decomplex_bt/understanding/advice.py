@@ -9,8 +9,8 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import gap_of
-from decomplex_bt.understanding.prohibitions import forbidden, is_needless
+from decomplex_bt.understanding.references.gaps import gap_of
+from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
 
 NO_TASK = "no task that this robot knows was found in the text"
 

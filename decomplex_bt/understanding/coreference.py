@@ -18,9 +18,9 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.affinity import Context, Option, options_of
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
+from decomplex_bt.understanding.references.affinity import Context, Option, options_of
+from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
 

@@ -13,20 +13,20 @@ from pathlib import Path
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, Arc
-from decomplex_bt.understanding.clauses import Clause, MarkedTask, clauses_of
-from decomplex_bt.understanding.construction import flow_of
-from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
-from decomplex_bt.understanding.derivation import arcs_of
-from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.sides import stated_sides
-from decomplex_bt.understanding.structure import (
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Arc
+from decomplex_bt.understanding.control_flow.clauses import Clause, MarkedTask, clauses_of
+from decomplex_bt.understanding.control_flow.construction import flow_of
+from decomplex_bt.understanding.control_flow.derivation import arcs_of
+from decomplex_bt.understanding.control_flow.sides import stated_sides
+from decomplex_bt.understanding.control_flow.structure import (
     Chain,
     attachment_features,
     order_features,
     paper_features,
     role_features,
 )
+from decomplex_bt.understanding.crf import Crf, CrfParameters, Features, train_crf
+from decomplex_bt.understanding.features import Observed
 
 PARAMETERS = CrfParameters(c1=0.1, c2=1.0, max_iterations=150)
 MODELS = ("roles", "attachments", "orders")

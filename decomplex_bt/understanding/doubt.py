@@ -14,7 +14,7 @@ from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Choice, Doubt, Instruction, Task
 
 THRESHOLD = 0.6
-"""Below this confidence in the flow a question pays; see docs/understanding.md for what it costs and gains."""
+"""Below this confidence in the flow a question pays; see docs/accuracy.md for what it costs and gains."""
 SIMILAR = 60.0
 """How like a choice an answer must be [percent]."""
 _YOURS = {"me": "you", "my": "your", "mine": "yours", "myself": "yourself"}

@@ -13,7 +13,6 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
-from decomplex_bt.understanding.amendments import answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
@@ -24,7 +23,8 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.remainder import restored, without
-from decomplex_bt.understanding.repairs import repaired
+from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
+from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
 

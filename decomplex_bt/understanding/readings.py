@@ -17,18 +17,18 @@ from typing import Protocol
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow, If
-from decomplex_bt.understanding.affinity import Option
-from decomplex_bt.understanding.amendments import amended
-from decomplex_bt.understanding.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
-from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import Gap
-from decomplex_bt.understanding.phrases import is_pronoun
-from decomplex_bt.understanding.prohibitions import forbidden
+from decomplex_bt.understanding.references.affinity import Option
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.phrases import is_pronoun
+from decomplex_bt.understanding.rules.amendments import amended
+from decomplex_bt.understanding.rules.facts import corrected
+from decomplex_bt.understanding.rules.prohibitions import forbidden
+from decomplex_bt.understanding.rules.withdrawals import Withdrawals, withdrawals_of
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
-from decomplex_bt.understanding.withdrawals import Withdrawals, withdrawals_of
 
 FEATURES = (
     "tasks", "arguments", "roles", "attachments", "orders", "task_count", "uncovered_cue", "shared_cue",

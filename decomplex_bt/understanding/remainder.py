@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import Document
-from decomplex_bt.understanding.phrases import PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 
 
 @dataclass(frozen=True, slots=True)

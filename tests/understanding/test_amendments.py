@@ -10,12 +10,12 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
-from decomplex_bt.understanding.amendments import amended, answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.withdrawals import withdrawals_of
+from decomplex_bt.understanding.rules.amendments import amended, answered, completed, naming, reported, retracted
+from decomplex_bt.understanding.rules.withdrawals import withdrawals_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 

@@ -6,9 +6,9 @@ from hypothesis import strategies as st
 
 from decomplex_bt.corpus import read_corpus
 from decomplex_bt.flow import Flow
-from decomplex_bt.understanding.arcs import ORDERS, Arc, Wording, other_orders
-from decomplex_bt.understanding.construction import flow_of
-from decomplex_bt.understanding.derivation import arcs_of
+from decomplex_bt.understanding.control_flow.arcs import ORDERS, Arc, Wording, other_orders
+from decomplex_bt.understanding.control_flow.construction import flow_of
+from decomplex_bt.understanding.control_flow.derivation import arcs_of
 
 PLAIN = Wording()
 NEGATED = Wording(is_negated=True)

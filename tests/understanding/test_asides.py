@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.understanding.asides import (
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.rules.asides import (
     asides,
     means,
     means_of,
@@ -14,7 +15,6 @@ from decomplex_bt.understanding.asides import (
     tag_question,
     whereabouts,
 )
-from decomplex_bt.understanding.document import Parser
 
 
 @pytest.fixture(scope="module")

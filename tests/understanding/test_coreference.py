@@ -16,13 +16,13 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.affinity import Context, options_of
 from decomplex_bt.understanding.coreference import ReferenceModel, train_references
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import gap_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.phrases import Candidate, candidates_of, noun_chunks, noun_of
+from decomplex_bt.understanding.references.affinity import Context, options_of
+from decomplex_bt.understanding.references.gaps import gap_of, spellings, unsaid_gaps
+from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, noun_chunks, noun_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 

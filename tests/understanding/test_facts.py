@@ -10,9 +10,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
-from decomplex_bt.understanding.facts import corrected
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.rules.facts import corrected
 from decomplex_bt.understanding.tasks import FoundTask
 
 GAZETTEER = Gazetteer({}, {}, frozenset(), ending={"throw away": "placing", "get rid": "placing", "discard": "placing"})

@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.idioms import for_somebody, idiomatic, predicated
+from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, predicated
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
-from decomplex_bt.understanding.sides import stated_sides
+from decomplex_bt.understanding.control_flow.sides import stated_sides
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.wishes import is_served
+from decomplex_bt.understanding.rules.wishes import is_served
 
 
 @pytest.fixture(scope="module")

@@ -12,10 +12,10 @@ from typing import Any
 
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.arcs import ORDERS, ROLES, Arc
-from decomplex_bt.understanding.clauses import MarkedTask, clauses_of, wordings_of
+from decomplex_bt.understanding.control_flow.arcs import ORDERS, ROLES, Arc
+from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of, wordings_of
+from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.dependencies import marked_tasks
-from decomplex_bt.understanding.derivation import arcs_of
 from decomplex_bt.understanding.encoder.export import export
 from decomplex_bt.understanding.encoder.fitting import Lessons, Pace, fit, padded
 from decomplex_bt.understanding.encoder.flows import JUDGE_FILE, LABELS_FILE, NETWORK_FILE, pieces_of

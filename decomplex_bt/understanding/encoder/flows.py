@@ -13,9 +13,11 @@ import numpy as np
 
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
-from decomplex_bt.understanding.arcs import Arc
-from decomplex_bt.understanding.clauses import MarkedTask, clauses_of
-from decomplex_bt.understanding.construction import flow_of
+from decomplex_bt.understanding.control_flow.arcs import Arc
+from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of
+from decomplex_bt.understanding.control_flow.construction import flow_of
+from decomplex_bt.understanding.control_flow.sides import stated_sides
+from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
 from decomplex_bt.understanding.crf import Crf, Features
 from decomplex_bt.understanding.dependencies import (
     FlowModel,
@@ -30,8 +32,6 @@ from decomplex_bt.understanding.encoder.heads import Array, log_softmax
 from decomplex_bt.understanding.encoder.model import open_session, partial_run
 from decomplex_bt.understanding.encoder.pieces import MAX_PIECES, Pieced, Pieces
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.sides import stated_sides
-from decomplex_bt.understanding.structure import Chain, attachment_features, order_features, role_features
 
 NETWORK_FILE, JUDGE_FILE, LABELS_FILE = "flow.onnx", "flow_judge.onnx", "flow_labels.json"
 UNCERTAIN = 0.05

@@ -10,14 +10,14 @@ from pathlib import Path
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.errors import DataFileError
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.affinity import Option
 from decomplex_bt.understanding.coreference import ReferenceModel, choices_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.heads import log_softmax
 from decomplex_bt.understanding.encoder.labels import task_labels
 from decomplex_bt.understanding.encoder.model import EncoderModel
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import Gap
+from decomplex_bt.understanding.references.affinity import Option
+from decomplex_bt.understanding.references.gaps import Gap
 
 SHARE_FILE = "share.json"
 LARGEST_SHARE = 3.0

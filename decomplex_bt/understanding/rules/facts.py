@@ -6,12 +6,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 
-from decomplex_bt.understanding.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
+from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.wishes import is_served
 from decomplex_bt.understanding.tasks import FoundTask
-from decomplex_bt.understanding.wishes import is_served
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))

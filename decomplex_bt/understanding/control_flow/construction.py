@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from decomplex_bt.flow import Do, Flow, If, Node, in_reading_order
-from decomplex_bt.understanding.arcs import (
+from decomplex_bt.understanding.control_flow.arcs import (
     CONDITION_ROLES,
     JOINTS,
     TOP,

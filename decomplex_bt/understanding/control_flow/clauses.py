@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
-from decomplex_bt.understanding.arcs import Wording
+from decomplex_bt.understanding.control_flow.arcs import Wording
+from decomplex_bt.understanding.control_flow.denials import WILLING, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, are_apart
-from decomplex_bt.understanding.denials import WILLING, negations
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.phrases import PERSON_NOUNS, head_of
-from decomplex_bt.understanding.prohibitions import is_forbidden
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of
+from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
 
 @dataclass(frozen=True, slots=True)

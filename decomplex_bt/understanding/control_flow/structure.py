@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, Wording, other_orders
-from decomplex_bt.understanding.clauses import Clause, wordings_of
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wording, other_orders
+from decomplex_bt.understanding.control_flow.clauses import Clause, wordings_of
+from decomplex_bt.understanding.control_flow.reach import left_features, right_features
+from decomplex_bt.understanding.control_flow.resemblance import PRONOUNS, resemblance_features
 from decomplex_bt.understanding.crf import Features
 from decomplex_bt.understanding.cues import GOVERNING, SIGNALS, STRONG, last_of
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.reach import left_features, right_features
-from decomplex_bt.understanding.resemblance import PRONOUNS, resemblance_features
 
 
 def paper_features(observed: Observed, clauses: Sequence[Clause], *, with_task_type: bool = True) -> list[Features]:

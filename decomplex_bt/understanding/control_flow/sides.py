@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.arcs import CONDITION_ROLES, JOINTS
-from decomplex_bt.understanding.clauses import Clause
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
+from decomplex_bt.understanding.control_flow.clauses import Clause
 from decomplex_bt.understanding.cues import are_apart
 
 _HOLDS, _FAILS = "<1+", "<1-"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from decomplex_bt.flow import Do, Flow, If, Node
-from decomplex_bt.understanding.arcs import (
+from decomplex_bt.understanding.control_flow.arcs import (
     CONDITION_ROLES,
     ORDERS,
     TOP,
@@ -18,7 +18,7 @@ from decomplex_bt.understanding.arcs import (
     other_side,
     side_of,
 )
-from decomplex_bt.understanding.construction import Builder, flow_of
+from decomplex_bt.understanding.control_flow.construction import Builder, flow_of
 
 
 def arcs_of(flow: Flow, wordings: Sequence[Wording]) -> tuple[Arc, ...] | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.repairs import replaced_orders
+from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 _MARKS = tuple(
     tuple(phrase.split())

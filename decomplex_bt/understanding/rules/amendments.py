@@ -9,13 +9,13 @@ from itertools import dropwhile, pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
-from decomplex_bt.understanding.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.idioms import for_somebody, predicated
-from decomplex_bt.understanding.phrases import is_pronoun
-from decomplex_bt.understanding.prohibitions import prohibitions
-from decomplex_bt.understanding.withdrawals import Withdrawals
+from decomplex_bt.understanding.references.phrases import is_pronoun
+from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
+from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
+from decomplex_bt.understanding.rules.prohibitions import prohibitions
+from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
 CERTAIN = 0.9
 """The confidence of an argument that an idiom tells."""

@@ -10,8 +10,8 @@ from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.gaps import PREDICATE, Gap, spellings
-from decomplex_bt.understanding.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
+from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, spellings
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
 
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 _GROUPS = {

@@ -10,7 +10,7 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.phrases import (
+from decomplex_bt.understanding.references.phrases import (
     PRONOUNS,
     QUANTIFIERS,
     Candidate,
