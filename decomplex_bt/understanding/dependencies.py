@@ -13,10 +13,11 @@ from pathlib import Path
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Arc
+from decomplex_bt.understanding.control_flow.arcs import Arc
 from decomplex_bt.understanding.control_flow.clauses import Clause, MarkedTask, clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
+from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import (
     Chain,
@@ -74,7 +75,7 @@ class FlowModel:
         chain = Chain(observed, clauses)
         found: list[FoundFlow] = []
         for roles in varied(self.roles, role_features(chain)):
-            chained = chained_roles(clauses, roles.labels)
+            chained = stated_roles(clauses, roles.labels)
             for attachments in varied(self.attachments, attachment_features(chain, chained)):
                 places = stated_sides(clauses, chained, attachments.labels)
                 orders = self.orders.label(order_features(chain, chained, places))
@@ -102,64 +103,6 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
     for flow in sorted(found, key=lambda flow: -prod(flow.probabilities)):
         best.setdefault(flow.flow, flow)
     return tuple(best.values())[:MAX_FLOWS]
-
-
-def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
-    """What finds out what clause `k` tells of: the one before it, be it that who should get something is not there
-    ("take it to Anna, and if she's out, ...") or that what was to be changed does not do so ("unlock it. If it won't
-    open, ..."), or the one before that where what is between is done with what was found ("get it from the box and
-    hang it up. If it isn't in the box, ...") or is done in that case ("look in the box, and tell me if it isn't
-    there")."""
-    before, clause = clauses[k - 1 : k + 1]
-    earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
-    is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
-    is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
-    is_outcome = (before.finds_out(clause) and is_own) or clause.is_failure_of(before)
-    if is_outcome and not clause.is_trailing:
-        return k - 1
-    # it is a mention of that where it was asked before where somebody is
-    checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
-    checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
-    is_asked = any(
-        not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks
-    )
-    if clause.is_absence_of(before) and not is_asked and not clause.is_trailing:
-        return k - 1
-    if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
-        return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
-    return None
-
-
-def chained_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
-    """The roles, with four facts of English made certain: "if it is not there" speaks of the search or the fetching
-    before it, right ahead or with what is done with the thing between, which is thereby a condition however the model
-    reads it, and so does "... either"; a check whose words are of another matter than all conditions before it is no
-    mention of one, but a condition of its own; and two checks under one "if" or "unless" are one condition of two
-    parts."""
-    mended = list(roles)
-    for k in range(1, len(clauses)):
-        if mended[k - 1] in CONDITION_ROLES:
-            mended[k] = clauses[k].joining_role(clauses[k - 1]) or mended[k]
-    for k in range(1, len(clauses)):
-        found_out = _found_out(clauses, mended, k) if mended[k] in CONDITION_ROLES else None
-        if found_out is not None:
-            mended[k] = "mention"
-            mended[found_out] = "condition" if mended[found_out] == "task" else mended[found_out]
-    for k in range(2, len(clauses)):
-        clause = clauses[k]
-        says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
-        if not says_either or roles[k] not in CONDITION_ROLES or clauses[k - 1].task.type != "searching":
-            continue
-        if mended[k - 1] == "task" and any(role in CONDITION_ROLES for role in mended[: k - 1]):
-            mended[k - 1], mended[k] = "condition", "mention"
-    for k, clause in enumerate(clauses):
-        firsts = [clauses[j] for j in range(k) if mended[j] == "condition"]
-        if mended[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
-            mended[k] = "condition"
-        is_bare = mended[k] == "mention" and mended[k - 1] == "condition" and "mention" not in mended[k + 1 :]
-        if is_bare and clause.is_of_other_state(clauses[k - 1]):
-            mended[k - 1 : k + 1] = "task", "condition"  # "check if it is done, and if it's burnt, ..."
-    return tuple(mended)
 
 
 def train_flow(folder: Path, data: Sequence[tuple[Observed, Instruction]]) -> int:

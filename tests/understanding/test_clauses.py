@@ -10,7 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
-from decomplex_bt.understanding.dependencies import chained_roles
+from decomplex_bt.understanding.control_flow.roles import stated_roles
 
 
 @pytest.mark.parametrize(
@@ -30,7 +30,7 @@ def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> Non
     assert found[later].is_of_another(found[0])
     roles = ["condition", *["task"] * (len(found) - 1)]
     roles[later] = "mention"
-    assert chained_roles(found, roles)[later] == "condition"
+    assert stated_roles(found, roles)[later] == "condition"
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def test_what_says_the_same_again_or_its_opposite_stays_a_mention(markup: str) -
     found = clauses(markup)
     assert not found[2].is_of_another(found[0])
     roles = ("condition", "task", "mention", "task")
-    assert chained_roles(found, roles) == roles
+    assert stated_roles(found, roles) == roles
 
 
 def test_a_polite_question_denies_nothing() -> None:
@@ -110,7 +110,7 @@ def test_a_state_that_has_nothing_to_do_with_the_one_asked_is_a_condition_of_its
         "[Check](1:check_state) if [the cake](1:object) is [done](1:state), and if [it](2:object)['s](2:check_state) "
         f"[{state}](2:state), [cover](3:change_state) [it](3:object)."
     )
-    assert chained_roles(found, ("condition", "mention", "task")) == expected
+    assert stated_roles(found, ("condition", "mention", "task")) == expected
 
 
 WET_OR_DARK = (
@@ -190,8 +190,8 @@ def test_an_unless_governs_a_third_check_and_what_an_or_if_adds_where_it_opens_t
 def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: str, expected: str) -> None:
     found = clauses(markup)
     roles = ["task", "condition", role, *["task"] * (len(found) - 3)]
-    assert chained_roles(found, roles)[2] == expected
-    assert chained_roles(found, ["task", "task", role, *roles[3:]])[2] == role
+    assert stated_roles(found, roles)[2] == expected
+    assert stated_roles(found, ["task", "task", role, *roles[3:]])[2] == role
 
 
 @pytest.mark.parametrize(
@@ -229,7 +229,7 @@ def test_that_something_is_not_there_tells_what_the_search_found_out(check: str,
         f"If {check}, [call](4:informing) me."
     )
     assert found[0].finds_out(found[2]) == finds_out
-    roles = chained_roles(found, ["task", "task", "condition", "task"])
+    roles = stated_roles(found, ["task", "task", "condition", "task"])
     assert roles == (("condition", "task", "mention", "task") if finds_out else ("task", "task", "condition", "task"))
 
 
@@ -249,7 +249,7 @@ def test_that_somebody_is_out_tells_what_came_of_an_errand_to_them(check: str, i
         f"[Take](1:bringing) [the soup](1:object) [to Ann](1:recipient). If {check}, [leave](3:placing) [it](3:object)."
     )
     assert found[1].is_absence_of(found[0]) == is_absence
-    roles = chained_roles(found, ["task", "condition", "task"])
+    roles = stated_roles(found, ["task", "condition", "task"])
     assert roles == (("condition", "mention", "task") if is_absence else ("task", "condition", "task"))
 
 
@@ -259,7 +259,7 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
         "(2:object). If [she](3:object)['s](3:check_state) [out](3:state), [leave](4:placing) [it](4:object)."
     )
     roles = ("condition", "task", "mention", "task")
-    assert chained_roles(found, roles) == roles
+    assert stated_roles(found, roles) == roles
 
 
 @pytest.mark.parametrize(
@@ -281,7 +281,7 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
 def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
     found = clauses(f"[Unlock](1:change_state) [the door](1:object). If {check}, [call](3:informing) me.")
     assert found[1].is_failure_of(found[0]) == is_failure
-    roles = chained_roles(found, ["task", "condition", "task"])
+    roles = stated_roles(found, ["task", "condition", "task"])
     assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
 
 
@@ -311,7 +311,7 @@ def test_what_was_asked_about_before_is_missed_by_that() -> None:
         "[there](4:location), [tell](5:informing) me."
     )
     roles = ("condition", "mention", "task", "mention", "task")
-    assert chained_roles(found, roles) == roles
+    assert stated_roles(found, roles) == roles
 
 
 def test_he_is_where_it_was_asked_he_was() -> None:
@@ -321,7 +321,7 @@ def test_he_is_where_it_was_asked_he_was() -> None:
         "[wrap](4:change_state) [it](4:object)."
     )
     roles = ("condition", "task", "mention", "task")
-    assert chained_roles(found, roles) == roles
+    assert stated_roles(found, roles) == roles
 
 
 @pytest.mark.parametrize(
@@ -366,7 +366,7 @@ def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
         "[there](2:location) any more."
     )
     assert found[0].finds_out(found[1])
-    assert chained_roles(found, ["task", "condition"]) == ("task", "condition")
+    assert stated_roles(found, ["task", "condition"]) == ("task", "condition")
 
 
 @pytest.mark.parametrize(

@@ -25,55 +25,64 @@ class MarkedTask:
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """What surrounds one task, in token indices.
-
-    `far`: the cues between the task before and the last punctuation mark ahead of this one; `near`: those from there
-    to the task; `behind`: those after the task up to the next punctuation mark or task. `first`/`last` bound the
-    clause. `objects`: the nouns of its object, `nouns`: those of all its arguments (lemmas), `receivers`: of those
-    who get or are told something; `has_pronoun`: whether an argument is a pronoun; `number`: whether its object is
-    "one" thing or "many", "" where the words leave it open; `asks_where`: whether it asks for nothing but where
-    something is; `asks_whether_any`: whether it asks if there is something; `is_forbidden`: whether it says not to do
-    something ("don't open it"); `is_alternative`: whether "or if" opens it; `is_otherwise`: whether "otherwise" or
-    the like does; `is_excepted`: whether it stands under the "unless" of the clause before it; `is_asked`: whether it
-    orders to check ("see if it is on") or asks ("is it on?"); `ends_sentence`: whether no task follows in its
-    sentence; `places`: the nouns of where it says that something is, is looked for or taken from, and "there";
-    `says_absent`: whether it says no more than that what was spoken of is not in such a place, `says_named_absent`:
-    that something is not that has a name; `says_undone`: whether it says no more than that what was spoken of does
-    not do what it was made to ("if it won't open", "if they don't start"); `is_of_somebody`: whether its object is
-    "he", "she" or "they"; `is_of_person`: "he" or "she"; `covers`: "+" or "-" where it says that all that is ordered
-    before hangs on it ("all this only if ...", "none of it if ..."), "" where it does not.
-    """
+    """What surrounds one task, and what its words say for certain. Indices are those of tokens, nouns are lemmas."""
 
     task: MarkedTask
     first: int
     last: int
+    """The bounds of the clause."""
     far: tuple[str, ...]
+    """The cues between the task before and the last punctuation mark ahead of this one."""
     near: tuple[str, ...]
+    """The cues from there to the task."""
     behind: tuple[str, ...]
+    """The cues after the task up to the next punctuation mark or task."""
     sentence: int
     boundary: str
+    """The last mark between the task before and this one; "none" without one, "start" for the first task."""
     wording: Wording
     objects: tuple[str, ...]
+    """The nouns of its object."""
     thing: frozenset[str]
+    """All words of its object that tell which one is meant: "small" and "box"."""
     nouns: frozenset[str]
+    """The nouns of all its arguments."""
     receivers: frozenset[str]
+    """The nouns of those who get or are told something, and of where something is put."""
+    places: frozenset[str]
+    """The nouns of where it says that something is, is looked for or taken from, and "there" and its kin."""
     has_pronoun: bool
-    number: str = ""
-    asks_where: bool = False
-    asks_whether_any: bool = False
-    is_forbidden: bool = False
-    is_alternative: bool = False
-    is_otherwise: bool = False
+    """Whether an argument is a pronoun."""
+    number: str
+    """Whether its object is "one" thing or "many"; "" where the words leave it open."""
+    covers: str
+    """The side, "+" or "-", of all that was ordered before, if that hangs on it ("all this only if ..."), else ""."""
+    ends_sentence: bool
+    """Whether no task follows in its sentence."""
+    is_asked: bool
+    """Whether it orders to check ("see if it is on") or asks ("is it on?")."""
+    is_forbidden: bool
+    """Whether it says not to do something ("don't open it")."""
+    is_alternative: bool
+    """Whether "or if" opens it."""
+    is_otherwise: bool
+    """Whether "otherwise" or the like opens it."""
+    is_of_somebody: bool
+    """Whether its object is "he", "she" or "they"."""
+    is_of_person: bool
+    """Whether its object is "he" or "she"."""
+    asks_where: bool
+    """Whether it asks for nothing but where something is."""
+    asks_whether_any: bool
+    """Whether it asks if there is something."""
+    says_absent: bool
+    """Whether it says no more than that what was spoken of is not in one of its `places`."""
+    says_named_absent: bool
+    """The same of something that it names."""
+    says_undone: bool
+    """Whether it says no more than that what was spoken of does not do what it was made to ("if it won't open")."""
     is_excepted: bool = False
-    is_asked: bool = False
-    ends_sentence: bool = False
-    places: frozenset[str] = frozenset()
-    says_absent: bool = False
-    says_named_absent: bool = False
-    says_undone: bool = False
-    is_of_somebody: bool = False
-    is_of_person: bool = False
-    covers: str = ""
+    """Whether it stands under the "unless" of the clause before it."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
@@ -251,88 +260,125 @@ def wordings_of(clauses: Sequence[Clause]) -> tuple[Wording, ...]:
     return tuple(clause.wording for clause in clauses)
 
 
+@dataclass(frozen=True, slots=True)
+class _Stretch:
+    """The words around one task: those up to the task before and the task after, and its own clause among them."""
+
+    previous: int
+    """The task before, -1 without one."""
+    split: int
+    """The last mark between the task before and this one, else the task before."""
+    following: int
+    """The task after, else the number of tokens."""
+    first: int
+    last: int
+    own_last: int
+    """Where the clause ends if what stands behind an "and" is of the next task: "it is hot and the fan is not on"."""
+    end: int
+    """The next mark behind it outside its message, else the task after."""
+    is_open: bool
+    """Whether no mark stands between it and the task after."""
+    cues: tuple[Cue, ...]
+    """All cues of the instruction but those inside arguments that cannot be meant."""
+
+    @classmethod
+    def around(cls, observed: Observed, tasks: Sequence[MarkedTask], k: int, said: frozenset[int]) -> _Stretch:
+        """The words around task `k`; `said`: the tokens of all arguments."""
+        document, token = observed.document, tasks[k].token
+        previous = tasks[k - 1].token if k else -1
+        following = tasks[k + 1].token if k + 1 < len(tasks) else len(document)
+        message = {j for kind, indices in tasks[k].arguments if kind == "message" for j in indices}
+        marks = [j for j in range(previous + 1, following) if document.tokens[j].text in _PUNCTUATION]
+        split = max((j for j in marks if j < token), default=previous)
+        end = min((j for j in marks if j > token and j not in message), default=following)
+        is_open = end == following < len(document)
+        cues = [cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)]
+        opening = [cue.last for cue in cues if split < cue.first <= token and cue.name in GOVERNING]
+        joining = [cue.last for cue in cues if split < cue.first < token and cue.name in _COORDINATORS]
+        closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
+        first = max(opening or joining, default=split) + 1
+        last = min([end, *closing]) - 1
+        joints = [j for j in range(token + 1, following) if document.tokens[j].lower in _COORDINATORS]
+        own_last = min([last, *joints[-1:]]) if is_open else last
+        return cls(
+            previous=previous,
+            split=split,
+            following=following,
+            first=min(first, token),
+            last=max(last, token),
+            own_last=max(own_last, token),
+            end=end,
+            is_open=is_open,
+            cues=tuple(cues),
+        )
+
+    def names(self, start: int, stop: int) -> tuple[str, ...]:
+        """The names of the cues that begin between two tokens, both excluded."""
+        return tuple(cue.name for cue in self.cues if start < cue.first < stop)
+
+
 def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: frozenset[int]) -> Clause:
     """The clause of task `k`; `said`: the tokens of all arguments."""
-    document = observed.document
-    token = tasks[k].token
-    previous = tasks[k - 1].token if k else -1
-    following = tasks[k + 1].token if k + 1 < len(tasks) else len(document)
-    breaks = [j for j in range(previous + 1, token) if document.tokens[j].text in _PUNCTUATION]
-    split = breaks[-1] if breaks else previous
-    message = {j for kind, indices in tasks[k].arguments if kind == "message" for j in indices}
-    end = next(
-        (j for j in range(token + 1, following) if document.tokens[j].text in _PUNCTUATION and j not in message),
-        following,
-    )
-    cues = [cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)]
-    far = tuple(cue.name for cue in cues if previous < cue.first <= split)
-    near = tuple(cue.name for cue in cues if split < cue.first < token)
-    behind = tuple(cue.name for cue in cues if token < cue.first < end)
+    document, task, token = observed.document, tasks[k], tasks[k].token
+    stretch = _Stretch.around(observed, tasks, k, said)
+    previous, following, split = stretch.previous, stretch.following, stretch.split
+    first, own_last = stretch.first, stretch.own_last
+    far, near = stretch.names(previous, split + 1), stretch.names(split, token)
+    behind = stretch.names(token, stretch.end)
     # "lock up but before that feed the cat": where no mark stands between, it belongs to what follows
-    is_open = end == following < len(document)
-    own = tuple(name for name in behind if not (is_open and name in ("before_that", "before_all")))
-    opening = [cue.last for cue in cues if split < cue.first <= token and cue.name in GOVERNING]
-    joining = [cue.last for cue in cues if split < cue.first < token and cue.name in ("and", "or", "but")]
-    first = max(opening or joining, default=split) + 1
-    closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
-    last = min([end, *closing]) - 1
+    own = tuple(name for name in behind if not (stretch.is_open and name in ("before_that", "before_all")))
+    ahead = [cue for cue in stretch.cues if previous < cue.first < token]
     is_joined = previous >= 0 and document.sentences[previous] == document.sentences[token]
-    # "it is hot and the fan is not on": what stands behind the "and" is of the next task
-    joints = [j for j in range(token + 1, following) if document.tokens[j].lower in _COORDINATORS] if is_open else []
-    own_last = max(token, min([last, *joints[-1:]]))
-    kinds = [kind for kind, _ in tasks[k].arguments]
+    is_excluded = "unless" in near
     return Clause(
-        task=tasks[k],
-        first=min(first, token),
-        last=max(last, token),
+        task=task,
+        first=first,
+        last=stretch.last,
         far=far,
         near=near,
         behind=behind,
         sentence=document.sentences[token],
-        boundary="start" if previous < 0 else (document.tokens[split].text if breaks else "none"),
-        wording=_wording(observed, tasks[k], min(first, token), own_last, (far, near, own), is_joined),
-        objects=tuple(_nouns(document, tasks[k], ("object",))),
-        thing=_thing(document, tasks[k]),
-        nouns=frozenset(_nouns(document, tasks[k], kinds)),
-        receivers=frozenset(_nouns(document, tasks[k], ("recipient", "goal"))),
+        boundary="start" if previous < 0 else (document.tokens[split].text if split > previous else "none"),
+        wording=_wording(observed, task, first, own_last, (far, near, own), is_joined),
+        objects=tuple(_nouns(document, task, ("object",))),
+        thing=_thing(document, task),
+        nouns=frozenset(_nouns(document, task, [kind for kind, _ in task.arguments])),
+        receivers=frozenset(_nouns(document, task, ("recipient", "goal"))),
+        places=_places(document, task),
         has_pronoun=any(
-            document.tokens[indices[-1]].lower in _REFERRING for _, indices in tasks[k].arguments if len(indices)
+            document.tokens[indices[-1]].lower in _REFERRING for _, indices in task.arguments if len(indices)
         ),
-        number=next((_number(document, indices) for kind, indices in tasks[k].arguments if kind == "object"), ""),
-        asks_where=_asks_where(document, tasks[k], behind),
-        asks_whether_any=_asks_whether_any(document, tasks[k], range(first, max(last, token) + 1)),
-        is_forbidden=is_forbidden(document, token),
-        places=frozenset(
-            document.tokens[j].lemma
-            for kind, indices in tasks[k].arguments
-            if kind in ("source", "location")
-            for j in indices
-            if document.tokens[j].pos in ("NOUN", "PROPN") or document.tokens[j].lower in _AROUND
-        ),
-        is_of_somebody=_is_of_somebody(document, tasks[k], _PERSONS),
-        is_of_person=_is_of_somebody(document, tasks[k], _PERSONS - {"they"}),
-        covers=_covers(document, [cue for cue in cues if previous < cue.first < token and cue.name in _COVERING]),
-        says_undone=_says_undone(observed, tasks[k], previous, own_last, near),
-        says_absent="unless" not in near and _says_absent(observed, tasks[k], min(first, token), own_last),
-        says_named_absent="unless" not in near
-        and _says_absent(observed, tasks[k], min(first, token), own_last, is_named=True),
+        number=next((_number(document, indices) for kind, indices in task.arguments if kind == "object"), ""),
+        covers=_covers(document, [cue for cue in ahead if cue.name in _COVERING]),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=observed.question[token]
         or "whether" in behind
         or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
+        is_forbidden=is_forbidden(document, token),
+        is_alternative=any(
+            cue.name == "if" and document.tokens[cue.first - 1].lower == "or"
+            for cue in ahead
+            if cue.first > previous + 1
+        ),
         is_otherwise=any(
             cue.name == "else"
             and document.tokens[cue.first].lower in _OTHERWISE
             and not _is_adverb(document, cue.first)
-            for cue in cues
-            if previous < cue.first < token
+            for cue in ahead
         ),
-        is_alternative=any(
-            cue.name == "if" and previous < cue.first - 1 and document.tokens[cue.first - 1].lower == "or"
-            for cue in cues
-            if cue.first < token
-        ),
+        is_of_somebody=_is_of_somebody(document, task, _PERSONS),
+        is_of_person=_is_of_somebody(document, task, _PERSONS - {"they"}),
+        asks_where=_asks_where(document, task, behind),
+        asks_whether_any=_asks_whether_any(document, task, range(first, stretch.last + 1)),
+        says_absent=not is_excluded and _says_absent(observed, task, first, own_last),
+        says_named_absent=not is_excluded and _says_absent(observed, task, first, own_last, is_named=True),
+        says_undone=_says_undone(observed, task, previous, own_last, near),
     )
+
+
+def _places(document: Document, task: MarkedTask) -> frozenset[str]:
+    tokens = [document.tokens[j] for kind, indices in task.arguments if kind in ("source", "location") for j in indices]
+    return frozenset(t.lemma for t in tokens if t.pos in ("NOUN", "PROPN") or t.lower in _AROUND)
 
 
 def _nouns(document: Document, task: MarkedTask, kinds: Collection[str]) -> list[str]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
 from decomplex_bt.understanding.control_flow.clauses import Clause
+from decomplex_bt.understanding.control_flow.construction import Builder
 from decomplex_bt.understanding.cues import are_apart
 
 _HOLDS, _FAILS = "<1+", "<1-"
@@ -63,15 +64,10 @@ def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 
 def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:
-    """Of every condition and mention before `k` the condition that it is, or is a mention of (`construction`)."""
-    groups: dict[int, int] = {}
-    for j in range(k):
-        if roles[j] not in CONDITION_ROLES:
-            continue
-        before = list(dict.fromkeys(groups[i] for i in range(j - 1, -1, -1) if i in groups))
-        rank = int(sides[j][1]) if roles[j] == "mention" and sides[j] != "top" else 0
-        groups[j] = before[rank - 1] if 0 < rank <= len(before) else j
-    return groups
+    """Of every condition and mention before `k` the condition that it is, or is a mention of."""
+    builder = Builder([Arc(*labels) for labels in zip(roles[:k], sides[:k], strict=True)], ())
+    builder.collect_groups()
+    return builder.group_of
 
 
 def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

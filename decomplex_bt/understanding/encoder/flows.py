@@ -16,6 +16,7 @@ from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.control_flow.arcs import Arc
 from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
+from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
 from decomplex_bt.understanding.crf import Crf, Features
@@ -23,7 +24,6 @@ from decomplex_bt.understanding.dependencies import (
     FlowModel,
     FoundFlow,
     Varied,
-    chained_roles,
     likeliest,
     varied,
 )
@@ -110,7 +110,7 @@ class EncoderFlows:
         no_roles, no_places = [[network.roles[0]] * len(tasks)], [[network.attachments[0]] * len(tasks)]
         (table,) = network.judge("role", settled, no_roles, no_places)
         ways = _ways(crfs.roles, role_features(chain), table, network.roles)[:MAX_ROLES]
-        roles = [chained_roles(clauses, way.labels) for way in ways]
+        roles = [stated_roles(clauses, way.labels) for way in ways]
         tables = network.judge("attachment", settled, roles, no_places * len(roles))
         attached = [
             (way, told, attachment)

@@ -68,6 +68,8 @@ _TAKING_UP = frozenset("it them that those this these one ones there".split())
 _SUBORDINATING = frozenset("before after once when if while until till unless as".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
+_UNENDING = frozenset(("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ"))
+"""Parts of speech that end no phrase."""
 _NAMING = frozenset(("NOUN", "PROPN", "ADJ", "NUM", "DET", "PART"))
 
 
@@ -131,6 +133,11 @@ class _Said:
 
     def begins_clause(self, i: int) -> bool:
         return i == 0 or self.words[i - 1] in _CLAUSE_OPENERS or not self.are_together(i - 1, i)
+
+    def may_begin(self, i: int) -> bool:
+        """Whether something may be begun there: a sentence, or what stands behind a mark, a filler or an address."""
+        opening = _BREAKS | _FILLERS | _INTERJECTIONS | {"you"}
+        return i == 0 or self.words[i - 1] in opening or not self.are_together(i - 1, i)
 
     def is_strong(self, run: range) -> bool:
         """Whether a run of editing words takes something back: it has a "no", "sorry" or "I mean" that says nothing
@@ -212,40 +219,64 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
     """A clause that is begun over with the same words, where it was taken back or broken off between; empty where none
     is. Of "put the fan on, no, wait, if it's hot put the fan on" the first four words are taken back alone."""
     words = said.words
-    opening = _BREAKS | _FILLERS | _INTERJECTIONS | {"you"}
-    if first and words[first - 1] not in opening and said.are_together(first - 1, first):
+    if not said.may_begin(first):
         return range(0)
     count = 0
     while first + count < again + count < len(words) and words[first + count] == words[again + count]:
         count += 1
-    between = range(first + count, again)
-    inner = [run for run in said.runs if run.start >= between.start and run.stop <= between.stop]
+    inner = [run for run in said.runs if run.start >= first + count and run.stop <= again]
+    is_close = again - (first + count) <= FARTHEST
+    if count > 2 and inner and inner[0].start == first + count and _is_moved(said, inner[0], again):
+        return range(first, inner[0].stop)
+    is_opening = words[first] in _OPENERS
+    is_over = (is_opening and _is_meant(said, first, again, count)) or (
+        bool(inner)
+        and (
+            (count > 0 and _is_ordered_anew(said, first, again, inner))
+            or ((count > 1 or is_opening) and any(_is_broken_off(said, first, run) for run in inner))
+            or (count > 1 and _is_resumed(said, again, inner))
+        )
+    )
+    return range(first, again) if is_close and is_over else range(0)
+
+
+def _takes_back(said: _Said, run: range, again: int) -> bool:
+    """Whether a run takes back what stands ahead of it, and what is said again at `again` is not to come first or on
+    top of that."""
+    is_near = said.is_strong(run) and again - run.stop <= LONGEST
+    return (is_near or said.turns(run, again)) and not _is_ahead(said, again)
+
+
+def _is_ahead(said: _Said, again: int) -> bool:
+    """Whether what is said again is to be done first, before something, or on top of what was said."""
+    words = said.words
     end = next((i for i in range(again, len(words)) if not said.are_together(i, again)), len(words))
-    is_first = not _AHEAD.isdisjoint(words[again:end]) or _is_added(words, again)
-    is_taken_back = [
-        not is_first and ((said.is_strong(run) and again - run.stop <= LONGEST) or said.turns(run, again))
-        for run in inner
-    ]
-    if count > 2 and inner and inner[0].start == between.start:
-        is_moved = not is_first and not {"if", "when"}.isdisjoint(words[inner[0].stop : again])
-        is_turned = said.has(inner[0], _TURNING) and _is_exclaimed(said, inner[0])
-        if is_taken_back[0] or (is_moved and (said.is_strong(inner[0]) or is_turned)):
-            return range(first, inner[0].stop)
-    if len(between) <= FARTHEST and words[first] in _OPENERS and _is_meant(said, first, again, count):
-        return range(first, again)
-    if not inner or len(between) > FARTHEST:
-        return range(0)
-    if count and _is_order_again(said, first, again) and not is_first:
-        is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
-        if is_turned or any(is_taken_back) or _is_contradicted(words[first:again]):
-            return range(first, again)
-    is_broken = any(_is_broken_off(said, first, run) for run in inner)
-    seeking = inner[-1]
-    is_stuck = said.document.tokens[seeking.start - 1].pos in ("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ")
+    return not _AHEAD.isdisjoint(words[again:end]) or _is_added(words, again)
+
+
+def _is_moved(said: _Said, run: range, again: int) -> bool:
+    """Whether an order is taken back right behind its words, or is told again under an "if"."""
+    is_moved = not {"if", "when"}.isdisjoint(said.words[run.stop : again]) and not _is_ahead(said, again)
+    is_turned = said.has(run, _TURNING) and _is_exclaimed(said, run)
+    return _takes_back(said, run, again) or (is_moved and (said.is_strong(run) or is_turned))
+
+
+def _is_ordered_anew(said: _Said, first: int, again: int, inner: Sequence[range]) -> bool:
+    """Whether an order is given over again behind something that takes it back or turns the speaker round."""
+    if not _is_order_again(said, first, again) or _is_ahead(said, again):
+        return False
+    is_turned = any(said.has(run, _TURNING) and _is_exclaimed(said, run) for run in inner)
+    is_taken_back = any(_takes_back(said, run, again) for run in inner)
+    return is_turned or is_taken_back or _is_contradicted(said.words[first:again])
+
+
+def _is_resumed(said: _Said, again: int, inner: Sequence[range]) -> bool:
+    """Whether words are taken up again behind something that takes them back, or that filled a search for words."""
+    words, seeking = said.words, inner[-1]
+    is_stuck = said.document.tokens[seeking.start - 1].pos in _UNENDING
     is_sought = (said.has(seeking, _HESITATING) and is_stuck) or _seeks(words[seeking.start : seeking.stop])
     is_adjacent = seeking.stop == again and words[seeking.start - 1] not in ("and", "or", "but", "then")
-    is_over = is_broken or (count > 1 and (any(is_taken_back) or (is_sought and is_adjacent)))
-    return range(first, again) if is_over and (count > 1 or words[first] in _OPENERS) else range(0)
+    return (is_sought and is_adjacent) or any(_takes_back(said, run, again) for run in inner)
 
 
 def _is_meant(said: _Said, first: int, again: int, count: int) -> bool:

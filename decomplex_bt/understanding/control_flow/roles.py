@@ -1,0 +1,82 @@
+"""Roles: whether a task is a condition, a mention of an earlier one or neither, as far as English settles it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.clauses import Clause
+
+
+def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
+    """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
+    stated = list(roles)
+    for rule in (_join, _find_out, _say_either, _part):
+        for k in range(1, len(clauses)):
+            rule(clauses, stated, k)
+    return tuple(stated)
+
+
+def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Checks under one "if" or "unless" are one condition of several parts."""
+    if roles[k - 1] in CONDITION_ROLES:
+        roles[k] = clauses[k].joining_role(clauses[k - 1]) or roles[k]
+
+
+def _find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells how something before it went is a mention of that, which is thereby a condition."""
+    found_out = _found_out(clauses, roles, k) if roles[k] in CONDITION_ROLES else None
+    if found_out is not None:
+        roles[k] = "mention"
+        roles[found_out] = "condition" if roles[found_out] == "task" else roles[found_out]
+
+
+def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """What finds out what clause `k` tells of: the one before it, be it that who should get something is not there
+    ("take it to Anna, and if she's out, ...") or that what was to be changed does not do so ("unlock it. If it won't
+    open, ..."), or the one before that where what is between is done with what was found ("get it from the box and
+    hang it up. If it isn't in the box, ...") or is done in that case ("look in the box, and tell me if it isn't
+    there")."""
+    before, clause = clauses[k - 1 : k + 1]
+    earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
+    is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
+    is_outcome = (before.finds_out(clause) and is_own) or clause.is_failure_of(before)
+    if is_outcome and not clause.is_trailing:
+        return k - 1
+    if clause.is_absence_of(before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
+        return k - 1
+    if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
+        return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
+    return None
+
+
+def _is_asked_after(clause: Clause, before: Clause, earlier: Sequence[Clause]) -> bool:
+    """Whether an earlier condition asks where the one is who, by `clause`, is not there for the errand `before`: then
+    it is that one which `clause` mentions."""
+    checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
+    checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
+    return any(not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks)
+
+
+def _say_either(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is not there "either" tells what the search right before it found out."""
+    clause = clauses[k]
+    says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
+    if not says_either or roles[k] not in CONDITION_ROLES or clauses[k - 1].task.type != "searching":
+        return
+    if roles[k - 1] == "task" and not CONDITION_ROLES.isdisjoint(roles[: k - 1]):
+        roles[k - 1], roles[k] = "condition", "mention"
+
+
+def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A check whose words are of another matter than those of all conditions before it is no mention of one, but a
+    condition of its own; and then what an order to check asks is asked of nothing ("check if it is done, and if it's
+    burnt, ...")."""
+    clause = clauses[k]
+    firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
+    if roles[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
+        roles[k] = "condition"
+    is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
+    if is_bare and clause.is_of_other_state(clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
