@@ -1,0 +1,82 @@
+"""What a negation denies."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from annotated import clauses
+
+
+def test_a_polite_question_denies_nothing() -> None:
+    asked = clauses("Why don't you [see](1:check_state) if [the bin](1:object) is [full](1:state)?")
+    assert not asked[0].wording.is_negated
+    asked = clauses("Wouldn't you [look](1:searching) for [the bin](1:object)?")
+    assert not asked[0].wording.is_negated
+    denied = clauses("If you don't [see](1:searching) [the bin](1:object), [tell](2:informing) me.")
+    assert denied[0].wording.is_negated
+    lacking = clauses("Can't you [find](1:searching) [the cup](1:object)? [Bring](2:bringing) [a glass](2:object).")
+    assert lacking[0].wording.is_negated
+
+
+def test_a_statement_with_a_tag_asks_whether_it_is_so() -> None:
+    asked = clauses("[The lamp](1:object) [is](1:check_state)n't [on](1:state), is it? [Dust](2:change_state) it.")
+    assert not asked[0].wording.is_negated
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        ("If [the door](1:object) [is](1:check_state)n't [locked](1:state), [lock](2:change_state) it.", True),
+        ("If there [is](1:check_state) no [milk](1:object), [bring](2:bringing) [tea](2:object).", True),
+        ("If nothing [is](1:check_state) [in the oven](1:location), [clean](2:change_state) [it](2:object).", True),
+        ("If no [cup](1:object) [is](1:check_state) [clean](1:state), [wash](2:change_state) one.", True),
+        ("[Ring](1:informing) Ann. If there['s](2:check_state) no [answer](2:object), [ring](3:informing) Tom.", True),
+        ("if theres none [there](1:check_state) [bring](2:bringing) [tea](2:object)", True),
+        ("If there [is](1:check_state)n't no [milk](1:object), [bring](2:bringing) [tea](2:object).", True),
+        ("If [it](1:object) [is](1:check_state)n't [there](1:location) neither, [call](2:informing) me.", True),
+        ("Unless there [is](1:check_state)n't no [milk](1:object), [bring](2:bringing) it.", False),
+        ("If there['s](1:check_state) [tea](1:object) but no milk, [bring](2:bringing) [it](2:object).", False),
+        ("If [it](1:object)['s](1:check_state) [hot](1:state) but not too hot, [bring](2:bringing) it.", False),
+        ("If [it](1:object) [is](1:check_state) [on](1:state) for no reason, [dust](2:change_state) it.", False),
+        ("If there [is](1:check_state) [a chair](1:object) that nobody uses, [bring](2:bringing) it.", False),
+        ("If [it](1:object)['s](1:check_state) [on](1:state) and nobody [is](2:check_state) [in](2:state), go.", False),
+        ("If [it](1:object) [is](1:check_state) [wet](1:state) don't [iron](2:change_state) [it](2:object).", False),
+    ],
+)
+def test_a_negation_denies_what_it_belongs_to(markup: str, is_negated: bool) -> None:
+    found = clauses(markup)
+    check = next(k for k, clause in enumerate(found) if clause.task.type == "check_state")
+    assert found[check].wording.is_negated == is_negated
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        (
+            "If [it](1:object) [is](1:check_state) [hot](1:state) don't touch it just [tell](2:informing) me",
+            (False, False),
+        ),
+        ("If [it](1:object) [is](1:check_state) [hot](1:state) don't [touch](2:taking) it", (False, True)),
+        ("If [it](1:object) [is](1:check_state)n't [hot](1:state), [tell](2:informing) me", (True, False)),
+        ("[Check](1:check_state) [the taps](1:object) don't drip, then [tell](2:informing) me", (True, False)),
+        ("[Check](1:check_state) [the tap](1:object), no forget it, just [tell](2:informing) me", (False, False)),
+    ],
+)
+def test_what_is_forbidden_beside_denies_nothing(markup: str, is_negated: tuple[bool, bool]) -> None:
+    assert tuple(clause.wording.is_negated for clause in clauses(markup)) == is_negated
+
+
+@pytest.mark.parametrize(
+    ("check", "is_negated"),
+    [("refuses to [open](2:check_state)", True), ("[opens](2:check_state)", False), ("[fails](2:check_state)", False)],
+)
+def test_what_refuses_to_do_something_does_not_do_it(check: str, is_negated: bool) -> None:
+    found = clauses(
+        f"[Unlock](1:change_state) [the door](1:object). If [it](2:object) {check}, [call](3:informing) me."
+    )
+    assert found[1].wording.is_negated == is_negated
+    assert found[1].wording.is_contrary == ("fails" in check)

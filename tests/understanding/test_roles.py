@@ -1,0 +1,212 @@
+"""Which clauses are conditions of their own, parts of one, or mentions of an earlier one."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from annotated import clauses
+
+from decomplex_bt.understanding.control_flow.roles import stated_roles
+
+WET_OR_DARK = (
+    "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"
+)
+GO = "[Go](1:motion) [out](1:goal)"
+
+
+@pytest.mark.parametrize(
+    "markup",
+    [
+        # where it is, then how it is
+        "[Check](1:check_state) whether [the boots](1:object) are [in the hall](1:location). If [they](2:object) "
+        "[are](2:check_state) [muddy](2:state), [wash](3:change_state) [them](3:object).",
+        # one timer, several scones
+        "When [the timer](1:object) [rings](1:check_state), [open](2:change_state) [the oven](2:object). If "
+        "[they](3:object)['re](3:check_state) [pale](3:state), [close](4:change_state) [it](4:object).",
+    ],
+)
+def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> None:
+    found = clauses(markup)
+    later = next(k for k in range(1, len(found)) if found[k].task.type == "check_state")
+    assert found[later].is_of_another(found[0])
+    roles = ["condition", *["task"] * (len(found) - 1)]
+    roles[later] = "mention"
+    assert stated_roles(found, roles)[later] == "condition"
+
+
+@pytest.mark.parametrize(
+    "markup",
+    [
+        "If [the boots](1:object) [are](1:check_state) [in the hall](1:location), [wash](2:change_state) "
+        "[them](2:object). If [they](3:object)['re](3:check_state) [gone](3:state), [tell](4:informing) me.",
+        "If [the boots](1:object) [are](1:check_state) [wet](1:state), [dry](2:change_state) [them](2:object). If "
+        "[they](3:object)['re](3:check_state) [dry](3:state), [tell](4:informing) me.",
+        # one guest, who is "they"
+        "If [the guest](1:object) [is](1:check_state) [asleep](1:state), [close](2:change_state) [it](2:object). If "
+        "[they](3:object)['re](3:check_state) [hungry](3:state), [tell](4:informing) me.",
+        # one window, "them"
+        "If [the window](1:object) [is](1:check_state) [closed](1:state), [open](2:change_state) [it](2:object). If "
+        "[they](3:object)['re](3:check_state) [open](3:state), [tell](4:informing) me.",
+        "If [the drops](1:object) [are](1:check_state) [in it](1:location), [bring](2:bringing) [it](2:object). If "
+        "[they](3:object) [are](3:check_state)n't, [tell](4:informing) me.",
+    ],
+)
+def test_what_says_the_same_again_or_its_opposite_stays_a_mention(markup: str) -> None:
+    found = clauses(markup)
+    assert not found[2].is_of_another(found[0])
+    roles = ("condition", "task", "mention", "task")
+    assert stated_roles(found, roles) == roles
+
+
+@pytest.mark.parametrize(
+    ("state", "expected"),
+    [("burnt", ("task", "condition", "task")), ("raw", ("condition", "mention", "task"))],
+)
+def test_a_state_that_has_nothing_to_do_with_the_one_asked_is_a_condition_of_its_own(
+    state: str, expected: tuple[str, ...]
+) -> None:
+    found = clauses(
+        "[Check](1:check_state) if [the cake](1:object) is [done](1:state), and if [it](2:object)['s](2:check_state) "
+        f"[{state}](2:state), [cover](3:change_state) [it](3:object)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task")) == expected
+
+
+@pytest.mark.parametrize(
+    ("markup", "role", "expected"),
+    [
+        (f"{GO} if " + WET_OR_DARK.format("or") + ".", "task", "or"),
+        (f"{GO} if " + WET_OR_DARK.format("and") + ".", "task", "and"),
+        (f"{GO} unless " + WET_OR_DARK.format("or") + ".", "condition", "and"),
+        # told ahead of the order, the second may lie in the branch of the first
+        ("[Go](1:motion). If " + WET_OR_DARK.format("and") + ", [turn](4:motion) round.", "condition", "condition"),
+        # behind a mark, it may be anything
+        (f"{GO} if " + WET_OR_DARK.format(", and") + ".", "task", "task"),
+        # an order to check
+        (
+            f"{GO} if [it](2:object)['s](2:check_state) [dry](2:state) and [check](3:check_state) that "
+            "[the lamp](3:object) is [off](3:state).",
+            "task",
+            "task",
+        ),
+        # no "if" governs the first
+        (
+            f"{GO}: [it](2:object)['s](2:check_state) [dry](2:state) or [the lamp](3:object) [is](3:check_state) "
+            "[off](3:state).",
+            "task",
+            "task",
+        ),
+    ],
+)
+def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: str, expected: str) -> None:
+    found = clauses(markup)
+    roles = ["task", "condition", role, *["task"] * (len(found) - 3)]
+    assert stated_roles(found, roles)[2] == expected
+    assert stated_roles(found, ["task", "task", role, *roles[3:]])[2] == role
+
+
+@pytest.mark.parametrize(
+    ("check", "finds_out"),
+    [
+        ("[they](3:object)['re](3:check_state) not [there](3:location)", True),
+        ("[they](3:object)['re](3:check_state) not [in the shed](3:location)", True),
+        ("[they](3:object)['re](3:check_state) [there](3:location)", False),
+        ("[they](3:object)['re](3:check_state) not [in the hall](3:location)", False),
+        ("[Tom](3:object)['s](3:check_state) not [there](3:location)", False),
+        ("[they](3:object)['re](3:check_state) not [clean](3:state)", False),
+    ],
+)
+def test_that_something_is_not_there_tells_what_the_search_found_out(check: str, finds_out: bool) -> None:
+    found = clauses(
+        "[Get](1:taking) [the tongs](1:object) [from the shed](1:source) and [hang](2:placing) [them](2:object) up. "
+        f"If {check}, [call](4:informing) me."
+    )
+    assert found[0].finds_out(found[2]) == finds_out
+    roles = stated_roles(found, ["task", "task", "condition", "task"])
+    assert roles == (("condition", "task", "mention", "task") if finds_out else ("task", "task", "condition", "task"))
+
+
+@pytest.mark.parametrize(
+    ("check", "is_absence"),
+    [
+        ("[she](2:object)['s](2:check_state) [out](2:state)", True),
+        ("[she](2:object) [is](2:check_state)n't [home](2:location)", True),
+        ("[she](2:object) [is](2:check_state) not [in](2:state)", True),
+        ("[she](2:object)['s](2:check_state) [home](2:location)", False),
+        ("[she](2:object)['s](2:check_state) [asleep](2:state)", False),
+        ("[Tom](2:object)['s](2:check_state) [out](2:state)", False),
+    ],
+)
+def test_that_somebody_is_out_tells_what_came_of_an_errand_to_them(check: str, is_absence: bool) -> None:
+    found = clauses(
+        f"[Take](1:bringing) [the soup](1:object) [to Ann](1:recipient). If {check}, [leave](3:placing) [it](3:object)."
+    )
+    assert found[1].is_absence_of(found[0]) == is_absence
+    roles = stated_roles(found, ["task", "condition", "task"])
+    assert roles == (("condition", "mention", "task") if is_absence else ("task", "condition", "task"))
+
+
+def test_whether_somebody_is_in_is_asked_once() -> None:
+    found = clauses(
+        "If [Ann](1:object) [is](1:check_state) [home](1:location), [take](2:bringing) [her](2:recipient) [the soup]"
+        "(2:object). If [she](3:object)['s](3:check_state) [out](3:state), [leave](4:placing) [it](4:object)."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert stated_roles(found, roles) == roles
+
+
+@pytest.mark.parametrize(
+    ("check", "is_failure"),
+    [
+        ("[it](2:object) won't [open](2:check_state)", True),
+        ("[it](2:object) doesn't [start](2:check_state)", True),
+        ("[it](2:object) doesn't [come](2:check_state) [on](2:state)", True),
+        ("[it](2:object) doesn't [turn](2:check_state) [green](2:state)", False),
+        ("[it](2:object) still won't [open](2:check_state)", False),
+        ("[it](2:object) won't [fit](2:check_state)", False),
+        ("[the key](2:object) won't [turn](2:check_state)", False),
+        ("[it](2:object) [starts](2:check_state)", False),
+        ("[they](2:object) won't [open](2:check_state)", False),  # one door
+        ("[it](2:object) doesn't [work](2:check_state) today", False),
+        ("[it](2:object) doesn't [come](2:check_state)", False),
+    ],
+)
+def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
+    found = clauses(f"[Unlock](1:change_state) [the door](1:object). If {check}, [call](3:informing) me.")
+    assert found[1].is_failure_of(found[0]) == is_failure
+    roles = stated_roles(found, ["task", "condition", "task"])
+    assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
+
+
+def test_what_was_asked_about_before_is_missed_by_that() -> None:
+    """Where it is was asked before it was brought somewhere: that it is not there tells nothing of the bringing."""
+    found = clauses(
+        "[Look](1:searching) [for the tongs](1:object). If [they](2:object) [are](2:check_state) [there](2:location), "
+        "[bring](3:bringing) [them](3:object) [to the patio](3:goal). If [they](4:object) [are](4:check_state) not "
+        "[there](4:location), [tell](5:informing) me."
+    )
+    roles = ("condition", "mention", "task", "mention", "task")
+    assert stated_roles(found, roles) == roles
+
+
+def test_he_is_where_it_was_asked_he_was() -> None:
+    found = clauses(
+        "If [Tom](1:object) [is](1:check_state) [home](1:location), [tell](2:informing) [him](2:recipient) "
+        "[the soup is on the stove](2:message). If [he](3:object) [is](3:check_state)n't [home](3:location), "
+        "[wrap](4:change_state) [it](4:object)."
+    )
+    roles = ("condition", "task", "mention", "task")
+    assert stated_roles(found, roles) == roles
+
+
+def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
+    found = clauses(
+        "[Take](1:taking) [the bag](1:object) [from the shed](1:source) if [it](2:object) [is](2:check_state)n't "
+        "[there](2:location) any more."
+    )
+    assert found[0].finds_out(found[1])
+    assert stated_roles(found, ["task", "condition"]) == ("task", "condition")
