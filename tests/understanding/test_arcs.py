@@ -40,6 +40,10 @@ FLOWS = {
     ],
     "two conditions": [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}, 5],
     "one task twice": [{"same": [1, 3]}, 2],
+    "between two mentions": [{"if": [1, 3], "then": [2, 4], "else": [{"same": [2]}]}, 5],
+    "in a branch, between two mentions": [
+        {"if": 1, "else": [{"if": [2, 5], "then": [3, 4], "else": [{"same": [4]}, 6]}]},
+    ],
 }
 
 
@@ -172,3 +176,22 @@ def test_a_joint_that_can_be_told_both_ways_is_told_as_its_words_have_it(joins):
     assert arcs is not None
     assert arcs[2].role == joins
     assert flow_of(arcs, wordings) == flow
+
+
+CHECK, BETWEEN, MENTION = Arc("condition"), Arc("task"), Arc("mention", "<1")
+
+
+@pytest.mark.parametrize(
+    ("own", "later", "is_inside"), [((), (), True), (("after",), (), False), ((), ("before",), False)]
+)
+def test_what_is_done_between_two_mentions_is_done_in_any_case_but_not_where_words_tell_of_order(own, later, is_inside):
+    """ "Check whether it is wet, then close the window. If it was wet, dry it"."""
+    wordings = (PLAIN, Wording(orders=own), PLAIN, Wording(orders=later))
+    flow = flow_of((CHECK, BETWEEN, MENTION, Arc("task", "<1+")), wordings)
+    inside, outside = [{"if": [1, 3], "then": [2, 4], "else": [{"same": [2]}]}], [{"if": [1, 3], "then": [4]}, 2]
+    assert flow.to_json() == (inside if is_inside else outside)
+
+
+def test_what_is_done_behind_all_mentions_is_done_after_the_condition():
+    flow = flow_of((CHECK, MENTION, Arc("task", "<1+"), BETWEEN), [PLAIN] * 4)
+    assert flow.to_json() == [{"if": [1, 2], "then": [3]}, 4]

@@ -150,6 +150,15 @@ def test_that_somebody_is_out_tells_what_came_of_an_errand_to_them(check: str, i
     assert roles == (("condition", "mention", "task") if is_absence else ("task", "condition", "task"))
 
 
+@pytest.mark.parametrize(("given", "is_absence"), [("the tongs", False), ("the soup", True)])
+def test_they_may_be_what_is_given(given: str, is_absence: bool) -> None:
+    found = clauses(
+        f"[Give](1:bringing) [{given}](1:object) [to the guests](1:recipient). If [they](2:object) "
+        "[are](2:check_state)n't [there](2:location), [call](3:informing) me."
+    )
+    assert found[1].is_absence_of(found[0]) == is_absence
+
+
 def test_whether_somebody_is_in_is_asked_once() -> None:
     found = clauses(
         "If [Ann](1:object) [is](1:check_state) [home](1:location), [take](2:bringing) [her](2:recipient) [the soup]"

@@ -95,6 +95,8 @@ class Clause:
         "take it to Anna, and if she's out, ..."."""
         if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
             return False
+        if not self.is_of_person and before.number == "many":
+            return False  # "they" may as well be what is given
         kinds = {kind for kind, _ in before.task.arguments}
         # not "in by six"
         is_all = max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last

@@ -32,9 +32,7 @@ class _Group:
 
 def flow_of(arcs: Sequence[Arc], wordings: Sequence[Wording]) -> Flow:
     """The control flow that these arcs say; total: an arc that points nowhere leads to the top."""
-    nodes = Builder(arcs, wordings).build()
-    has_parts = any(arc.role in JOINTS for arc in arcs)
-    return Flow(in_reading_order(nodes) if has_parts else nodes)
+    return Flow(in_reading_order(Builder(arcs, wordings).build()))
 
 
 class Builder:
@@ -148,7 +146,25 @@ class Builder:
         return False
 
     def _nodes(self, members: list[int]) -> tuple[Node, ...]:
-        return tuple(self._node(i) for i in self._arranged(members))
+        inside = [i for i in members if self._is_between(i, members)]
+        return tuple(self._node(i) for i in self._arranged([i for i in members if i not in inside]))
+
+    def _is_between(self, i: int, members: Sequence[int]) -> bool:
+        """Whether a task is done in any case between two mentions of a condition, which is noted on both sides of that:
+        "check whether it is wet, then close the window. If it was wet, dry it". What is told in another order than that
+        of the text is not."""
+        if i in self.groups or self.arcs[i].order != "keep" or self.wordings[i].orders:
+            return False
+        for group in (self.groups[j] for j in members if j in self.groups):
+            mention = next((m for m in sorted(group.members) if m > i), None)
+            if mention is None or group.first > i or len(self._parts(group)) > 1:
+                continue
+            later = [j for side in group.sides.values() for j in side if self._first_token(j) > mention]
+            if later and not any(self.wordings[j].orders for j in (mention, *later)):
+                for side in group.sides.values():
+                    side.append(i)
+                return True
+        return False
 
     def _node(self, i: int) -> Node:
         if i not in self.groups:

@@ -75,10 +75,13 @@ def _arcs_in_text_order(flow: Flow, wordings: Sequence[Wording], joints: Sequenc
         if i != first:
             arcs[i] = Arc("mention", _pointer(i, first, group_of) or TOP)
     targets: dict[int, tuple[str, int, str]] = {}  # pointer, token pointed at, side
+    above = _above(flow)
     for node, parent in _with_parents(flow.nodes, None):
         if isinstance(node, Do) and node.is_repeat:
             continue
         i = node.task - 1
+        if i in above and parent is not None and parent[0] == above[i][0]:
+            parent = above[i][1]
         role = joins.get(i, "condition") if isinstance(node, If) else "task"
         arcs[i] = Arc(role)
         if parent is None:
@@ -109,6 +112,18 @@ def _with_parents(
         if isinstance(node, If):
             yield from _with_parents(node.then, (node.task - 1, "then"))
             yield from _with_parents(node.orelse, (node.task - 1, "else"))
+
+
+def _above(flow: Flow) -> dict[int, tuple[int, tuple[int, str] | None]]:
+    """Of the tasks that stand on both sides of a condition since they are done between two mentions of it: that
+    condition, and where it stands itself, which is where the words have them."""
+    found: dict[int, tuple[int, tuple[int, str] | None]] = {}
+    for node, parent in _with_parents(flow.nodes, None):
+        if isinstance(node, If):
+            for task in _done(node.then) & _done(node.orelse):
+                if node.task < task < max(node.tasks):
+                    found[task - 1] = node.task - 1, parent
+    return found
 
 
 def _joints(flow: Flow) -> Iterator[_Joint]:
