@@ -146,25 +146,26 @@ class Builder:
         return False
 
     def _nodes(self, members: list[int]) -> tuple[Node, ...]:
-        inside = [i for i in members if self._is_between(i, members)]
-        return tuple(self._node(i) for i in self._arranged([i for i in members if i not in inside]))
+        outside: list[int] = []
+        for i in members:
+            group = self._around(i, members)
+            for side in group.sides.values() if group else (outside,):
+                side.append(i)
+        return tuple(self._node(i) for i in self._arranged(outside))
 
-    def _is_between(self, i: int, members: Sequence[int]) -> bool:
-        """Whether a task is done in any case between two mentions of a condition, which is noted on both sides of that:
-        "check whether it is wet, then close the window. If it was wet, dry it". What is told in another order than that
-        of the text is not."""
+    def _around(self, i: int, members: Sequence[int]) -> _Group | None:
+        """The condition between whose mentions a task is done in any case, so on both sides of it: "check whether it is
+        wet, then close the window. If it was wet, dry it". None where words tell of another order than the text's."""
         if i in self.groups or self.arcs[i].order != "keep" or self.wordings[i].orders:
-            return False
+            return None
         for group in (self.groups[j] for j in members if j in self.groups):
             mention = next((m for m in sorted(group.members) if m > i), None)
             if mention is None or group.first > i or len(self._parts(group)) > 1:
                 continue
             later = [j for side in group.sides.values() for j in side if self._first_token(j) > mention]
             if later and not any(self.wordings[j].orders for j in (mention, *later)):
-                for side in group.sides.values():
-                    side.append(i)
-                return True
-        return False
+                return group
+        return None
 
     def _node(self, i: int) -> Node:
         if i not in self.groups:
