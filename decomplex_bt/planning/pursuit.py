@@ -30,7 +30,7 @@ __all__ = ["Bindings", "Pursuit", "PursuitStatus", "pursue"]
 
 
 def pursue(task: GroundTask, belief: Belief, bindings: Bindings, *, since: int) -> Pursuit:
-    """How the task stands, by what the robot has perceived since `belief.tick` was `since` (contracts.md)."""
+    """How the task stands, by what the robot has perceived since `belief.tick` was `since`."""
     pursuer = _Pursuer(task, belief, bindings, since)
     try:
         pursuer.settle_all()
@@ -40,7 +40,7 @@ def pursue(task: GroundTask, belief: Belief, bindings: Bindings, *, since: int) 
 
 
 class _Pursuer(Handling):
-    """Each method named for a task type says how a task of the type stands (contracts.md, when a task is done)."""
+    """Each method named for a task type says how a task of the type stands (docs/grounding.md)."""
 
     # -- one for each task type ---------------------------------------------------------------------------------------
 

@@ -21,7 +21,7 @@ _REPEATING = {
 
 
 def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, domain: Domain) -> Iterator[Missing]:
-    """The required arguments that are neither said, implied, given by the verb nor by default (contracts: defaults), of
+    """The required arguments that are neither said, implied, given by the verb nor by default, of
     all tasks but later mentions."""
     mentions, verbs = flow.mentions(), [task.span for task in tasks]
     for task in tasks:

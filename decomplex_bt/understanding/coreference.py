@@ -1,4 +1,4 @@
-"""Coreference: what pronouns, "one", "there" and unsaid arguments stand for (DeComplex, section III-B, goes beyond it).
+"""Coreference: what pronouns, "one", "there" and unsaid arguments stand for (beyond DeComplex, section III-B).
 
 The paper takes the noun of a preceding task. Here a log-linear model chooses among all phrases of the instruction,
 earlier and later ones, and none, by their kind, number, role, distance and place in the flow; ours because no light

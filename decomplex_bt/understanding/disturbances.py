@@ -1,7 +1,7 @@
 """Disturbances: what becomes of an instruction on its way from a mouth or a keyboard, with its annotation carried on.
 
-Each takes an annotated instruction and a generator and gives a disturbed copy, whose meaning is still that of the
-annotation: no word is lost or altered on purpose that says how tasks hang together.
+Each takes an annotated instruction and a generator and gives a disturbed copy, whose meaning a human reader still gets:
+"if", "unless" and "otherwise" are never lost, though "not" may be heard as "knot".
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The interpreter: text in, an understood `Instruction` out; the chain of all stages and nothing else."""
+"""The interpreter: text in, an understood `Instruction` out; the chain of all stages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changed copies of annotated instructions: as typed in a hurry or heard by a recogniser, spans carried along."""
+"""Changed copies of annotated instructions, without case or marks or with other words, spans carried along."""
 
 from __future__ import annotations
 

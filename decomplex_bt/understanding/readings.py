@@ -1,7 +1,7 @@
 """Readings: several ways to read an instruction, ranked by how well tasks, arguments and flow go together.
 
-The task CRF is unsure of a token in most instructions, and one wrong task breaks the flow. So its likeliest task sets
-are each read to the end, and a small linear model chooses: it knows what no single stage does, for example that an
+The model of tasks is unsure of a token in most instructions, and one wrong task breaks the flow. So its likeliest task
+sets are each read to the end, and a small linear model chooses: it knows what no single stage does, for example that an
 "if" without a condition in its clause, or a condition without anything that makes it one, is probably a misreading.
 """
 

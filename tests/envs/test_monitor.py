@@ -1,4 +1,4 @@
-"""The judge, held against contracts.md ("When a task is done", "The episode") in worlds made by hand."""
+"""The judge in worlds made by hand: when a task is done, what is violated, whether an episode was feasible."""
 
 from __future__ import annotations
 

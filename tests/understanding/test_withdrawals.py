@@ -52,7 +52,6 @@ def tasks(instruction: Instruction) -> list[str]:
             "run the bath no scratch that it's late now get the towels and if they're wet dry them",
             "run the bath no scratch that",
         ),
-        ("Fetch the ladder. Oh no, hang on, it's here. Bring a stool instead.", "Fetch the ladder ."),
     ],
 )
 def test_what_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
@@ -104,7 +103,6 @@ def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken
         "Bring me tea. Actually, I would like it without milk. Put lemon in instead.",
         "Put the soup on the stove. Wait, it needs salt. Put in pepper instead of salt.",
         "Bring the cake to the table. Wait, there is no plate. Use the tray instead.",
-        "Fetch the ladder. Oh wait, it's in the shed. If it isn't, bring a stool instead.",
         "Bring the milk and the eggs in, and don't forget the milk.",
         "Take out the cake before I forget the cake.",
         "Mop the floor but don't scratch that.",

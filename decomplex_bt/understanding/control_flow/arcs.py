@@ -8,7 +8,8 @@ than that of the text. The labels here can:
 role        `task`, `condition`, `mention` (of an earlier condition), `and` / `or` (a condition joined to the one
             before), `again` (a further mention of an unconditional task)
 attachment  `top`, or direction, rank and side: `<1+` is the branch of the nearest condition to the left that follows
-            when that clause holds *as it is stated*, `>1-` that of the nearest one to the right when it does not.
+            when that clause holds *as it is stated*, `>1-` that of the nearest one to the right when it does not;
+            without a side, `<1`, the condition that a mention is of, or how many plain tasks back an `again` means.
             Conditions count by groups of mentions; seen from the left, conditions joined by "and" / "or" count as one,
             their last. "As stated" includes the clause's own negation, so that `+` is the
             plain case after "if it is not there" too; the negation is a matter of grammar and handed in.

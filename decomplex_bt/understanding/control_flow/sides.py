@@ -1,4 +1,4 @@
-"""Sides: whether a task stands where its condition holds or where it does not, as far as English settles it."""
+"""Sides: in which branch of which condition a task stands, as far as English settles it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Features of tasks in their order, for the models of role, attachment and order (the default control flow)."""
+"""Features of tasks in their order, for the models of role, attachment and order, and for the paper's model."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The optional interpreter on a small pretrained encoder (extra `encoder`): a network instead of features and CRFs."""
+"""Two small networks (extra `encoder`): one for tasks and arguments instead of CRFs, one for the flow beside them."""

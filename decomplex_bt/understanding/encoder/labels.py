@@ -1,4 +1,4 @@
-"""What the network's outputs stand for, in their order."""
+"""What the outputs of the network for tasks and arguments stand for, in their order."""
 
 from __future__ import annotations
 

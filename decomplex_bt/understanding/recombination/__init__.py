@@ -1,1 +1,1 @@
-"""Recombination: annotated instructions told in other words, for networks to learn from."""
+"""Annotated instructions told in other words and in another order, for models to learn from."""

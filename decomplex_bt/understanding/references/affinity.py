@@ -1,4 +1,4 @@
-"""How well a phrase fills a gap: the options of a gap with the features that a model weighs."""
+"""How well a phrase fills a gap: the options that are not ruled out, each with the features that a model weighs."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What English settles of an instruction, whatever a model finds likelier; a module for each kind of turn of phrase."""
+"""What English settles of an instruction, whatever a model finds likelier; of tasks and of arguments."""

@@ -1,4 +1,4 @@
-"""Facts of English about tasks that hold whatever a model finds likelier; those about arguments are `amendments`."""
+"""Tasks as English settles them: `corrected` applies the facts here, the idioms, the asides and the wishes."""
 
 from __future__ import annotations
 

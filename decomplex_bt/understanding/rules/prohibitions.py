@@ -1,5 +1,5 @@
-"""Prohibitions: the verbs that an instruction forbids ("don't open the window"), which are no tasks whatever a model
-says of them."""
+"""Prohibitions: the verbs that an instruction forbids ("don't open the window"), or calls needless, which are no tasks
+whatever a model says of them."""
 
 from __future__ import annotations
 

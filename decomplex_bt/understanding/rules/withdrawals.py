@@ -43,7 +43,6 @@ _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
 _CORRECTING = frozenset("no nope wait sorry actually".split())
-_NEEDLESS = frozenset("no nope wait actually hang hold".split())
 _DENYING = frozenset(("no", "nope", "nah"))
 _TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_THINGS)} | {"mean", "meant", "rather"}
 """Words of which every withdrawal has one."""
@@ -91,7 +90,6 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
             found = _taken_back(words, at)
             tokens |= found.tokens
             corrections += [phrase for phrase in found.corrections if phrase not in corrections]
-    tokens |= _needless(words)
     return Withdrawals(frozenset(tokens), tuple(corrections))
 
 
@@ -169,30 +167,6 @@ class _Words:
         while at and not self._begins_sentence(at) and (self.said[at - 1] in _OPENERS or self.said[at - 1] in _BREAKS):
             at -= 1
         return at
-
-
-def _needless(words: _Words) -> frozenset[int]:
-    """The orders that a statement shows to be needless, where another order says what to do instead: "Fetch the ladder.
-    Oh no, it's here. Bring me the stool instead" needs no ladder."""
-    sentences = words.document.sentences
-    found: set[int] = set()
-    for at in range(1, len(words.said)):
-        if sentences[at] == sentences[at - 1]:
-            continue
-        lead = at
-        while lead < len(words.said) - 1 and (words.said[lead] in _OPENERS or words.said[lead] in _BREAKS):
-            lead += 1
-        is_told = words.said[lead] in _SUBJECT_WORDS and sentences[lead] == sentences[at]
-        if not is_told or _NEEDLESS.isdisjoint(words.said[at:lead]):
-            continue
-        after = [words.said[i] for i in range(at, len(words.said)) if sentences[i] == sentences[at] + 1]
-        ahead = after[: next((i for i, word in enumerate(after) if word in ("if", "unless", "when")), len(after))]
-        told = [words.said[i] for i in range(lead, len(words.said)) if sentences[i] == sentences[at]]
-        is_there = not {"here", "already"}.isdisjoint(told) or ("not" in told and "any" in told)
-        is_instead = "instead" in ahead and "instead of" not in " ".join(ahead) and _AGAIN.isdisjoint(ahead)
-        if is_there and is_instead and sentences[at] - 1 not in words.conditional:
-            found |= _before(words, at, is_last=True)
-    return frozenset(found)
 
 
 def _taken_back(words: _Words, at: int) -> Withdrawals:
