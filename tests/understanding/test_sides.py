@@ -45,33 +45,6 @@ def test_what_follows_an_if_it_does_not_is_done_where_it_does_not(markup: str, a
     assert stated_sides(found, roles, ("top", "<1", attachment)) == ("top", "<1", expected)
 
 
-@pytest.mark.parametrize(
-    ("markup", "expected"),
-    [
-        (
-            "[Is](1:check_state) there [a bike](1:object) [in the hall](1:location)? If [it](2:object) "
-            "[is](2:check_state) [mine](2:state), [take](3:bringing) [it](3:object) away.",
-            "<1+",
-        ),
-        # the basket, not the bread, is empty
-        (
-            "[Is](1:check_state) there [bread](1:object) [in the basket](1:location)? If [it](2:object)"
-            "['s](2:check_state) [empty](2:state), [fill](3:change_state) [it](3:object).",
-            "<1-",
-        ),
-        (
-            "If there ['s](1:check_state) no [milk](1:object) and if [it](2:object)['s](2:check_state) "
-            "[late](2:state), [tell](3:informing) me.",
-            "<1-",
-        ),
-    ],
-)
-def test_what_there_is_none_of_has_no_state(markup: str, expected: str) -> None:
-    found = clauses(markup)
-    roles = ("condition", "condition", "task")
-    assert stated_sides(found, roles, ("top", "<1-", "<1+"))[1] == expected
-
-
 @pytest.mark.parametrize("attachment", ["<1+", "<1-"])
 @pytest.mark.parametrize("negation", ["", "n't"])
 def test_what_is_forbidden_in_a_case_is_done_in_the_other(negation: str, attachment: str) -> None:
@@ -80,15 +53,6 @@ def test_what_is_forbidden_in_a_case_is_done_in_the_other(negation: str, attachm
     )
     assert found[1].is_forbidden
     assert stated_sides(found, ("condition", "task"), ("top", attachment)) == ("top", "<1-")
-
-
-def test_what_an_or_if_follows_is_done_where_that_is_not_so() -> None:
-    found = clauses(
-        "[Bring](1:bringing) [the cap](1:object), or if [it](2:object)['s](2:check_state) [wet](2:state), mine."
-    )
-    assert stated_sides(found, ("task", "condition"), (">1+", "top")) == (">1-", "top")
-    plain = clauses("[Bring](1:bringing) [the cap](1:object) if [it](2:object)['s](2:check_state) [dry](2:state).")
-    assert stated_sides(plain, ("task", "condition"), (">1+", "top")) == (">1+", "top")
 
 
 def test_what_is_done_instead_of_what_is_forbidden_is_done_in_its_case() -> None:

@@ -63,8 +63,6 @@ class Clause:
     """Whether it orders to check ("see if it is on") or asks ("is it on?")."""
     is_forbidden: bool
     """Whether it says not to do something ("don't open it")."""
-    is_alternative: bool
-    """Whether "or if" opens it."""
     is_otherwise: bool
     """Whether "otherwise" or the like opens it."""
     is_of_somebody: bool
@@ -73,8 +71,6 @@ class Clause:
     """Whether its object is "he" or "she"."""
     asks_where: bool
     """Whether it asks for nothing but where something is."""
-    asks_whether_any: bool
-    """Whether it asks if there is something."""
     says_absent: bool
     """Whether it says no more than that what was spoken of is not in one of its `places`."""
     says_named_absent: bool
@@ -157,15 +153,6 @@ class Clause:
         is_bare = self.boundary == "none" and self.opening == (self.wording.joins,)
         is_certain = is_bare and (self.wording.joins == "or" or self.ends_sentence)
         return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
-
-    def is_of_what_there_is(self, first: Clause) -> bool:
-        """Whether it tests how something is of which an earlier condition asks whether it is there: "is there a bike?
-        If it is mine, ..."; what there is none of has no state."""
-        own = dict(self.task.arguments)
-        if self.task.type != "check_state" or not first.asks_whether_any or first.wording.is_negated:
-            return False
-        is_of_it = "object" in own and not self.objects and self.has_pronoun and "location" not in own
-        return is_of_it and "state" in own and self.wording.state not in _PRESENT
 
     def is_of_other_state(self, first: Clause) -> bool:
         """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
@@ -357,11 +344,6 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         or "whether" in behind
         or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
         is_forbidden=is_forbidden(document, token),
-        is_alternative=any(
-            cue.name == "if" and document.tokens[cue.first - 1].lower == "or"
-            for cue in ahead
-            if cue.first > previous + 1
-        ),
         is_otherwise=any(
             cue.name == "else"
             and document.tokens[cue.first].lower in _OTHERWISE
@@ -371,7 +353,6 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_of_somebody=_is_of_somebody(document, task, _PERSONS),
         is_of_person=_is_of_somebody(document, task, _PERSONS - {"they"}),
         asks_where=_asks_where(document, task, behind),
-        asks_whether_any=_asks_whether_any(document, task, range(first, stretch.last + 1)),
         says_absent=not is_excluded and _says_absent(observed, task, first, own_last),
         says_named_absent=not is_excluded and _says_absent(observed, task, first, own_last, is_named=True),
         says_undone=_says_undone(observed, task, previous, own_last, near),
@@ -406,15 +387,6 @@ def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> 
         return False  # "are there clean towels in the bathroom?" asks how they are as well
     is_asked = document.tokens[task.token].lemma in _BEING or not {"whether", "if"}.isdisjoint(behind)
     return task.type == "check_state" and "location" in kinds and "state" not in kinds and is_asked
-
-
-def _asks_whether_any(document: Document, task: MarkedTask, clause: range) -> bool:
-    words = [document.tokens[j].lower for j in clause]
-    is_there = any(
-        word == "there" and not {words[i - 1] if i else "", *words[i + 1 : i + 2]}.isdisjoint(_IS)
-        for i, word in enumerate(words)
-    )
-    return task.type == "check_state" and is_there and not any(kind == "state" for kind, _ in task.arguments)
 
 
 def _number(document: Document, indices: range) -> str:

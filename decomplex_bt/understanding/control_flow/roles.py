@@ -11,7 +11,7 @@ from decomplex_bt.understanding.control_flow.clauses import Clause
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _say_either, _part):
+    for rule in (_join, _find_out, _part):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     return tuple(stated)
@@ -57,16 +57,6 @@ def _is_asked_after(clause: Clause, before: Clause, earlier: Sequence[Clause]) -
     checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
     checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
     return any(not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks)
-
-
-def _say_either(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What is not there "either" tells what the search right before it found out."""
-    clause = clauses[k]
-    says_either = "either" in (*clause.near, *clause.behind) and clause.wording.is_negated
-    if not says_either or roles[k] not in CONDITION_ROLES or clauses[k - 1].task.type != "searching":
-        return
-    if roles[k - 1] == "task" and not CONDITION_ROLES.isdisjoint(roles[: k - 1]):
-        roles[k - 1], roles[k] = "condition", "mention"
 
 
 def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -37,10 +37,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _oppose,
             _affirm,
             _precede,
-            _turn,
             _restrict,
             _obstruct,
-            _presuppose,
             _fall_back,
             _follow,
         ):
@@ -187,13 +185,6 @@ def _precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[j] = sides[k - 1]
 
 
-def _turn(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What stands before an "or if" is done where that does not hold ("bring me tea, or if there is none, ...")."""
-    is_behind_task = roles[k] == "condition" and roles[k - 1] == "task"
-    if is_behind_task and sides[k - 1] == ">1+" and clauses[k].is_alternative:
-        sides[k - 1] = ">1-"
-
-
 def _restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What restricts what an "otherwise" opens is asked there as well ("otherwise hang it up, unless it's dry")."""
     if roles[k] != "condition" or roles[k - 1] != "task" or sides[k] not in (_HOLDS, "top"):
@@ -229,13 +220,6 @@ def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         and sides[k - 1] in ("top", _HOLDS, _FAILS)
     ):
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
-
-
-def _presuppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """How something is is asked where it is there, if nothing else was named ("is there a bike? If it's mine, ...")."""
-    are_conditions = roles[k] == roles[k - 1] == "condition"
-    if are_conditions and sides[k] == _FAILS and clauses[k].is_of_what_there_is(clauses[k - 1]):
-        sides[k] = _HOLDS
 
 
 def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
