@@ -1,6 +1,6 @@
 """How whole instructions of strangers are understood: every voice read by an interpreter that never saw it.
 
-    python benchmarks/strangers.py FOLDER [--folds 3] [--only K ...] [--no-encoder]
+    python benchmarks/strangers.py FOLDER [--folds 3] [--only K ...] [--no-encoder] [--jobs N]
 
 Splits the voices that are not for testing into folds. For each it trains on the others as `decomplex-bt train` does,
 into FOLDER, and scores the voices left out: hours for each fold, the longer part for the encoder. What FOLDER has is
@@ -35,13 +35,14 @@ def main() -> None:
     parser.add_argument("--folds", type=int, default=3)
     parser.add_argument("--only", type=int, nargs="*", metavar="K", help="folds from 0; default: all")
     parser.add_argument("--no-encoder", dest="encoder", action="store_false")
+    parser.add_argument("--jobs", type=int, default=1, help="processes that train side by side; -1 for one a core")
     options = parser.parse_args()
     domain = load_domain("household")
     rows: Rows = {}
     for fold, left_out in folds_of(domain, options.folds).items():
         path = options.folder / f"fold-{fold}-of-{options.folds}"
         if options.only is None or fold in options.only:
-            run(path, domain, left_out, encoder=options.encoder)
+            run(path, domain, left_out, encoder=options.encoder, jobs=options.jobs)
         rows |= read_rows(path, encoder=options.encoder)
     for line in table(rows):
         print(line)
@@ -53,7 +54,7 @@ def folds_of(domain: Domain, count: int) -> dict[int, tuple[str, ...]]:
     return {fold: tuple(names[fold::count]) for fold in range(count)}
 
 
-def run(path: Path, domain: Domain, left_out: Collection[str], *, encoder: bool) -> None:
+def run(path: Path, domain: Domain, left_out: Collection[str], *, encoder: bool, jobs: int = 1) -> None:
     """Trains without the voices left out, and scores them, as far as that has not been done."""
     corpus, models = path / "corpus", path / "models"
     if not corpus.is_dir():
@@ -62,7 +63,14 @@ def run(path: Path, domain: Domain, left_out: Collection[str], *, encoder: bool)
         if scores_file(path, encoder=with_encoder).is_file():
             continue
         if not ((models / ENCODER_FOLDER if with_encoder else models) / "manifest.json").is_file():
-            train(corpus, models, domain=domain, encoder=with_encoder, progress=lambda stage: print(f"{path}: {stage}"))
+            train(
+                corpus,
+                models,
+                domain=domain,
+                encoder=with_encoder,
+                jobs=jobs,
+                progress=lambda stage: print(f"{path}: {stage}"),
+            )
         rows = dict(scored(Interpreter.load(domain, models=models, encoder=with_encoder), left_out))
         scores_file(path, encoder=with_encoder).write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
 
