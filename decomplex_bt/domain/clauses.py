@@ -15,16 +15,17 @@ WEATHER = frozenset(
 """What "it" is where it names nothing."""
 _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
-_THERE = re.compile(r"\bthere('s|\u2019s|s| is| are| be| was)\b", re.IGNORECASE)
+_THERE = re.compile(
+    r"\bthere('s|\u2019s|s| is| are| be| was| were)\b|^\W*(is|are|was|were)(n't|n\u2019t)? there (?=\w)", re.IGNORECASE
+)
 
 
 def clause_around(text: str, verb: Span, verbs: Iterable[Span]) -> str:
-    """The words around a verb, without it: from the mark or the last of the other `verbs` before it to the next one."""
+    """The words around a verb, with it: from the mark or the last of the other `verbs` before it to the next one."""
     others = [other for other in verbs if other != verb]
     start = max([other.end for other in others if other.end <= verb.start], default=0)
     end = min([other.start for other in others if other.start >= verb.end], default=len(text))
-    before, after = text[start : verb.start], text[verb.end : end]
-    return f"{_MARKS.split(before)[-1]} {_MARKS.split(after)[0]}"
+    return f"{_MARKS.split(text[start : verb.start])[-1]}{verb.of(text)}{_MARKS.split(text[verb.end : end])[0]}"
 
 
 def is_of_nobody(clause: str) -> bool:
@@ -33,11 +34,11 @@ def is_of_nobody(clause: str) -> bool:
 
 
 def asks_presence(clause: str) -> bool:
-    """Whether it asks only if something is there ("see if there's any milk")."""
+    """Whether it asks only if something is there ("see if there's any milk", "is there any milk")."""
     return _THERE.search(clause) is not None
 
 
-def is_of_weather(verb: str, clause: str) -> bool:
+def is_of_weather(clause: str) -> bool:
     """Whether it is of the weather or the day ("if it's raining", "should it snow"), so that "it" names nothing."""
-    words = re.findall(r"[a-z]+", f"{verb} {clause}".lower())
+    words = re.findall(r"[a-z]+", clause.lower())
     return "it" in words and not WEATHER.isdisjoint(words)

@@ -39,7 +39,7 @@ class Wording:
         """Whether a check is of the weather or the day, which no thing tells."""
         if task.type != "check_state" or task.value("object") is not None:
             return False
-        return is_of_weather(task.span.of(self._instruction.text), self._clause(task))
+        return is_of_weather(self._clause(task))
 
     def has_presence_verb(self, task: Task) -> bool:
         """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""

@@ -10,6 +10,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
+from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
 
 NO_TASK = "no task that this robot knows was found in the text"
@@ -36,7 +37,7 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         if task.type == "check_state":
             clause = clause_around(observed.document.text, task.span, verbs)
             given |= {"object"} if is_of_nobody(clause) else {"state"} if asks_presence(clause) else set()
-            if is_of_weather(task.span.of(observed.document.text), clause):
+            if is_of_weather(clause):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
@@ -66,6 +67,9 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         yield NO_TASK
         return
     starts = {task.span.start for task in tasks}
+    for words in alternatives(observed, [document.indices(task.span).start for task in tasks]):
+        phrase = document.span(words.start, words.stop - 1).of(document.text)
+        yield f"{phrase!r} is no task, for it has no verb: say what to do with it"
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -70,8 +70,9 @@ class ReferenceModel:
                         context.mention(gap, option)
                 arguments.append(argument)
             implied = []
+            said = {argument.value.lower() for argument in arguments}  # what is put is not where it is put
             for gap in unsaid_gaps(observed, task, self._ontology):
-                option, probability = self._best(context, gap, hints)
+                option, probability = self._best(context, gap, hints, said)
                 if option.candidate is not None:
                     implied.append(Argument(option.type, option.text, None, probability))
                     context.mention(gap, option)
@@ -91,9 +92,11 @@ class ReferenceModel:
             scores.append(sum([weights.get(feature, 0.0) for feature in option.own], score))
         return scores
 
-    def _best(self, context: Context, gap: Gap, hints: Hints | None) -> tuple[Option, float]:
-        """The likeliest filling; options with the same words share their probability."""
-        options = options_of(context, gap)
+    def _best(
+        self, context: Context, gap: Gap, hints: Hints | None, excluded: Collection[str] = ()
+    ) -> tuple[Option, float]:
+        """The likeliest filling, none of the `excluded` ones; options with the same words share their probability."""
+        options = [o for o in options_of(context, gap) if o.candidate is None or o.text.lower() not in excluded]
         if gap.is_certain:
             options = [option for option in options if option.candidate is not None] or options
         scores = self.scores(options)

@@ -101,6 +101,38 @@ def test_the_weather_lacks_nothing(interpreter, text):
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "If there is no coffee, bring me tea.",
+        "Are there any batteries? If not, tell me.",
+        "If one of the windows is open, close it.",
+        "Bring me one of the mugs.",
+    ],
+)
+def test_being_there_needs_no_state_and_one_of_several_no_name(interpreter, text):
+    assert interpreter.interpret(text).missing == ()
+
+
+def test_what_is_put_is_not_where_it_is_put(interpreter):
+    task = interpreter.interpret("Pick up the ball and drop it.").tasks[-1]
+    assert task.value("object") == "the ball" and task.value("goal") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "recipient", "thing"),
+    [
+        ("Give the dog water.", "the dog", "water"),
+        ("Bring the guests towels.", "the guests", "towels"),
+        ("Bring the baby bottle.", None, "the baby bottle"),
+        ("Give the dog bowl to Anna.", "to Anna", "the dog bowl"),
+    ],
+)
+def test_who_gets_something_may_stand_before_it_without_an_article(interpreter, text, recipient, thing):
+    (task,) = interpreter.interpret(text).tasks
+    assert (task.value("recipient"), task.value("object")) == (recipient, thing)
+
+
+@pytest.mark.parametrize(
     ("text", "kind"),
     [
         ("Put the book.", "placing"),

@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
 from decomplex_bt.understanding.control_flow.roles import stated_roles
+from decomplex_bt.understanding.control_flow.sides import stated_sides
 
 WET_OR_DARK = (
     "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"
@@ -175,6 +176,8 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
         ("[it](2:object) doesn't [start](2:check_state)", True),
         ("[it](2:object) doesn't [come](2:check_state) [on](2:state)", True),
         ("[it](2:object) doesn't [turn](2:check_state) [green](2:state)", False),
+        ("[the door](2:object) won't [open](2:check_state)", True),
+        ("[a door](2:object) won't [open](2:check_state)", False),
         ("[it](2:object) still won't [open](2:check_state)", False),
         ("[it](2:object) won't [fit](2:check_state)", False),
         ("[the key](2:object) won't [turn](2:check_state)", False),
@@ -186,9 +189,107 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
 )
 def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
     found = clauses(f"[Unlock](1:change_state) [the door](1:object). If {check}, [call](3:informing) me.")
-    assert found[1].is_failure_of(found[0]) == is_failure
+    assert found[1].is_failure_of(found[0], found[0]) == is_failure
     roles = stated_roles(found, ["task", "condition", "task"])
     assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
+
+
+def test_that_a_thing_by_name_does_not_do_so_tells_of_what_was_done_to_it() -> None:
+    """The trunk was asked about before: it is its unlocking that failed."""
+    found = clauses(
+        "If [the trunk](1:object) [is](1:check_state) [locked](1:state), [unlock](2:change_state) [it](2:object). If "
+        "[the trunk](3:object) won't [open](3:check_state), [call](4:informing) me."
+    )
+    roles = stated_roles(found, ("condition", "task", "mention", "task"))
+    assert roles == ("condition", "condition", "mention", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<2", "<1+")) == ("top", "<1+", "<1", "<1+")
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "role"),
+    [
+        ("is](1:check_state) [on](1:state)", "is](3:check_state) [off](3:state)", "mention"),
+        ("is](1:check_state) [on](1:state)", "is](3:check_state) not [on](3:state)", "mention"),
+        ("is](1:check_state) not [on](1:state)", "is](3:check_state) not [off](3:state)", "mention"),
+        ("is](1:check_state) [on](1:state)", "is](3:check_state) not [off](3:state)", "condition"),
+        ("is](1:check_state) [on](1:state)", "is](3:check_state) [loud](3:state)", "condition"),
+    ],
+)
+def test_the_opposite_of_the_same_thing_is_the_other_side_of_one_condition(first: str, second: str, role: str) -> None:
+    found = clauses(
+        f"If [the fan](1:object) [{first}, [open](2:change_state) [the door](2:object). If [the fan](3:object) "
+        f"[{second}, [close](4:change_state) [it](4:object)."
+    )
+    assert stated_roles(found, ("condition", "task", "condition", "task"))[2] == role
+
+
+def test_the_opposite_of_another_thing_is_a_condition_of_its_own() -> None:
+    found = clauses(
+        "If [the fan](1:object) [is](1:check_state) [on](1:state), [open](2:change_state) [the door](2:object). If "
+        "[the lamp](3:object) [is](3:check_state) [off](3:state), [close](4:change_state) [it](4:object)."
+    )
+    assert stated_roles(found, ("condition", "task", "condition", "task"))[2] == "condition"
+
+
+@pytest.mark.parametrize(
+    "markup",
+    [
+        "If there [is](1:check_state) no [milk](1:object), [bring](2:bringing) [tea](2:object). If there "
+        "[is](3:check_state) no [tea](3:object), [tell](4:informing) me.",
+        "If [the cup](1:object) [is](1:check_state) [clean](1:state), [bring](2:bringing) [it](2:object). If "
+        "[it](3:object)['s](3:check_state) [missing](3:state), [tell](4:informing) me.",
+    ],
+)
+def test_the_same_of_another_thing_and_its_want_are_conditions_of_their_own(markup: str) -> None:
+    found = clauses(markup)
+    assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == "condition"
+
+
+ASKING = "If [the lamp](1:object) [is](1:check_state) [off](1:state), [ask](2:informing) [Ann](2:recipient) "
+
+
+@pytest.mark.parametrize(
+    ("question", "answer", "role"),
+    [
+        ("[whether she's reading](2:message)", "[she](3:object) [is](3:check_state)", "condition"),
+        ("[if she wants tea](2:message)", "[she](3:object) [does](3:check_state)n't", "condition"),
+        ("[for a bulb](2:message)", "[she](3:object) [is](3:check_state)", "mention"),
+        ("[whether she's reading](2:message)", "[it](3:object) [is](3:check_state)", "mention"),
+        ("[if she wants tea](2:message)", "[she](3:object) [is](3:check_state) [out](3:state)", "mention"),
+    ],
+)
+def test_how_somebody_answers_is_asked_where_the_question_is(question: str, answer: str, role: str) -> None:
+    found = clauses(f"{ASKING}{question}, and if {answer}, [close](4:change_state) [the door](4:object).")
+    roles = stated_roles(found, ("condition", "task", "mention", "task"))
+    assert roles[2] == role
+    side = "<1+" if role == "condition" else "<1"
+    assert stated_sides(found, roles, ("top", "<1+", "<1", "<1+"))[2] == side
+
+
+def test_an_answer_of_somebody_whose_whereabouts_were_asked_is_left_to_the_models() -> None:
+    found = clauses(
+        "If [Ann](1:object) [is](1:check_state) [in](1:state), [ask](2:informing) [her](2:recipient) [if she wants tea]"
+        "(2:message), and if [she](3:object) [is](3:check_state)n't, [close](4:change_state) [the door](4:object)."
+    )
+    assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == "mention"
+
+
+def test_an_order_said_again_to_put_something_ahead_of_it_is_carried_out_once() -> None:
+    found = clauses(
+        "[Bring](1:bringing) [me](1:recipient) [the cup](1:object), and if [it](2:object) [is](2:check_state) "
+        "[dirty](2:state), [wash](3:change_state) [it](3:object) before you [bring](4:bringing) [it](4:object)."
+    )
+    roles = stated_roles(found, ("task", "condition", "task", "task"))
+    assert roles == ("task", "condition", "task", "again")
+    assert stated_sides(found, roles, ("top", "top", "<1+", "<1+"))[3] == "<2"
+
+
+def test_an_order_of_another_thing_is_no_repeat() -> None:
+    found = clauses(
+        "[Bring](1:bringing) [me](1:recipient) [the cup](1:object), but [wash](2:change_state) [it](2:object) before "
+        "you [bring](3:bringing) [the plate](3:object)."
+    )
+    assert stated_roles(found, ("task", "task", "task"))[2] == "task"
 
 
 def test_what_was_asked_about_before_is_missed_by_that() -> None:

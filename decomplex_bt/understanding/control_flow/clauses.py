@@ -77,6 +77,14 @@ class Clause:
     """The same of something that it names."""
     says_undone: bool
     """Whether it says no more than that what was spoken of does not do what it was made to ("if it won't open")."""
+    says_named_undone: bool
+    """The same of something that it names ("if the trunk won't open")."""
+    says_only_whether: bool
+    """Whether it says no more than that somebody or something is so, or is not: "if she does", "if he isn't"."""
+    asks_whether: bool
+    """Whether it asks somebody a question that is answered by yes or no."""
+    verb: str
+    """The lemma of its verb."""
     is_excepted: bool = False
     """Whether it stands under the "unless" of the clause before it."""
 
@@ -100,12 +108,35 @@ class Clause:
         is_away = self.wording.is_negated and (self.wording.state in _AROUND or not self.places.isdisjoint(_AROUND))
         return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
 
-    def is_failure_of(self, before: Clause) -> bool:
-        """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..."."""
+    def is_failure_of(self, before: Clause, named: Clause) -> bool:
+        """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
+        the trunk won't open"; `named`: the clause up to there that last names a thing."""
         is_one = not (self.number and before.number) or self.number == before.number
         is_opposite = self.wording.state is not None and OPPOSITES.get(self.wording.state) == before.wording.state
         is_change = before.task.type == "change_state" and is_one and not is_opposite
-        return is_change and self.says_undone and "unless" not in self.near
+        is_of_it = self.says_undone or (self.says_named_undone and self.names_same(named))
+        return is_change and is_of_it and "unless" not in self.near
+
+    def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
+        """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
+        does, ..."), where the `others`, the conditions so far, are of things."""
+        is_of_things = all(other.number and not other.is_of_somebody for other in others)
+        return before.asks_whether and self.says_only_whether and self.is_of_person and is_of_things
+
+    def repeats(self, before: Clause) -> bool:
+        """Whether it only says again what is ordered before, to put something ahead of it: "before you bring it"."""
+        is_same = self.verb == before.verb and self.task.type == before.task.type
+        is_of_it = self.has_pronoun or bool(set(self.objects) & set(before.objects))
+        return is_same and is_of_it and "before" in self.near
+
+    def is_opposite_of(self, first: Clause) -> bool:
+        """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
+        the tv is on, ..."."""
+        one, other = self.wording, first.wording
+        is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
+        is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
+        is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
+        return self.is_check and first.is_check and is_turned and self.names_same(first)
 
     @property
     def is_trailing(self) -> bool:
@@ -162,10 +193,25 @@ class Clause:
             return False
         return not self.objects and self.has_pronoun and are_apart(state, other)
 
+    def asks_same_of_another(self, first: Clause) -> bool:
+        """Whether it asks of something that it names what the other asks of something else."""
+        is_same = self.verb == first.verb and self.wording.state == first.wording.state and self.places == first.places
+        is_other = bool(self.objects) and bool(first.objects) and set(self.objects).isdisjoint(first.objects)
+        return self.is_check and first.is_check and is_same and is_other and _NO_THINGS.isdisjoint(self.objects)
+
+    def asks_for_what_had_state(self, first: Clause) -> bool:
+        """Whether it asks if something is missing, where the other tests another state of it."""
+        state = first.wording.state
+        return self.wording.state in _MISSING and state is not None and state not in _PRESENT
+
     def is_of_another(self, first: Clause) -> bool:
-        """Whether its words say that it is no mention of an earlier condition: it tests a state, and that of many
-        things where the other is about one (or the other way round), or of what the other asks the place of."""
+        """Whether its words say that it is no mention of an earlier condition: it asks the same of another thing ("if
+        there's no milk, ..., if there's no tea, ..."), or whether something is missing whose state the other tests, or
+        it tests a state, and that of many things where the other is about one (or the other way round), or of what the
+        other asks the place of."""
         own = {kind for kind, _ in self.task.arguments}
+        if self.asks_same_of_another(first) or self.asks_for_what_had_state(first):
+            return True
         if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
             return False
         state, other = self.wording.state, first.wording.state
@@ -183,11 +229,15 @@ class Clause:
 
 _IFS = frozenset(("if", "unless", "only_if"))
 _HANDING = frozenset(("bringing", "informing"))
+_MISSING = frozenset(("missing", "gone", "lost"))
+_NO_THINGS = frozenset("none one some any drop".split())
 _PERSONS = frozenset(("he", "she", "they"))
 _GONE = frozenset(("out", "away", "gone"))
 _AROUND = frozenset("in home there here around about back".split())
 _FINDING = frozenset(("searching", "bringing", "taking"))
 _ECHOING = frozenset("is are am was were does do did has have had can will would".split())
+_DENYING = frozenset(("not", "n't", "n\u2019t"))
+_WHETHER = frozenset("if whether does do is are has have can could would will".split())
 _COVERING = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
 _ALL_OF_IT = frozenset((*(f"all {it}" for it in _IT), *(f"all of {it}" for it in _IT), *(f"{it} all" for it in _IT)))
@@ -243,6 +293,11 @@ def _excepted(clause: Clause) -> Clause:
     wording = clause.wording
     joins = {"or": "and", "and": "or"}[clause.opening[0]]
     return replace(clause, is_excepted=True, wording=replace(wording, is_negated=not wording.is_negated, joins=joins))
+
+
+def last_named(clauses: Sequence[Clause], k: int) -> Clause:
+    """The last clause before `k`, at least 1, that names its object; the one right before where none does."""
+    return next((clauses[j] for j in range(k - 1, -1, -1) if clauses[j].objects), clauses[k - 1])
 
 
 def wordings_of(clauses: Sequence[Clause]) -> tuple[Wording, ...]:
@@ -356,6 +411,10 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_absent=not is_excluded and _says_absent(observed, task, first, own_last),
         says_named_absent=not is_excluded and _says_absent(observed, task, first, own_last, is_named=True),
         says_undone=_says_undone(observed, task, previous, own_last, near),
+        says_named_undone=_says_undone(observed, task, previous, own_last, near, is_named=True),
+        says_only_whether=_is_bare(document, task, own_last, _ECHOING | _DENYING),
+        asks_whether=_asks_whether(document, task),
+        verb=document.tokens[token].lemma,
     )
 
 
@@ -440,10 +499,16 @@ def _says_absent(observed: Observed, task: MarkedTask, first: int, last: int, *,
     return is_check and is_of_it and bool(negations(observed, task.token, first, last))
 
 
-def _says_undone(observed: Observed, task: MarkedTask, previous: int, last: int, near: Sequence[str]) -> bool:
+def _says_undone(
+    observed: Observed, task: MarkedTask, previous: int, last: int, near: Sequence[str], *, is_named: bool = False
+) -> bool:
     tokens = observed.document.tokens
     things = [indices for kind, indices in task.arguments if kind in ("object", "goal", "source", "location")]
-    if len(things) > 1 or not all(tokens[j].lower in _THINGS for indices in things for j in indices):
+    if is_named:
+        is_of_it = len(things) == 1 and tokens[things[0].start].lower in _DEFINITE and things[0].stop <= task.token
+    else:
+        is_of_it = len(things) <= 1 and all(tokens[j].lower in _THINGS for indices in things for j in indices)
+    if not is_of_it:
         return False
     first = next((j for j in range(task.token - 1, previous, -1) if tokens[j].text in _PUNCTUATION), previous) + 1
     words = [token.lower for token in tokens[first : task.token]]
@@ -490,20 +555,26 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
         or (state == "out" and _is_being_of(observed.document, task, _PERSONS)),
-        _is_echo(observed.document, task, last),
+        _is_bare(observed.document, task, last, _ECHOING),  # "if he is", "if it does", "when they have"
     )
 
 
-def _is_echo(document: Document, task: MarkedTask, last: int) -> bool:
-    """Whether a check affirms what was said before and says no more: "if he is", "if it does", "when they have"."""
-    if task.type != "check_state" or document.tokens[task.token].lower not in _ECHOING:
+def _is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[str]) -> bool:
+    """Whether a check is one of these words, and no more than a pronoun is said besides: "if he is"."""
+    if task.type != "check_state" or document.tokens[task.token].lower not in words:
         return False
     if any(kind != "object" or len(indices) > 1 for kind, indices in task.arguments):
         return False
     return all(
-        document.tokens[j].lower in _REFERRING or document.tokens[j].text in _PUNCTUATION
-        for j in range(task.token + 1, last + 1)
+        token.lower in _REFERRING or token.lower in words - _ECHOING or token.text in _PUNCTUATION
+        for token in document.tokens[task.token + 1 : last + 1]
     )
+
+
+def _asks_whether(document: Document, task: MarkedTask) -> bool:
+    """Whether somebody is asked if something is so ("ask Lea if she wants soap")."""
+    messages = [indices for kind, indices in task.arguments if kind == "message" and len(indices)]
+    return task.type == "informing" and any(document.tokens[m.start].lower in _WHETHER for m in messages)
 
 
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
-from decomplex_bt.understanding.control_flow.clauses import Clause
+from decomplex_bt.understanding.control_flow.clauses import Clause, last_named
 
 
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _part):
+    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     return tuple(stated)
@@ -41,7 +41,8 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
     is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
-    is_outcome = (before.finds_out(clause) and is_own) or clause.is_failure_of(before)
+    is_failure = clause.is_failure_of(before, last_named(clauses, k))
+    is_outcome = (before.finds_out(clause) and is_own) or is_failure
     if is_outcome and not clause.is_trailing:
         return k - 1
     if clause.is_absence_of(before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
@@ -70,3 +71,24 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
     if is_bare and clause.is_of_other_state(clauses[k - 1]):
         roles[k - 1 : k + 1] = "task", "condition"
+
+
+def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tests the opposite of the condition before, of the same thing, is a mention of it."""
+    clause = clauses[k]
+    before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] == "condition" and before is not None and "if" in clause.near and clause.is_opposite_of(before):
+        roles[k] = "mention"
+
+
+def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells how somebody answered is no mention of a condition before the question."""
+    others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    if roles[k] == "mention" and others and clauses[k].is_answer_to(clauses[k - 1], others):
+        roles[k] = "condition"
+
+
+def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """An order that is only said again, to say what comes before it, is carried out once."""
+    if roles[k] == "task" and any(roles[j] == "task" and clauses[k].repeats(clauses[j]) for j in range(k)):
+        roles[k] = "again"

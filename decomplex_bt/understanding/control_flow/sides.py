@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
-from decomplex_bt.understanding.control_flow.clauses import Clause
+from decomplex_bt.understanding.control_flow.clauses import Clause, last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
 from decomplex_bt.understanding.cues import are_apart
 
@@ -28,6 +28,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     sides = list(attachments)
     for k in range(1, len(clauses)):
         for rule in (
+            _repeat,
+            _answer,
             _name,
             _join,
             _cover,
@@ -46,11 +48,31 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
     return tuple(sides)
 
 
+def _repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is said again is the last order that says the same."""
+    if roles[k] != "again" or "before" not in clauses[k].near:
+        return
+    orders = [j for j in range(k - 1, -1, -1) if roles[j] == "task"]
+    rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
+    sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
+
+
+def _answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """How somebody answers is asked where the question is."""
+    others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    if roles[k] == "condition" and others and clauses[k].is_answer_to(clauses[k - 1], others):
+        sides[k] = sides[k - 1]
+
+
 def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A mention that names what a condition before was about, as no other one was, is of that condition ("if the stove
-    is cold, light the kindling, and if it won't burn, ... If the stove is still warm, ...")."""
+    is cold, light the kindling, and if it won't burn, ... If the stove is still warm, ..."), unless it tells that the
+    change before it failed ("if the safe is locked, open it. If the safe won't open, ...")."""
     clause = clauses[k]
     if roles[k] != "mention" or clause.task.type != "check_state" or not clause.objects:
+        return
+    if roles[k - 1] == "condition" and clause.is_failure_of(clauses[k - 1], last_named(clauses, k)):
+        sides[k] = "<1"
         return
     groups = _groups(roles, sides, k)
     nearest = list(dict.fromkeys(groups[j] for j in range(k - 1, -1, -1) if j in groups))

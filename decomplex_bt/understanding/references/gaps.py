@@ -115,6 +115,8 @@ def _form(document: Document, tokens: range) -> str | None:
         if words[0] in _COUNTS:
             return "one" if words[0] == "one" else "count"
         return "pronoun" if words[0] in PRONOUNS or words[0] in _ALONE else None
+    if words[:2] == ["one", "of"]:
+        return "part" if len(words) == 3 and words[-1] in PRONOUNS else None
     if head in ("one", "ones"):  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
     if last.tag == "POS":

@@ -11,8 +11,10 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import is_pronoun
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, is_pronoun
+from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
+from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
@@ -33,6 +35,12 @@ _BEFORE_WEATHER = frozenset(
     "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to".split()
 )
 """What may stand between the verb of a check and the word for the weather or the day."""
+_HANDING = frozenset("give feed hand serve offer pass".split())
+_CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
+_ANIMALS = frozenset(
+    "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
+    "gerbil mouse rat sheep cow donkey".split()
+)
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
@@ -52,6 +60,7 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks)
+    idle = idle.union(*alternatives(observed, tasks))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
@@ -63,10 +72,16 @@ def amended(
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
         if kind == "bringing":
+            kept = _divided(document, kept, token)
             kept = _given(kept, token, for_somebody(document, token))
         if kind == "check_state":
             kept = _told(kept, token, predicated(document, token))
             kept = _identified(observed, kept, token)
+    for fragment in fragments(document):
+        if fragment.carrier in tasks:
+            told = {"object": fragment.object, "location": fragment.location}
+            kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
+            kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 
@@ -120,6 +135,25 @@ def _meant(document: Document, tasks: Mapping[int, str], argument: FoundArgument
     starts = range(max(0, first - 4), first)
     is_of_somebody = any(first in (whereabouts(document, at) or ()) for at in starts)
     return replace(argument, type="goal") if is_of_somebody else argument
+
+
+def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
+    """The arguments, with what stands right behind a verb of giving as who gets it, then what: "give the dog water",
+    "bring the guests towels"; where nothing else says who gets it."""
+    own = {a.type: a for a in arguments if a.owner == bringing}
+    both = own.get("object")
+    if both is None or both.tokens.start != bringing + 1 or {"recipient", "goal"} & own.keys():
+        return list(arguments)
+    nouns = [j for j in both.tokens if document.tokens[j].pos in ("NOUN", "PROPN")]
+    if len(nouns) != 2 or nouns[1] != nouns[0] + 1 or nouns[1] != both.tokens.stop - 1:
+        return list(arguments)
+    whom, verb = document.tokens[nouns[0]], document.tokens[bringing].lemma
+    is_living = whom.lemma in PERSON_NOUNS | _ANIMALS or whom.tag == "NNP"
+    if not (verb in _HANDING and is_living) and not (verb in _CARRYING and whom.tag == "NNS"):
+        return list(arguments)
+    others = [a for a in arguments if a is not both]
+    recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[1]))
+    return [*others, recipient, replace(both, tokens=range(nouns[1], nouns[1] + 1))]
 
 
 def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:

@@ -6,9 +6,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 
-from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
+from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.rules.wishes import is_served
 from decomplex_bt.understanding.tasks import FoundTask
@@ -29,6 +30,10 @@ _NOT_BROUGHT_ABOUT = frozenset(
 )
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
 _HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
+_HAVING = frozenset("has have had 've \u2019ve".split())
+_PAST = frozenset(("VBN", "VBD", "VB", "VBP"))
+_WHETHER = frozenset(("if", "unless", "whether"))
+_SPEAKING = frozenset(("you", "i", "we", "to"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
@@ -72,21 +77,27 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
 
 
 def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
-    """The tasks, those next to each other that are one check ("has *been* *put* away") as one."""
+    """The tasks, those next to each other that are one check ("has *been* *put* away", "*has* *put* it") as one."""
     kept = list(tasks)
     for task, following in pairwise(tasks):
-        if task.type == "check_state" and _passive(document, task.token) == following.token:
+        if task.type == "check_state" and following.token in (
+            _passive(document, task.token),
+            _perfect(document, task.token),
+        ):
             kept[kept.index(following)] = replace(following, type="check_state")
             kept.remove(task)
     return kept
 
 
 def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
-    """The tasks with those that are idioms, and without the participle behind one of these ("might be switched")."""
+    """The tasks with those that are idioms or fragments, and without other words of these ("might be *switched*")."""
     idioms = {
         i: type for i, type in idiomatic(document, {task.token: task.type for task in tasks}).items() if type in types
     }
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
+    for fragment in fragments(document):
+        behind.update(fragment.tokens)
+        idioms[fragment.carrier] = "check_state"
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
@@ -165,6 +176,31 @@ def _passive(document: Document, at: int) -> int | None:
     return participle.i if participle is not None and participle.tag in ("VBN", "VBD") else None
 
 
+def _perfect(document: Document, have: int) -> int | None:
+    """The participle of "has put", told from the "has"; None where nothing is done."""
+    tokens = document.tokens
+    if tokens[have].lower not in _HAVING:
+        return None
+    participle = next((token for token in tokens[have + 1 :] if token.lower not in _BETWEEN), None)
+    return participle.i if participle is not None and participle.tag in _PAST else None
+
+
+def _is_done_by_others(document: Document, at: int) -> bool:
+    """Whether an "if" or the like asks if somebody else has done what the verb says: "if Tim has put it away"."""
+    tokens = document.tokens
+    have = at - 1
+    while have > 0 and tokens[have].lower in _BETWEEN:
+        have -= 1
+    if have < 0 or _perfect(document, have) != at:
+        return False
+    for j in range(have - 1, -1, -1):
+        if tokens[j].lower in _WHETHER:
+            return have - j > 1 and tokens[have - 1].lower not in _SPEAKING
+        if tokens[j].lower in MARKS or tokens[j].pos == "VERB":
+            return False
+    return False
+
+
 def _goes_on(document: Document, gone: int) -> bool:
     """Whether "gone" tells what something has become, or where to: "gone cold", "gone out"."""
     token = document.tokens[gone + 1] if gone + 1 < len(document) else None
@@ -186,6 +222,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "bringing"
     if task.type == "check_state" and _is_made_sure_of(document, task.token):
         return "change_state"
+    if task.type != "check_state" and _is_done_by_others(document, task.token):
+        return "check_state"
     return task.type
 
 

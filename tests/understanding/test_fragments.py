@@ -1,0 +1,96 @@
+"""Questions without a verb, and alternatives without one."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.rules.alternatives import alternatives
+from decomplex_bt.understanding.rules.fragments import fragments
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+@pytest.mark.parametrize(
+    ("text", "carrier", "thing", "place"),
+    [
+        ("Any letters in the mailbox? Bring them to me.", "in", "Any letters", "the mailbox"),
+        ("No salt on the table then? Fetch some.", "on", "salt", "the table"),
+        ("Well, somebody at the gate? Tell me.", "at", "somebody", "the gate"),
+        ("Not anyone in the sauna? Turn it off.", "in", "anyone", "the sauna"),
+        ("Nobody in the sauna? Turn it off.", "in", "", "the sauna"),
+    ],
+)
+def test_a_question_without_a_verb_is_carried_by_its_preposition(
+    parser: Parser, text: str, carrier: str, thing: str, place: str
+) -> None:
+    document = parser.parse(text)
+    (fragment,) = fragments(document)
+    assert document.tokens[fragment.carrier].text == carrier
+    words = [" ".join(document.tokens[i].text for i in said) for said in (fragment.object, fragment.location)]
+    assert words == [thing, place]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Any milk left in the fridge? Bring me some.",  # carried by "left"
+        "Any chance of a drink in the garden? Bring me one.",
+        "No luck? Look in the truck.",
+        "Is there any milk in the fridge? Bring me some.",
+        "Oven on? Turn it off.",
+        "Bring me any letters in the mailbox.",
+    ],
+)
+def test_other_questions_are_left_to_the_models(parser: Parser, text: str) -> None:
+    assert not list(fragments(parser.parse(text)))
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "branch"),
+    [
+        ("No hammer in the toolbox? Look in the truck then.", "else"),
+        ("Any dishes in the sink? Wash them.", "then"),
+        ("Someone at the door? Tell me.", "then"),
+    ],
+)
+def test_what_follows_hangs_on_the_question(text: str, branch: str, encoder: bool) -> None:
+    instruction = Interpreter.load(encoder=encoder).interpret(text)
+    assert instruction.flow.to_json() == [{"if": 1, branch: [2]}]
+    assert not instruction.missing
+
+
+@pytest.mark.parametrize(
+    ("text", "tasks", "words"),
+    [
+        ("Bring me a pear if there is one, otherwise an apple.", ("Bring", "is"), "an apple"),
+        ("Bring me a cola, and if there's none, a beer.", ("Bring", "'s"), "a beer"),
+        ("Bring me the red scarf, or if it's dirty, the blue one.", ("Bring", "'s"), "the blue one"),
+        ("Bring me a pear if there is one, otherwise bring an apple.", ("Bring", "is", "bring"), None),
+        ("Bring me the cup, the plate and, if it's dirty, wash it.", ("Bring", "'s", "wash"), None),
+        ("If the door is open, close it, please, Anna.", ("is", "close"), None),
+        ("Otherwise fine, close the door.", ("close",), None),
+    ],
+)
+def test_what_is_named_instead_without_a_verb_is_found(
+    parser: Parser, text: str, tasks: tuple[str, ...], words: str | None
+) -> None:
+    domain = load_domain("household")
+    observed = Observed(parser.parse(text), Gazetteer.of(domain.lexicon, domain.kinds))
+    places = [token.i for token in observed.document.tokens if token.text in tasks]
+    found = [observed.document.span(said.start, said.stop - 1).of(text) for said in alternatives(observed, places)]
+    assert found == ([] if words is None else [words])
+
+
+def test_what_no_task_has_is_no_argument_of_another() -> None:
+    instruction = Interpreter.load().interpret("Bring me a pen, otherwise a pencil.")
+    assert [task.value("object") for task in instruction.tasks] == ["a pen"]
+    assert any("a pencil" in warning for warning in instruction.warnings)
