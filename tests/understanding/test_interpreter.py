@@ -115,7 +115,8 @@ def test_being_there_needs_no_state_and_one_of_several_no_name(interpreter, text
 
 def test_what_is_put_is_not_where_it_is_put(interpreter):
     task = interpreter.interpret("Pick up the ball and drop it.").tasks[-1]
-    assert task.value("object") == "the ball" and task.value("goal") is None
+    assert task.value("object") == "the ball"
+    assert task.value("goal") is None
 
 
 @pytest.mark.parametrize(
