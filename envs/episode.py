@@ -37,7 +37,7 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house.
+    `house` is the path or the seed of its house; `is_over` after the step that ended it.
     """
 
     def __init__(
@@ -80,6 +80,7 @@ class Episode:
         self._held_version = -1
         self._is_table_full = len(self.sensor.table) == self._rows
         self._constant_info = {"instruction": text, **judge.feasibility()}
+        self.is_over = False
 
     def _add_noise(self, options: Options) -> None:
         """How likely grasps slip and looks miss something: as the house has it, or as the options want it."""
@@ -122,6 +123,7 @@ class Episode:
         terminated = is_finished or self.verdict.is_over
         if terminated and self.verdict.is_success:
             self._shortest_length = self._measure_shortest_path()
+        self.is_over = terminated or is_late
         return self._reward(before, terminated), terminated, is_late and not terminated
 
     def _meddle(self, meddler: Meddler) -> Move | None:

@@ -57,7 +57,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `interact` | `Discrete(13)` | `interface.Interaction`: none, pick, place, open, close, ... |
     | `target` | `Discrete(rows)` | the row it is about (which, `interface.OBSERVATION_KEYS` says) |
 
-    An interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
+    Speeds beyond the bounds are clipped; all else that is no action is refused (`InputError`) and not done. An
+    interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
     next observation. The gripper reaches 0.8 m; speaking and handing over need 1.5 m.
 
     To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there
@@ -88,7 +89,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     ## Termination and truncation
     `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
-    `finish`. `truncated`: the time limit, 600 s of simulated time by default.
+    `finish`. `truncated`: the time limit, 600 s of simulated time by default. After either, `step` raises
+    `gymnasium.error.ResetNeeded` until the next reset.
 
     ## Arguments
     Of `HouseholdEnv` and, after the id, of `gym.make`. They hold for all episodes; what is of one episode alone
@@ -202,8 +204,11 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             return self._begin(read_options(options, self.setting.geometry), before)
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
-        """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
-        episode = self._episode or self._running
+        """Does one action. Raises `InputError` for one that is none, and `gymnasium.error.ResetNeeded` where no episode
+        runs: before the first reset, and after an episode's end."""
+        episode = self._running
+        if episode.is_over:
+            raise gym.error.ResetNeeded("the episode is over; call reset() for the next one")
         reward, terminated, truncated = episode.step(action)
         if (terminated or truncated) and self._bodies:
             self._tell_bodies()

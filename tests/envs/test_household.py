@@ -282,19 +282,87 @@ def test_a_result_is_in_the_next_observation():
 @pytest.mark.parametrize(
     "bad",
     [
-        {"drive": (0, 0), "interact": 99, "target": 0},
-        {"drive": (0, 0), "interact": 0, "target": -1},
-        {"drive": (float("nan"), 0), "interact": 0, "target": 0},
-        {"drive": (0,), "interact": 0, "target": 0},
-        {},
+        {"interact": 99},
+        {"target": -1},
+        {"interact": 1.9},
+        {"interact": float("inf")},
+        {"interact": "1"},
+        {"interact": None},
+        {"interact": np.array([0])},
+        {"drive": (float("nan"), 0)},
+        {"drive": (0, float("inf"))},
+        {"drive": (0,)},
+        {"drive": np.zeros(3)},
+        {"drive": np.zeros((2, 1))},
+        {"drive": "12"},
+        {"drive": {0.1, 0.5}},
+        {"drive": np.zeros(2, dtype=complex)},
+        {"drive": (np.complex128(0), 0)},
+        {"drive": None},
     ],
     ids=str,
 )
-def test_what_is_no_action_is_refused(bad):
+def test_what_is_no_action_is_refused_and_not_done(bad):
     env = HouseholdEnv(GO)
     env.reset(seed=0)
-    with pytest.raises(InputError, match="no action"):
+    with pytest.raises(InputError, match="(?s)no action: .* expected a mapping of drive"):
+        env.step({"drive": (1.0, 0.0), "interact": 0, "target": 0} | bad)
+    assert env.world.steps == 0
+
+
+@pytest.mark.parametrize("bad", [None, 3, [0, 0, 0, 0], np.zeros(4), "drive", {}, {"drive": (0, 0)}], ids=str)
+def test_what_is_not_even_a_mapping_of_an_action_is_refused(bad):
+    env = HouseholdEnv(GO)
+    env.reset(seed=0)
+    with pytest.raises(InputError, match="(?s)no action: .* expected a mapping of drive"):
         env.step(bad)
+
+
+def test_speeds_beyond_the_highest_are_the_highest():
+    fast, faster = HouseholdEnv(GO), HouseholdEnv(GO)
+    for env, speed in ((fast, 1), (faster, 7)):
+        env.reset(seed=0)
+        env.step({"drive": [speed, -speed], "interact": np.int64(0), "target": np.array(0)})
+    assert fast.world.robot == faster.world.robot
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        [-1, 4, 0, 0],
+        [9, 4, 0, 0],
+        [4, 4, 99, 0],
+        [4, 4, 0],
+        [4.5, 4, 0, 0],
+        [float("nan")] * 4,
+        np.zeros(4),
+        np.zeros((1, 4), dtype=np.int64),
+        None,
+        3,
+        "abcd",
+        REST,
+    ],
+    ids=str,
+)
+def test_what_is_no_flat_action_is_refused_and_not_done(bad):
+    env = gym.make(HOUSEHOLD_FLAT, instruction=GO).unwrapped
+    env.reset(seed=0)
+    with pytest.raises(InputError, match="(?s)no action: .* expected 4 whole numbers"):
+        env.step(bad)
+    assert env.world.steps == 0
+
+
+@pytest.mark.parametrize("how", ["finish", "time"])
+def test_after_the_end_there_are_no_steps_until_a_reset(how):
+    env = HouseholdEnv(GO)
+    env.reset(seed=0, options={"max_seconds": 0.1} if how == "time" else None)
+    _, _, terminated, truncated, _ = env.step(action(env, Interaction.FINISH) if how == "finish" else REST)
+    assert (terminated, truncated) == (how == "finish", how == "time")
+    with pytest.raises(gym.error.ResetNeeded, match="is over"):
+        env.step(REST)
+    assert env.world.steps == 1
+    env.reset()
+    env.step(REST)
 
 
 def test_before_a_reset_there_is_no_world():
