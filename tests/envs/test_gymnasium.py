@@ -137,7 +137,7 @@ def test_wrapped_environments_have_specs_that_make_them_again():
 
 @pytest.mark.parametrize("identity", [HOUSEHOLD, HOUSEHOLD_SMALL, HOUSEHOLD_FLAT])
 def test_pickles_go_on_where_they_were(identity):
-    env = gym.make(identity, instruction=GO)
+    env = gym.make(identity, instruction=TELL)
     env.reset(seed=2)
     env.action_space.seed(0)
     actions = [sample(env) for _ in range(30)]
@@ -149,7 +149,7 @@ def test_pickles_go_on_where_they_were(identity):
         assert data_equivalence(env.step(action)[0], twin.step(action)[0], exact=True)
     assert env.unwrapped.domain.house == twin.unwrapped.domain.house
     assert data_equivalence(env.reset()[0], twin.reset()[0], exact=True)
-    assert twin.unwrapped.instruction == GO.text
+    assert twin.unwrapped.instruction == TELL.text
 
 
 def test_statistics_are_of_the_episode():

@@ -305,7 +305,7 @@ def test_a_result_is_in_the_next_observation():
 def test_what_is_no_action_is_refused_and_not_done(bad):
     env = HouseholdEnv(GO)
     env.reset(seed=0)
-    with pytest.raises(InputError, match="(?s)no action: .* expected a mapping of drive"):
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected a mapping of drive"):
         env.step({"drive": (1.0, 0.0), "interact": 0, "target": 0} | bad)
     assert env.world.steps == 0
 
@@ -314,7 +314,7 @@ def test_what_is_no_action_is_refused_and_not_done(bad):
 def test_what_is_not_even_a_mapping_of_an_action_is_refused(bad):
     env = HouseholdEnv(GO)
     env.reset(seed=0)
-    with pytest.raises(InputError, match="(?s)no action: .* expected a mapping of drive"):
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected a mapping of drive"):
         env.step(bad)
 
 
@@ -347,7 +347,7 @@ def test_speeds_beyond_the_highest_are_the_highest():
 def test_what_is_no_flat_action_is_refused_and_not_done(bad):
     env = gym.make(HOUSEHOLD_FLAT, instruction=GO).unwrapped
     env.reset(seed=0)
-    with pytest.raises(InputError, match="(?s)no action: .* expected 4 whole numbers"):
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected 4 whole numbers"):
         env.step(bad)
     assert env.world.steps == 0
 
