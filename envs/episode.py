@@ -70,6 +70,7 @@ class Episode:
             whims=lambda: generators.whims.random(),
             stage=home.stage,
         )
+        recording.begin(self.world)
         self.sensor = Sensor(self.world, config.sensing)
         self._add_noise(options)
         self.sensor.look()
@@ -119,7 +120,7 @@ class Episode:
         if has_looked or is_finished or is_late or self.has_news():
             self._judged_arrangement = world.arrangement
             self.verdict = self.judge.update(world.event)
-        self.recording.note(forward, turn, int(interaction), target, world)
+        self.recording.note(forward, turn, int(interaction), target)
         terminated = is_finished or self.verdict.is_over
         if terminated and self.verdict.is_success:
             self._shortest_length = self._measure_shortest_path()

@@ -50,9 +50,9 @@ class FlatHouseholdEnv(HouseholdEnv):
         )
 
     @property
-    def _counts(self) -> tuple[int, ...]:
+    def _counts(self) -> list[int]:
         """How many choices each number of an action has."""
-        return len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows
+        return [len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows]
 
     @property
     def parts(self) -> dict[str, slice]:

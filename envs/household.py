@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 __all__ = ["HouseholdConfig", "HouseholdEnv"]
 
 DEFAULT_DOMAIN = "household"
+_MADE_ANEW = frozenset({"_home", "_episode", "_judge", "_camera", "_bodies"})
+"""Attributes that a pickle leaves out: they hold what does not pickle, or belong to somebody else."""
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
 
@@ -191,15 +193,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """Begins an episode; `instruction` is the option of that name.
 
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
-        are broken; the instruction, the house and the episode are then those from before.
+        are broken; instruction, house, episode and random numbers are then those from before.
         """
         from decomplex_bt.envs.options import check_keys, read_options
 
         if instruction is not None:
             options = {**(options or {}), "instruction": instruction}
         check_keys(options)
-        super().reset(seed=seed)
         with self._unchanged_if_refused() as before:
+            super().reset(seed=seed)
             self._choose_house(options)
             return self._begin(read_options(options, self.setting.geometry), before)
 
@@ -302,10 +304,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def camera(self) -> Camera:
         """What pictures are taken with; its captions may be set."""
         if self._camera is None:
-            from decomplex_bt.envs.rendering.camera import Camera
-
-            sensing = self.config.sensing
-            self._camera = Camera(self.setting.geometry, sight=(sensing.range, np.deg2rad(sensing.field_of_view)))
+            self._camera = self._make_camera()
         return self._camera
 
     @property
@@ -332,46 +331,67 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     # -- recording and replay -----------------------------------------------------------------------------------------
 
     def state_dict(self) -> dict[str, Any]:
-        """The running episode as plain values: how it began and every action since."""
+        """The running episode as plain values, which JSON keeps: where and how it began, and every action since."""
+        from decomplex_bt.envs.recording import FORMAT, circumstances
+
         episode = self._running
-        return {**episode.recording.to_dict(), "house": episode.house}
+        made_in = circumstances(episode.domain, episode.house, self.config)
+        return {"format": FORMAT, **made_in, **episode.recording.to_dict()}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
         """Brings the environment to a recorded moment by doing all of it again, exactly.
 
-        Raises `InputError` naming the step at which the replay departs from the recording.
+        Raises `InputError` for what is no recording, for one that was made in another house, domain or configuration,
+        and where the replay departs from it, naming the step; the environment is then as it was.
         """
+        self.np_random = self._replay(state)
+
+    def _replay(self, state: Mapping[str, Any]) -> np.random.Generator:
+        """Does a recorded episode again; the generator as it left it is the value."""
+        from decomplex_bt.envs.options import check_keys, read_options
+        from decomplex_bt.envs.recording import Recorded
+
+        recorded = Recorded.read(state)
         with self._unchanged_if_refused() as before:
-            self._home.move(state["house"])
-            self.np_random.bit_generator.state = state["generator"]
+            self._home.move((recorded.house.path, recorded.house.seed))
+            self._home.renew_stage()  # the episode of before keeps its own until this one is known to be exact
+            recorded.check_circumstances(self.domain, self.config)
+            check_keys(recorded.options)
+            options, rng = read_options(recorded.options, self.setting.geometry), recorded.begin_random()
+            episode = self._draw(options, rng, recorded.request)()
+            camera = None if self._camera is None and self.render_mode is None else self._make_camera()
+            for forward, turn, interaction, target in recorded.actions:
+                if episode.is_over:
+                    break
+                if camera is not None:
+                    camera.note(episode.world)
+                episode.step({"drive": (forward, turn), "interact": interaction, "target": target})
+            recorded.check(episode.recording)
+        if self._episode is not None:
+            self._episode.world.dismantle()
+        if self.domain is not before:
             self._judge = None
-            self._begin(state["options"], before, replayed=state["request"])
-        for forward, turn, interaction, target in state["actions"]:
-            HouseholdEnv.step(self, {"drive": (forward, turn), "interact": interaction, "target": target})
-        self._running.recording.check(state["checksums"])
+        self._enter(episode, before)
+        if camera is not None:
+            self._change_camera(camera)
+            self._film()
+        if episode.is_over:
+            self._tell_bodies()
+        return rng
 
-    def __getstate__(self) -> dict[str, Any]:
-        site = self._site
+    def __getstate__(self) -> tuple[dict[str, Any], dict[str, Any] | None]:
+        """All attributes but those that are made anew, and the running episode's recording."""
+        kept = {name: value for name, value in vars(self).items() if name not in _MADE_ANEW}
         if "_home" in vars(self):
-            domain = site["domain"] if isinstance(site["domain"], str) else self._home.base.folder
-            site = {**site, "domain": domain, "house_seed": self._home.seed}
-        return {
-            "arguments": {**site, "config": self.config, "render_mode": self.render_mode},
-            "request": self._request,
-            "episode": None if self._episode is None else self.state_dict(),
-            "generator": None if self._np_random is None else self.np_random.bit_generator.state,
-            "seed": self._np_random_seed,
-            "spec": self.spec,
-        }
+            domain = self._site["domain"] if isinstance(self._site["domain"], str) else self._home.base.folder
+            kept["_site"] = {**self._site, "domain": domain, "house_seed": self._home.seed}
+        return kept, None if self._episode is None else self.state_dict()
 
-    def __setstate__(self, state: Mapping[str, Any]) -> None:
-        self.__init__(**state["arguments"])  # type: ignore[misc]
-        if state["episode"] is not None:
-            self.load_state_dict(state["episode"])
-        self._request, self.spec = state["request"], state["spec"]
-        if state["generator"] is not None:
-            self.np_random.bit_generator.state = state["generator"]
-            self._np_random_seed = state["seed"]
+    def __setstate__(self, state: tuple[dict[str, Any], dict[str, Any] | None]) -> None:
+        kept, recorded = state
+        vars(self).update(kept, _bodies=[], _camera=None, _judge=None, _episode=None)
+        if recorded is not None:
+            self._replay(recorded)
 
     # -- the house ----------------------------------------------------------------------------------------------------
 
@@ -392,54 +412,62 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self.domain is not before:
             self._judge = None
 
-    def _settle_in(self, before: Domain) -> None:
-        """Where the house is another one than before: whoever has the map of the old one gets the new one."""
+    def _enter(self, episode: Episode, before: Domain) -> None:
+        """Makes an episode the running one. Where its house is another one than before, whoever has the map of the old
+        one gets the new one."""
+        self._episode = episode
         if self.domain is before:
             return
-        if self._camera is not None:
-            self._camera.close()
-            self._camera = None
+        self._change_camera(None)
         for body in (reference() for reference in self._bodies):
             if body is not None:
                 body.move_to(self.domain)
 
     @contextmanager
     def _unchanged_if_refused(self) -> Iterator[Domain]:
-        """Brings house and instruction back where an episode could not begin; the domain from before is its value."""
+        """Brings house, instruction and random numbers back where an episode could not begin; the domain from before is
+        its value."""
         address, request, judge = self._home.address, self._request, self._judge
+        rng, seed = self._np_random, self._np_random_seed
+        numbers = {} if rng is None else rng.bit_generator.state
         try:
             yield self.domain
-        except Exception:
+        except BaseException:
             self._home.address, self._request, self._judge = address, request, judge
+            self._np_random, self._np_random_seed = rng, seed
+            if rng is not None:
+                rng.bit_generator.state = numbers
             raise
 
     # -- an episode ---------------------------------------------------------------------------------------------------
 
-    def _begin(
-        self, options: Options, before: Domain, replayed: Request | None = None
-    ) -> tuple[Observation, dict[str, Any]]:
+    def _begin(self, options: Options, before: Domain) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode in the house of now. Nothing of the last one is touched until all is known to be usable."""
-        from decomplex_bt.envs.episode import Episode
-        from decomplex_bt.envs.opening import draw_start
-        from decomplex_bt.envs.randomness import draw_generators
-        from decomplex_bt.envs.recording import Recording
-
-        generator = self.np_random.bit_generator.state
-        generators = draw_generators(self.np_random)
         if options.request is not None:
             self._request, self._judge = options.request, None
-        request, judge = self._ask(replayed or self._request, generators)
-        start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
-        self._settle_in(before)
+        begin = self._draw(options, self.np_random, self._request)
         if self._episode is not None:
-            self._episode.world.dismantle()
-        recording = Recording(generator, request, options)
-        self._episode = episode = Episode(self._home, judge, start, self.config, recording, generators)
+            self._episode.world.dismantle()  # its shapes are for the next
+        self._enter(episode := begin(), before)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
         return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
+
+    def _draw(self, options: Options, rng: np.random.Generator, request: Request | None) -> Callable[[], Episode]:
+        """Draws all that an episode in the house of now begins with; what is given back makes it."""
+        from decomplex_bt.envs.episode import Episode
+        from decomplex_bt.envs.opening import draw_start
+        from decomplex_bt.envs.randomness import draw_generators
+        from decomplex_bt.envs.recording import Recording
+
+        numbers = rng.bit_generator.state
+        generators = draw_generators(rng)
+        request, judge = self._ask(request, generators)
+        start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
+        recording = Recording(numbers, request, options)
+        return partial(Episode, self._home, judge, start, self.config, recording, generators)
 
     def _ask(self, request: Request | None, generators: Generators) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
@@ -464,6 +492,17 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         for body in (reference() for reference in self._bodies):
             if body is not None:
                 body.end(self._running.observe())
+
+    def _make_camera(self) -> Camera:
+        from decomplex_bt.envs.rendering.camera import Camera
+
+        sensing = self.config.sensing
+        return Camera(self.setting.geometry, sight=(sensing.range, np.deg2rad(sensing.field_of_view)))
+
+    def _change_camera(self, camera: Camera | None) -> None:
+        if self._camera is not None:
+            self._camera.close()
+        self._camera = camera
 
     def _observe(self) -> Observation:
         return self._running.observe()

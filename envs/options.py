@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
 from decomplex_bt.envs.chance import APERTURE, POWER, Draw
@@ -55,6 +56,17 @@ class Options:
     chance: bool = True
     max_seconds: float | None = None
     reward: str | None = None
+
+    def given(self) -> dict[str, Any]:
+        """All but the request, as plain values that `read_options` reads as the same."""
+        plain: dict[str, Any] = {}
+        for key in (item.name for item in fields(self) if item.name != "request"):
+            value = getattr(self, key)
+            if isinstance(value, Mapping):
+                plain[key] = {name: list(of) if isinstance(of, tuple) else of for name, of in value.items()}
+            elif value is not None:
+                plain[key] = list(value) if isinstance(value, tuple) else value
+        return plain
 
 
 HOUSE_KEYS = ("house", "house_seed")
@@ -190,7 +202,19 @@ def _reading(key: str, value: Any) -> Instruction | None:
         return value
     if isinstance(value, Example):
         return value.instruction
+    if isinstance(value, Mapping):
+        return _from_mapping(key, value)
     raise InputError(f"{key} is a {type(value).__name__}; expected an Instruction or a corpus Example")
+
+
+def _from_mapping(key: str, value: Mapping[str, Any]) -> Instruction:
+    """An instruction of what `dataclasses.asdict` makes of one (or of an example), as specs and recordings keep it."""
+    try:
+        return TypeAdapter(Instruction).validate_python(value.get("instruction", value))
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join([key, *(str(part) for part in first["loc"])])
+        raise InputError(f"{where}: {first['msg']}; expected the fields of an Instruction") from None
 
 
 def _names(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import gc
+import json
 import pickle
 import re
 import subprocess
@@ -17,6 +19,7 @@ from gymnasium.utils.env_checker import check_env, data_equivalence
 import decomplex_bt  # noqa: F401 - registers the environments
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.config import WorldConfig
 from decomplex_bt.envs.household import HouseholdConfig, HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
@@ -102,15 +105,111 @@ def test_a_fresh_environment_pickles():
     assert pickle.loads(pickle.dumps(HouseholdEnv(GO))).instruction == GO.text
 
 
-def test_a_replay_that_departs_says_where():
-    env = HouseholdEnv(GO)
-    env.reset(seed=4)
-    list(rollout(env, 60))
+# -- recordings -------------------------------------------------------------------------------------------------------
+
+
+def recorded(steps=30, **arguments):
+    env = HouseholdEnv(TV, **arguments)
+    options = {"placement": {"apple": "fridge", "pan": None}, "states": {"pan": ("dirty", "full")}, "broken": ["tv"]}
+    env.reset(seed=4, options=options)
+    list(rollout(env, steps))
+    return env
+
+
+def test_a_recording_is_plain_and_read_back_exactly():
+    env, twin = recorded(), HouseholdEnv(GO)
     state = env.state_dict()
+    twin.load_state_dict(json.loads(json.dumps(state)))
+    assert twin.state_dict() == state
+    assert twin.instruction == GO.text
+    for mine, yours in zip(rollout(env, 20, seed=2), rollout(twin, 20, seed=2), strict=True):
+        assert data_equivalence(mine, yours, exact=True)
+    assert data_equivalence(env.reset()[0]["entities"], twin.reset(instruction=TV)[0]["entities"], exact=True)
+
+
+@pytest.mark.parametrize(("index", "step"), [(0, 0), (1, 50), (2, 60)])
+def test_a_replay_that_departs_says_where(index, step):
+    state = recorded(steps=60).state_dict()
     HouseholdEnv().load_state_dict(state)
-    state["checksums"] = (*state["checksums"][:-1], 0)
-    with pytest.raises(InputError, match="step 50"):
+    state["checksums"][index] += 1
+    with pytest.raises(InputError, match=f"by step {step};"):
         HouseholdEnv().load_state_dict(state)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"config": HouseholdConfig(world=WorldConfig(max_speed=0.5))}, "config.world.max_speed 1.0.* has 0.5"),
+        ({"config": HouseholdConfig(balance=0.1)}, "config.balance 0.3.* has 0.1"),
+        ({"size": "small"}, "another house"),
+    ],
+    ids=str,
+)
+def test_a_recording_is_not_replayed_elsewhere(arguments, says):
+    with pytest.raises(InputError, match=says):
+        HouseholdEnv(**arguments).load_state_dict(recorded().state_dict())
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"format": 1}, "format 1; this version reads format 2"),
+        ({"format": None}, "no recording"),
+        ({"generator": None}, "generator: Field required"),
+        ({"generator": {"state": 1}}, "generator: .*PCG64"),
+        ({"checksums": [1]}, "1 checksums; expected 3 for 60 actions"),
+        ({"actions": [[0.0, 0.0, 0]] * 60}, r"actions\.0\.3: Field required"),
+        ({"actions": [[0.0, 0.0, 99, 0]] * 60}, "no action"),
+        ({"actions": [[0.0, 0.0, int(Interaction.FINISH), 0]] * 60}, "by step 50"),
+        ({"options": {"balanse": 1}}, "balanse"),
+        ({"house": 1}, "house: .*"),
+        ({"gold": {"text": 1}}, "gold.text"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_recording_that_cannot_be_loaded_leaves_the_environment_as_it_was(changes, says):
+    state = recorded(steps=60).state_dict() | changes
+    state = {key: value for key, value in state.items() if value is not None}
+    env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
+    for each in (env, undisturbed):
+        each.reset(seed=0)
+        list(rollout(each, 10))
+    with pytest.raises(InputError, match=says):
+        env.load_state_dict(state)
+    for mine, yours in zip(rollout(env, 20, seed=2), rollout(undisturbed, 20, seed=2), strict=True):
+        assert data_equivalence(mine, yours, exact=True)
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
+
+
+def test_a_replay_is_filmed_like_what_was_recorded():
+    env = recorded(render_mode="rgb_array")
+    assert np.array_equal(pickle.loads(pickle.dumps(env)).render(), env.render())
+
+
+class Robot(HouseholdEnv):
+    """An environment of somebody's own, which takes other arguments."""
+
+    def __init__(self, number):
+        super().__init__(GO)
+        self.number = number
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])
+def test_a_copy_has_all_that_the_environment_has(copied):
+    env = Robot(3)
+    env.reset(seed=1)
+    env.action_space.seed(5)
+    env.mine = ["anything"]
+    twin = copied(env)
+    assert (twin.number, twin.mine, twin.np_random_seed) == (3, ["anything"], 1)
+    assert [twin.action_space.sample()["target"] for _ in range(9)] == [
+        env.action_space.sample()["target"] for _ in range(9)
+    ]
+    assert data_equivalence(env.step(REST), twin.step(REST), exact=True)
+    assert data_equivalence(env.reset(), twin.reset(), exact=True)
+
+
+# -- the instruction --------------------------------------------------------------------------------------------------
 
 
 def test_the_instruction_can_be_given_in_four_ways_and_stays():
@@ -177,21 +276,23 @@ def test_options_that_cannot_be_used_are_refused(options, says):
         HouseholdEnv(GO).reset(seed=0, options=options)
 
 
+@pytest.mark.parametrize("seed", [None, 99])
 @pytest.mark.parametrize(
     "options",
     [{"house_seed": 1}, {"instruction": "Lovely weather today."}, {"instruction": TV, "placement": {"pan": "tv"}}],
     ids=str,
 )
-def test_a_refused_reset_changes_nothing(options):
+def test_a_refused_reset_changes_nothing(options, seed):
     env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
     for each in (env, undisturbed):
         each.reset(seed=0)
     with pytest.raises(InputError):
-        env.reset(options=options)
+        env.reset(seed=seed, options=options)
     assert env.instruction == GO.text
     for mine, yours in zip(rollout(env, 20), rollout(undisturbed, 20), strict=True):
         assert data_equivalence(mine, yours, exact=True)
-    assert data_equivalence(env.reset(seed=1), undisturbed.reset(seed=1), exact=True)
+    assert env.np_random_seed == undisturbed.np_random_seed
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
     fresh = HouseholdEnv()
     with pytest.raises(InputError):
         fresh.reset(options=options)
