@@ -474,7 +474,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.opening import draw_asked, judge_for
 
         if request is None:
-            return draw_asked(self._home.base, self.domain, generators.asking)
+            return draw_asked(self._home.base, self.setting, generators.asking)
         if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
             return request, judge_for(request, self.domain)
         if self._judge is None:
