@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 import gymnasium as gym
 import numpy as np
 
-from decomplex_bt.envs.config import HouseholdConfig
+from decomplex_bt.envs.config import HouseholdConfig, read_config
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
+    from gymnasium.envs.registration import EnvSpec
+
     from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.baselines import Policy
     from decomplex_bt.envs.embodiment import HouseholdEmbodiment
@@ -104,7 +107,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `gold` | the reading the judge goes by, for a text: an `Instruction` or `Example` |
     | `domain` | a shipped domain's name, the path of a domain's folder, or a `Domain`; "household" |
     | `house`, `size`, `house_seed` | which house, or which houses: see below |
-    | `config` | `HouseholdConfig`: `max_seconds`, `balance`, `reward`, what the robot can do, how it sees |
+    | `config` | `HouseholdConfig` or a mapping: `max_seconds`, `balance`, `reward`, the robot's abilities and senses |
     | `render_mode` | "rgb_array", "human", "ansi"; None: no pictures |
 
     ## Houses
@@ -114,8 +117,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     one. Their entity tables have as many rows as the largest house needs; rows that stand for nothing are masked, and
     `entities` is of the house of the episode.
 
-    Whatever the arguments name (a domain, a house, a size, an instruction) is read and checked at once. The shipped
-    house is read when it is first asked for: by a space, `entities`, or the first reset.
+    Whatever the arguments name (a domain, a house, a size) is read and checked at once, and so are the configuration
+    and the form of an instruction. Whether an instruction suits the house is found out by the first reset, for it takes
+    the house of that episode and, for a text, the interpreter, which takes seconds to load. The shipped house is read
+    when it is first asked for: by a space, `entities`, or the first reset.
 
     ## Reset options
     `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
@@ -150,6 +155,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     v0: first version.
     """
 
+    _spec: EnvSpec | None = None
     metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
 
     def __init__(
@@ -161,7 +167,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         house: str | Path | None = None,
         size: str | None = None,
         house_seed: int | None = None,
-        config: HouseholdConfig | None = None,
+        config: HouseholdConfig | Mapping[str, Any] | None = None,
         render_mode: str | None = None,
         **others: Any,
     ) -> None:
@@ -170,7 +176,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             modes = ", ".join(self.metadata["render_modes"])
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
-        self.config = config or HouseholdConfig()
+        self.config = read_config(config, HouseholdConfig, "config")
         self.render_mode = render_mode
         self._site: dict[str, Any] = {"domain": domain, "house": house, "size": size, "house_seed": house_seed}
         self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
@@ -195,11 +201,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
         are broken; instruction, house, episode and random numbers are then those from before.
         """
-        from decomplex_bt.envs.options import check_keys, read_options
+        from decomplex_bt.envs.options import check_keys, read_options, with_instruction
 
-        if instruction is not None:
-            options = {**(options or {}), "instruction": instruction}
         check_keys(options)
+        options = with_instruction(options, instruction)
         with self._unchanged_if_refused() as before:
             super().reset(seed=seed)
             self._choose_house(options)
@@ -246,6 +251,17 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def close(self) -> None:
         if self._camera is not None:
             self._camera.close()
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The spec it was made by, if it was; its arguments are plain where JSON would not keep them."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        if spec is not None:
+            spec = replace(spec, kwargs={name: _plain(value) for name, value in spec.kwargs.items()})
+        self._spec = spec
 
     # -- for agents, judges, pictures ---------------------------------------------------------------------------------
 
@@ -526,6 +542,13 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.spaces import observation_space
 
         return observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
+
+
+def _plain(argument: Any) -> Any:
+    """An argument as a spec keeps it: JSON makes mappings of configurations and instructions, and cannot keep these."""
+    if isinstance(argument, Path):
+        return str(argument.resolve())
+    return argument.item() if isinstance(argument, np.generic) else argument
 
 
 def _refuse(arguments: Mapping[str, Any]) -> None:

@@ -268,12 +268,42 @@ def test_same_seed_same_world_whatever_instruction_apart_from_what_it_tests():
         ({"instruction": "  "}, "empty"),
         ({"instruction": "a" * 2001}, "2001"),
         ({"instruction": 7}, "int"),
+        ({"instruction": {"text": "Go.", "tasks": [{"id": 1}]}}, "instruction.tasks.0.type: Field required"),
+        ({"reward": np.array([1, 2])}, "success, progress"),
+        ({"placement": {"pan": np.array(["desk", "stove"])}}, "placement.pan: unknown"),
+        ({"broken": np.array("tv")}, "expected a list of devices"),
+        ({"states": {"fridge": ("open", "closed")}}, "fridge cannot be both open and closed"),
+        ({"states": {"tv": "on"}, "broken": ["tv"]}, "tv cannot be broken and on"),
+        (["noise"], "expected a mapping"),
     ],
     ids=str,
 )
 def test_options_that_cannot_be_used_are_refused(options, says):
     with pytest.raises(ValueError, match=says):
         HouseholdEnv(GO).reset(seed=0, options=options)
+
+
+def test_an_instruction_that_is_given_twice_is_given_once():
+    for env in (HouseholdEnv(), InstructionReset(HouseholdEnv())):
+        assert env.reset(seed=0, instruction=GO, options={"instruction": GO})[1]["instruction"] == GO.text
+        with pytest.raises(InputError, match="two instructions"):
+            env.reset(seed=0, instruction=GO, options={"instruction": TV})
+
+
+def test_numpy_values_are_taken_for_what_they_are():
+    plain = {"noise": False, "balance": 0.25, "max_seconds": 5, "states": {"tv": "on"}, "placement": {"pan": "stove"}}
+    numpys = {
+        "noise": np.bool_(False),
+        "balance": np.float32(0.25),
+        "max_seconds": np.int64(5),
+        "states": {np.str_("tv"): np.array(["on"])},
+        "placement": {"pan": np.str_("stove")},
+    }
+    one, other = HouseholdEnv(GO), HouseholdEnv(GO)
+    assert data_equivalence(one.reset(seed=0, options=plain), other.reset(seed=0, options=numpys), exact=True)
+    assert json.dumps(one.state_dict()) == json.dumps(other.state_dict())
+    one.instruction = np.str_("Go to the kitchen.")
+    assert type(one.instruction) is str
 
 
 @pytest.mark.parametrize("seed", [None, 99])
@@ -546,3 +576,38 @@ def test_one_that_was_never_reset_survives_pickling():
     env = pickle.loads(pickle.dumps(HouseholdEnv(size="small", house_seed=3)))
     assert env.entities == HouseholdEnv(size="small", house_seed=3).entities
     assert pickle.loads(pickle.dumps(HouseholdEnv())).entities == HouseholdEnv().entities
+
+
+# -- the configuration ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("config", "says"),
+    [
+        ({"reward": "sparse"}, "reward is 'sparse'; expected one of success, progress"),
+        ({"max_seconds": float("nan")}, "max_seconds is nan"),
+        ({"max_seconds": -1}, "max_seconds is -1"),
+        ({"max_seconds": "x"}, "max_seconds is 'x'"),
+        ({"balance": 5}, "balance is 5; expected a number from 0 to 0.5"),
+        ({"balanse": 0.1}, "config: unknown 'balanse' .*balance"),
+        ({"world": {"substeps": 0}}, "substeps is 0; expected a whole number from 1"),
+        ({"world": {"tray_slots": -1}}, "tray_slots is -1"),
+        ({"world": {"max_speed": 0}}, "max_speed is 0; expected a number above 0"),
+        ({"world": {"reach": float("inf")}}, "reach is inf"),
+        ({"world": 3}, "world is 3; expected a WorldConfig or a mapping"),
+        ({"sensing": {"every": 1.5}}, "every is 1.5"),
+        ({"sensing": {"field_of_view": 720}}, "up to 360"),
+        ("fast", "config is 'fast'"),
+    ],
+    ids=str,
+)
+def test_a_configuration_that_cannot_be_is_refused_at_once(config, says):
+    with pytest.raises(InputError, match=says):
+        gym.make(HOUSEHOLD, config=config)
+
+
+def test_a_configuration_is_a_value_or_a_mapping_of_plain_values():
+    config = HouseholdConfig(max_seconds=np.int64(5), reward="progress", world=WorldConfig(tray_slots=2))
+    assert type(config.max_seconds) is float
+    assert HouseholdEnv(config=config).config == config
+    assert HouseholdEnv(config={"max_seconds": 5, "reward": "progress", "world": {"tray_slots": 2}}).config == config
