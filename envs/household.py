@@ -201,14 +201,14 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
         are broken; instruction, house, episode and random numbers are then those from before.
         """
-        from decomplex_bt.envs.options import check_keys, read_options, with_instruction
-
-        check_keys(options)
-        options = with_instruction(options, instruction)
         with self._unchanged_if_refused() as before:
-            super().reset(seed=seed)
-            self._choose_house(options)
-            return self._begin(read_options(options, self.setting.geometry), before)
+            begin = self._prepare(seed, options, instruction)
+            return self._begin(begin, before)
+
+    def check_reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
+        """Raises what `reset` would raise for these; changes nothing."""
+        with self._unchanged_if_refused(is_rehearsal=True):
+            self._prepare(seed, options, None)
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, and `gymnasium.error.ResetNeeded` where no episode
@@ -440,28 +440,40 @@ class HouseholdEnv(gym.Env[Observation, Action]):
                 body.move_to(self.domain)
 
     @contextmanager
-    def _unchanged_if_refused(self) -> Iterator[Domain]:
-        """Brings house, instruction and random numbers back where an episode could not begin; the domain from before is
-        its value."""
+    def _unchanged_if_refused(self, *, is_rehearsal: bool = False) -> Iterator[Domain]:
+        """Brings house, instruction and random numbers back where an episode could not begin, or is not to; the domain
+        from before is its value."""
         address, request, judge = self._home.address, self._request, self._judge
         rng, seed = self._np_random, self._np_random_seed
         numbers = {} if rng is None else rng.bit_generator.state
+        is_kept = False
         try:
             yield self.domain
-        except BaseException:
-            self._home.address, self._request, self._judge = address, request, judge
-            self._np_random, self._np_random_seed = rng, seed
-            if rng is not None:
-                rng.bit_generator.state = numbers
-            raise
+            is_kept = not is_rehearsal
+        finally:
+            if not is_kept:
+                self._home.address, self._request, self._judge = address, request, judge
+                self._np_random, self._np_random_seed = rng, seed
+                if rng is not None:
+                    rng.bit_generator.state = numbers
 
     # -- an episode ---------------------------------------------------------------------------------------------------
 
-    def _begin(self, options: Options, before: Domain) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode in the house of now. Nothing of the last one is touched until all is known to be usable."""
-        if options.request is not None:
-            self._request, self._judge = options.request, None
-        begin = self._draw(options, self.np_random, self._request)
+    def _prepare(self, seed: int | None, options: dict[str, Any] | None, instruction: Any) -> Callable[[], Episode]:
+        """Draws the episode that is asked for, in the house that is asked for; what is given back makes it."""
+        from decomplex_bt.envs.options import check_keys, read_options, with_instruction
+
+        check_keys(options)
+        options = with_instruction(options, instruction)
+        super().reset(seed=seed)
+        self._choose_house(options)
+        checked = read_options(options, self.setting.geometry)
+        if checked.request is not None:
+            self._request, self._judge = checked.request, None
+        return self._draw(checked, self.np_random, self._request)
+
+    def _begin(self, begin: Callable[[], Episode], before: Domain) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode in the house of now; up to here nothing of the last one was touched."""
         if self._episode is not None:
             self._episode.world.dismantle()  # its shapes are for the next
         self._enter(episode := begin(), before)

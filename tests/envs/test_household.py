@@ -10,11 +10,13 @@ import re
 import subprocess
 import sys
 import warnings
+from functools import partial
 
 import gymnasium as gym
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env, data_equivalence
+from gymnasium.vector import AutoresetMode
 
 import decomplex_bt  # noqa: F401 - registers the environments
 from decomplex_bt.corpus import read_markup
@@ -23,6 +25,7 @@ from decomplex_bt.envs.config import WorldConfig
 from decomplex_bt.envs.household import HouseholdConfig, HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
+from decomplex_bt.envs.vector import HouseholdVectorEnv
 from decomplex_bt.envs.wrappers import InstructionReset
 from decomplex_bt.errors import InputError
 
@@ -513,13 +516,57 @@ def test_vector_environments_take_an_instruction_each():
     assert list(info["instruction"]) == [GO.text, TV.text]
     assert observation["entities"].shape[0] == 2
     envs.step(envs.action_space.sample())
-    with pytest.raises(InputError, match="list of 2"):
-        envs.reset(options={"instructions": [GO]})
-    for refused in ([TV, "Lovely weather today."], [TV, " "]):
-        with pytest.raises(InputError):
-            envs.reset(options={"instructions": refused})
-        assert list(envs.reset(seed=2)[1]["instruction"]) == [GO.text, TV.text]
+    assert list(
+        envs.reset(options={"instructions": np.array(["Go to the kitchen.", "Go to the study."])})[1]["seconds"]
+    )
+    assert [env.unwrapped.instruction for env in envs.envs] == ["Go to the kitchen.", "Go to the study."]
     envs.close()
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"instructions": [GO]}, "list of 2"),
+        ({"instructions": 5}, "list of 2"),
+        ({"instructions": "ab"}, "list of 2"),
+        ({"instructions": np.array("ab")}, "list of 2"),
+        ({"instructions": [TV, "Lovely weather today."]}, "asks for nothing"),
+        ({"instructions": [TV, " "]}, "empty"),
+        ({"instructions": [TV, GO], "placement": {"pan": "tv"}}, "nothing can lie"),
+        ({"instructions": [TV, None], "instruction": GO}, "two instructions"),
+    ],
+    ids=str,
+)
+def test_a_refused_reset_of_several_resets_none(options, says):
+    envs, undisturbed = (gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO) for _ in range(2))
+    for each in (envs, undisturbed):
+        each.reset(seed=0)
+        each.action_space.seed(0)
+    with pytest.raises(InputError, match=says):
+        envs.reset(seed=5, options=options)
+    actions = envs.action_space.sample() | {"interact": np.zeros(2, dtype=np.int64)}
+    assert data_equivalence(envs.step(actions), undisturbed.step(actions), exact=True)
+    assert data_equivalence(envs.reset(), undisturbed.reset(), exact=True)
+
+
+def test_what_is_masked_keeps_its_instruction():
+    made = partial(gym.make, HOUSEHOLD, instruction=GO)
+    envs = HouseholdVectorEnv([made, made], autoreset_mode=AutoresetMode.DISABLED)
+    envs.reset(seed=0)
+    envs.reset(options={"reset_mask": np.array([True, False]), "instructions": [TV, "Lovely weather today."]})
+    assert [env.unwrapped.instruction for env in envs.envs] == [TV.text, GO.text]
+    envs.close()
+
+
+def test_a_reset_can_be_checked_without_one():
+    env, undisturbed = HouseholdEnv(GO, size="small"), HouseholdEnv(GO, size="small")
+    for each in (env, undisturbed):
+        each.reset(seed=0)
+    env.check_reset(seed=5, options={"instruction": TV, "house_seed": 3})
+    with pytest.raises(InputError, match="attic"):
+        env.check_reset(options={"people": {"user": "attic"}})
+    assert data_equivalence(env.step(REST), undisturbed.step(REST), exact=True)
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
 
 
 def test_flat_spaces_hold_the_same():
