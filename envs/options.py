@@ -217,7 +217,8 @@ def _reading(key: str, value: Any) -> Instruction | None:
         return value.instruction
     if isinstance(value, Mapping):
         return _from_mapping(key, value)
-    raise InputError(f"{key} is a {type(value).__name__}; expected an Instruction or a corpus Example")
+    text = "a text, " if key == "instruction" else ""
+    raise InputError(f"{key} is a {type(value).__name__}; expected {text}an Instruction or a corpus Example")
 
 
 def _from_mapping(key: str, value: Mapping[str, Any]) -> Instruction:
@@ -253,7 +254,7 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
     states: dict[str, tuple[str, ...]] = {}
     for name, value in wanted.items():
         key = f"states.{name}"
-        values = (value,) if isinstance(value, str) else several(key, value, "states")
+        values = (value,) if isinstance(value, str) else several(key, value, "a state or a list of them")
         states[known("states", name, geometry.names)] = chosen = tuple(
             known(key, state, all_states) for state in values
         )
@@ -269,7 +270,7 @@ def _devices(wanted: Any, geometry: Geometry) -> tuple[str, ...] | None:
     devices = tuple(
         name for name in geometry.names[: geometry.place_count] if geometry.house.kind(name, geometry.kinds).is_device
     )
-    return tuple(known("broken", name, devices) for name in several("broken", wanted, "devices"))
+    return tuple(known("broken", name, devices) for name in several("broken", wanted, "a list of devices"))
 
 
 def _check_switched(options: Options, geometry: Geometry) -> None:

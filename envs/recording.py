@@ -102,7 +102,8 @@ class Recorded(Record):
         except ValidationError as error:
             first = error.errors()[0]
             key = ".".join(str(part) for part in first["loc"])
-            raise InputError(f"no recording: {key}: {first['msg']} (got {_short(first['input'])})") from None
+            got = "" if first["type"] == "missing" else f" (got {_short(first['input'])})"
+            raise InputError(f"no recording: {key}: {first['msg']}{got}") from None
         expected = len(list(recorded.checked_steps()))
         if len(recorded.checksums) != expected:
             raise InputError(

@@ -15,16 +15,16 @@ from decomplex_bt.errors import InputError
 
 def number(name: str, value: Any, low: float = 0.0, high: float | None = None) -> float:
     """A number from `low` to `high`; without `high` a finite one."""
-    if _is_number(value, Real) and low <= value and (isfinite(value) if high is None else value <= high):
+    if _is_number(value, Real) and low <= value and _is_up_to(value, high):
         return float(value)
-    raise InputError(f"{name} is {value!r}; expected a number from {low:g}{'' if high is None else f' to {high:g}'}")
+    raise InputError(f"{name} is {value!r}; expected a number from {low:g}{_up_to(high)}")
 
 
 def positive(name: str, value: Any, high: float | None = None) -> float:
     """A number above 0, up to `high`; without `high` a finite one."""
-    if _is_number(value, Real) and value > 0 and (isfinite(value) if high is None else value <= high):
+    if _is_number(value, Real) and value > 0 and _is_up_to(value, high):
         return float(value)
-    raise InputError(f"{name} is {value!r}; expected a number above 0{'' if high is None else f', up to {high:g}'}")
+    raise InputError(f"{name} is {value!r}; expected a number above 0{_up_to(high)}")
 
 
 def whole(name: str, value: Any, low: int = 0) -> int:
@@ -53,12 +53,12 @@ def known(name: str, value: Any, choices: Sequence[str]) -> str:
     raise InputError(f"{name}: unknown {value!r}{nearest(str(value), choices)}")
 
 
-def several(name: str, value: Any, of: str) -> tuple[Any, ...]:
+def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
     """What a list, or anything else to go through but a text, holds."""
     is_scalar = isinstance(value, str | bytes) or (isinstance(value, np.ndarray) and not value.shape)
     if isinstance(value, Iterable) and not is_scalar:
         return tuple(value)
-    raise InputError(f"{name} is {value!r}; expected a list of {of}")
+    raise InputError(f"{name} is {value!r}; expected {expected}")
 
 
 def nearest(value: str, choices: Iterable[str]) -> str:
@@ -69,3 +69,11 @@ def nearest(value: str, choices: Iterable[str]) -> str:
 
 def _is_number(value: Any, kind: type) -> bool:
     return isinstance(value, kind) and not isinstance(value, bool)
+
+
+def _is_up_to(value: Any, high: float | None) -> bool:
+    return isfinite(value) if high is None else value <= high
+
+
+def _up_to(high: float | None) -> str:
+    return "" if high is None else f" to {high:g}"

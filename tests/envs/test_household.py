@@ -643,7 +643,7 @@ def test_one_that_was_never_reset_survives_pickling():
         ({"world": {"reach": float("inf")}}, "reach is inf"),
         ({"world": 3}, "world is 3; expected a WorldConfig or a mapping"),
         ({"sensing": {"every": 1.5}}, "every is 1.5"),
-        ({"sensing": {"field_of_view": 720}}, "up to 360"),
+        ({"sensing": {"field_of_view": 720}}, "above 0 to 360"),
         ("fast", "config is 'fast'"),
     ],
     ids=str,
