@@ -399,8 +399,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """All attributes but those that are made anew, and the running episode's recording."""
         kept = {name: value for name, value in vars(self).items() if name not in _MADE_ANEW}
         if "_home" in vars(self):
-            domain = self._site["domain"] if isinstance(self._site["domain"], str) else self._home.base.folder
-            kept["_site"] = {**self._site, "domain": domain, "house_seed": self._home.seed}
+            kept["_site"] = {**self._site, "house_seed": self._home.seed}
         return kept, None if self._episode is None else self.state_dict()
 
     def __setstate__(self, state: tuple[dict[str, Any], dict[str, Any] | None]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
+from functools import lru_cache
 
 from numpy.random import Generator
 
@@ -50,7 +50,7 @@ def _training_voices(domain: Domain) -> tuple[str, ...]:
     return voices
 
 
-@cache  # all voices are drawn from again and again, and reading one takes longer than many resets
+@lru_cache(maxsize=1024)  # more than there are voices: reading one takes longer than many resets
 def _requests(domain: Domain, voice: str) -> tuple[Request, ...]:
     examples = read_corpus(domain.folder / "corpus" / f"{voice}.yaml", domain.ontology)
     return tuple(Request(example.instruction.text, example.instruction) for example in examples)

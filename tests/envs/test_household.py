@@ -23,6 +23,7 @@ from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.config import WorldConfig
 from decomplex_bt.envs.household import HouseholdConfig, HouseholdEnv
+from decomplex_bt.envs.houses import generated_domain
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
 from decomplex_bt.envs.vector import HouseholdVectorEnv
@@ -210,6 +211,14 @@ def test_a_copy_has_all_that_the_environment_has(copied):
     ]
     assert data_equivalence(env.step(REST), twin.step(REST), exact=True)
     assert data_equivalence(env.reset(), twin.reset(), exact=True)
+
+
+def test_a_copy_lives_in_the_house_of_the_domain_that_was_given():
+    env = HouseholdEnv(GO, domain=generated_domain(load_domain("household"), "small", 3))
+    env.reset(seed=0)
+    twin = copy.deepcopy(env)
+    assert twin.domain.house == env.domain.house
+    assert data_equivalence(env.step(REST), twin.step(REST), exact=True)
 
 
 # -- the instruction --------------------------------------------------------------------------------------------------
