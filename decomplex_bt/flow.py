@@ -25,6 +25,7 @@ class Do:
     number names a task that stands in another branch too, where only one of the two can run.
     """
 
+    __pydantic_config__ = {"extra": "forbid"}  # read from a mapping, it is told from an `If` by its keys
     tasks: tuple[int, ...]
     is_repeat: bool = False
 
@@ -45,6 +46,7 @@ class If:
     without its negation, holds. At least one branch is not empty.
     """
 
+    __pydantic_config__ = {"extra": "forbid"}
     tasks: tuple[int, ...]
     then: tuple[Node, ...] = ()
     orelse: tuple[Node, ...] = ()

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+from gymnasium.spaces import Dict
 
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X, Y
@@ -61,13 +62,17 @@ def make_policy(
     planner: Planner | None = None,
     seed: int = 0,
 ) -> Policy:
-    """The policy of this name for an environment. Raises `InputError` for an unknown name.
+    """The policy of this name for an environment. Raises `InputError` for an unknown name, or for flat spaces.
 
     `reading`: how the instruction is to be understood (a gold one, or one that was understood beforehand); None: the
     policy understands the text itself. `planner`: shared by the episodes, for its cache. `seed`: of a random policy.
     """
     if name not in POLICIES:
         raise InputError(f"there is no agent {name!r}; known: {', '.join(POLICIES)}")
+    if not isinstance(env.action_space, Dict):
+        raise InputError(
+            f"policies give actions of drive, interact and target, not of {env.action_space}; make Household-v0"
+        )
     return POLICIES[name](env, reading, planner, seed)
 
 
@@ -133,12 +138,12 @@ class RandomPolicy:
     failures: tuple[Failure, ...] = ()
 
     def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
-        self._rows = len(env.entities)
-        self._seed = seed
+        self._env, self._seed = env, seed
         self.done = False
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         self._rng = np.random.default_rng(self._seed)
+        self._rows = len(self._env.entities)  # the house may be another one by now
 
     def act(self, observation: Any) -> Any:
         rng = self._rng

@@ -1,10 +1,17 @@
-"""How an environment is set up: plain values, which need nothing of what they set up."""
+"""How an environment is set up: plain values, which need nothing of what they set up. Each raises `InputError`, naming
+the field, for a value that cannot be."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, TypeVar
 
+from decomplex_bt.envs.values import choice, nearest, number, positive, whole
 from decomplex_bt.errors import InputError
+
+REWARDS = ("success", "progress")
+Config = TypeVar("Config")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +32,12 @@ class WorldConfig:
     reach: float = 0.8
     speak_reach: float = 1.5
     tray_slots: int = 4
+
+    def __post_init__(self) -> None:
+        _check(self, positive, "substep", "max_speed", "max_turn_rate", "max_acceleration", "max_turn_acceleration")
+        _check(self, number, "reach", "speak_reach")
+        _check(self, whole, "tray_slots")
+        _check(self, whole, "substeps", low=1)
 
     @property
     def step_seconds(self) -> float:
@@ -48,17 +61,43 @@ class SensingConfig:
     looks: int = 2
 
     def __post_init__(self) -> None:
-        if self.looks < 1 or self.every < 1:
-            raise InputError(f"looks is {self.looks}, every is {self.every}; expected whole numbers from 1 on")
+        _check(self, number, "range", "inside_range", "memory")
+        _check(self, positive, "field_of_view", high=360.0)
+        _check(self, whole, "every", "looks", low=1)
 
 
 @dataclass(frozen=True, slots=True)
 class HouseholdConfig:
     """How an environment is set up. `max_seconds` of simulated time, `balance` in [0, 0.5], `reward` "success" or
-    "progress"; what the robot can do, and how it sees."""
+    "progress"; what the robot can do, and how it sees, also as mappings of their fields."""
 
     max_seconds: float = 600.0
     balance: float = 0.3
     reward: str = "success"
     world: WorldConfig = field(default_factory=WorldConfig)
     sensing: SensingConfig = field(default_factory=SensingConfig)
+
+    def __post_init__(self) -> None:
+        _check(self, number, "max_seconds", high=float("inf"))
+        _check(self, number, "balance", high=0.5)
+        _check(self, choice, "reward", choices=REWARDS)
+        object.__setattr__(self, "world", read_config(self.world, WorldConfig, "world"))
+        object.__setattr__(self, "sensing", read_config(self.sensing, SensingConfig, "sensing"))
+
+
+def read_config(value: Any, kind: type[Config], name: str) -> Config:
+    """A configuration as it is, or of a mapping of its fields; None: the default. Raises `InputError`."""
+    if isinstance(value, kind):
+        return value
+    if value is not None and not isinstance(value, Mapping):
+        raise InputError(f"{name} is {value!r}; expected a {kind.__name__} or a mapping of its fields")
+    names = [item.name for item in fields(kind)]  # type: ignore[arg-type]
+    for key in value or {}:
+        if key not in names:
+            raise InputError(f"{name}: unknown {key!r}{nearest(str(key), names)}; known: {', '.join(names)}")
+    return kind(**(value or {}))
+
+
+def _check(config: Any, check: Callable[..., Any], *names: str, **limits: Any) -> None:
+    for name in names:
+        object.__setattr__(config, name, check(name, getattr(config, name), **limits))

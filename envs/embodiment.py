@@ -14,6 +14,7 @@ from decomplex_bt.envs.floorplan import Cells, floorplan_of
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.navigation import DEFAULT_LIMITS, Driver, Limits
 from decomplex_bt.envs.senses import Senses
+from decomplex_bt.errors import InputError
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
 
@@ -62,6 +63,12 @@ class HouseholdEmbodiment:
     # -- the protocol -------------------------------------------------------------------------------------------------
 
     def reset(self, observation: Mapping[str, Any]) -> None:
+        """Begins an episode. Raises `InputError` for an observation that is not of `HouseholdEnv`."""
+        if not isinstance(observation, Mapping) or "entities" not in observation:
+            raise InputError(
+                f"the robot goes by the observations of Household-v0, by name, and was given a "
+                f"{type(observation).__name__}; make that environment, without a wrapper that flattens what is observed"
+            )
         self.senses.clear()
         self._last = self.ended = None
         self.sense(observation)

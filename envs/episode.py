@@ -37,7 +37,7 @@ class Episode:
     """One episode of an environment. Making it takes the first look, `step` does one action.
 
     `world`, `sensor`, `judge` and `verdict` are of this moment, `start` is how the world began, `text` the instruction;
-    `house` is the path or the seed of its house.
+    `house` is the path or the seed of its house; `is_over` after the step that ended it.
     """
 
     def __init__(
@@ -70,6 +70,7 @@ class Episode:
             whims=lambda: generators.whims.random(),
             stage=home.stage,
         )
+        recording.begin(self.world)
         self.sensor = Sensor(self.world, config.sensing)
         self._add_noise(options)
         self.sensor.look()
@@ -80,6 +81,7 @@ class Episode:
         self._held_version = -1
         self._is_table_full = len(self.sensor.table) == self._rows
         self._constant_info = {"instruction": text, **judge.feasibility()}
+        self.is_over = False
 
     def _add_noise(self, options: Options) -> None:
         """How likely grasps slip and looks miss something: as the house has it, or as the options want it."""
@@ -118,10 +120,11 @@ class Episode:
         if has_looked or is_finished or is_late or self.has_news():
             self._judged_arrangement = world.arrangement
             self.verdict = self.judge.update(world.event)
-        self.recording.note(forward, turn, int(interaction), target, world)
+        self.recording.note(forward, turn, int(interaction), target)
         terminated = is_finished or self.verdict.is_over
         if terminated and self.verdict.is_success:
             self._shortest_length = self._measure_shortest_path()
+        self.is_over = terminated or is_late
         return self._reward(before, terminated), terminated, is_late and not terminated
 
     def _meddle(self, meddler: Meddler) -> Move | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from decomplex_bt.envs.household import HouseholdEnv, Observation
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.spaces import observation_space
+from decomplex_bt.errors import InputError
 
 SPEEDS = tuple(round(share / 4, 2) for share in range(-4, 5))
 """The nine speeds, as shares of the highest, that a flat action chooses from."""
@@ -31,11 +33,26 @@ class FlatHouseholdEnv(HouseholdEnv):
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none."""
-        if isinstance(action, dict):
-            return super().step(action)
-        forward, turn, interact, target = (int(value) for value in action)
+        forward, turn, interact, target = self._read(action)
         drive = (SPEEDS[forward], SPEEDS[turn])
         return super().step({"drive": drive, "interact": interact, "target": target})
+
+    def _read(self, action: Any) -> list[int]:
+        counts = self._counts
+        try:
+            choices = [index(choice) for choice in action]
+        except TypeError:  # nothing to go through, or something in it is no whole number
+            choices = []
+        if len(choices) == len(counts) and all(0 <= choice < n for choice, n in zip(choices, counts, strict=True)):
+            return choices
+        raise InputError(
+            f"no action: {action!r}; expected {len(counts)} whole numbers from 0, below {', '.join(map(str, counts))}"
+        )
+
+    @property
+    def _counts(self) -> list[int]:
+        """How many choices each number of an action has."""
+        return [len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows]
 
     @property
     def parts(self) -> dict[str, slice]:
@@ -49,7 +66,7 @@ class FlatHouseholdEnv(HouseholdEnv):
         return [(key, inner[key]) for key in KEPT]
 
     def _make_action_space(self) -> spaces.Space[Any]:
-        return spaces.MultiDiscrete([len(SPEEDS), len(SPEEDS), len(Interaction), self._home.rows])
+        return spaces.MultiDiscrete(self._counts)
 
     def _make_observation_space(self) -> spaces.Space[Any]:
         lows, highs = [], []

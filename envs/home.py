@@ -77,6 +77,10 @@ class Home:
     def address(self, address: tuple[Any, ...]) -> None:
         self.seed, self.house, self.domain, self.setting, self.stage = address
 
+    def renew_stage(self) -> None:
+        """Makes the next world's stage anew, so that it takes nothing from the world that there is."""
+        self.stage = Stage(self.setting.geometry)
+
     def _settle(self, domain: Domain) -> None:
         self.domain, self.setting = domain, setting_of(domain)
-        self.stage = Stage(self.setting.geometry)
+        self.renew_stage()

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import gymnasium as gym
 import numpy as np
 
-from decomplex_bt.envs.config import HouseholdConfig
+from decomplex_bt.envs.config import HouseholdConfig, read_config
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
+    from gymnasium.envs.registration import EnvSpec
+
     from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.baselines import Policy
     from decomplex_bt.envs.embodiment import HouseholdEmbodiment
@@ -34,6 +37,8 @@ if TYPE_CHECKING:
 __all__ = ["HouseholdConfig", "HouseholdEnv"]
 
 DEFAULT_DOMAIN = "household"
+_MADE_ANEW = frozenset({"_home", "_episode", "_judge", "_camera", "_bodies"})
+"""Attributes that a pickle leaves out: they hold what does not pickle, or belong to somebody else."""
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
 
@@ -57,7 +62,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `interact` | `Discrete(13)` | `interface.Interaction`: none, pick, place, open, close, ... |
     | `target` | `Discrete(rows)` | the row it is about (which, `interface.OBSERVATION_KEYS` says) |
 
-    An interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
+    Speeds beyond the bounds are clipped; all else that is no action is refused (`InputError`) and not done. An
+    interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
     next observation. The gripper reaches 0.8 m; speaking and handing over need 1.5 m.
 
     To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there
@@ -88,7 +94,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     ## Termination and truncation
     `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
-    `finish`. `truncated`: the time limit, 600 s of simulated time by default.
+    `finish`. `truncated`: the time limit, 600 s of simulated time by default. After either, `step` raises
+    `gymnasium.error.ResetNeeded` until the next reset.
 
     ## Arguments
     Of `HouseholdEnv` and, after the id, of `gym.make`. They hold for all episodes; what is of one episode alone
@@ -100,7 +107,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `gold` | the reading the judge goes by, for a text: an `Instruction` or `Example` |
     | `domain` | a shipped domain's name, the path of a domain's folder, or a `Domain`; "household" |
     | `house`, `size`, `house_seed` | which house, or which houses: see below |
-    | `config` | `HouseholdConfig`: `max_seconds`, `balance`, `reward`, what the robot can do, how it sees |
+    | `config` | `HouseholdConfig` or a mapping: `max_seconds`, `balance`, `reward`, the robot's abilities and senses |
     | `render_mode` | "rgb_array", "human", "ansi"; None: no pictures |
 
     ## Houses
@@ -110,8 +117,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     one. Their entity tables have as many rows as the largest house needs; rows that stand for nothing are masked, and
     `entities` is of the house of the episode.
 
-    Whatever the arguments name (a domain, a house, a size, an instruction) is read and checked at once. The shipped
-    house is read when it is first asked for: by a space, `entities`, or the first reset.
+    Whatever the arguments name (a domain, a house, a size) is read and checked at once, and so are the configuration
+    and the form of an instruction. Whether an instruction suits the house is found out by the first reset, for it takes
+    the house of that episode and, for a text, the interpreter, which takes seconds to load. The shipped house is read
+    when it is first asked for: by a space, `entities`, or the first reset.
 
     ## Reset options
     `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
@@ -146,6 +155,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     v0: first version.
     """
 
+    _spec: EnvSpec | None = None
     metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 10}
 
     def __init__(
@@ -157,7 +167,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         house: str | Path | None = None,
         size: str | None = None,
         house_seed: int | None = None,
-        config: HouseholdConfig | None = None,
+        config: HouseholdConfig | Mapping[str, Any] | None = None,
         render_mode: str | None = None,
         **others: Any,
     ) -> None:
@@ -166,7 +176,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             modes = ", ".join(self.metadata["render_modes"])
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
-        self.config = config or HouseholdConfig()
+        self.config = read_config(config, HouseholdConfig, "config")
         self.render_mode = render_mode
         self._site: dict[str, Any] = {"domain": domain, "house": house, "size": size, "house_seed": house_seed}
         self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
@@ -189,21 +199,23 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         """Begins an episode; `instruction` is the option of that name.
 
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
-        are broken; the instruction, the house and the episode are then those from before.
+        are broken; instruction, house, episode and random numbers are then those from before.
         """
-        from decomplex_bt.envs.options import check_keys, read_options
-
-        if instruction is not None:
-            options = {**(options or {}), "instruction": instruction}
-        check_keys(options)
-        super().reset(seed=seed)
         with self._unchanged_if_refused() as before:
-            self._choose_house(options)
-            return self._begin(read_options(options, self.setting.geometry), before)
+            begin = self._prepare(seed, options, instruction)
+            return self._begin(begin, before)
+
+    def check_reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
+        """Raises what `reset` would raise for these; changes nothing."""
+        with self._unchanged_if_refused(is_rehearsal=True):
+            self._prepare(seed, options, None)
 
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
-        """Does one action. Raises `InputError` for one that is none, `gymnasium.error.ResetNeeded` before a reset."""
-        episode = self._episode or self._running
+        """Does one action. Raises `InputError` for one that is none, and `gymnasium.error.ResetNeeded` where no episode
+        runs: before the first reset, and after an episode's end."""
+        episode = self._running
+        if episode.is_over:
+            raise gym.error.ResetNeeded("the episode is over; call reset() for the next one")
         reward, terminated, truncated = episode.step(action)
         if (terminated or truncated) and self._bodies:
             self._tell_bodies()
@@ -239,6 +251,17 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def close(self) -> None:
         if self._camera is not None:
             self._camera.close()
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The spec it was made by, if it was; its arguments are plain where JSON would not keep them."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        if spec is not None:
+            spec = replace(spec, kwargs={name: _plain(value) for name, value in spec.kwargs.items()})
+        self._spec = spec
 
     # -- for agents, judges, pictures ---------------------------------------------------------------------------------
 
@@ -297,10 +320,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def camera(self) -> Camera:
         """What pictures are taken with; its captions may be set."""
         if self._camera is None:
-            from decomplex_bt.envs.rendering.camera import Camera
-
-            sensing = self.config.sensing
-            self._camera = Camera(self.setting.geometry, sight=(sensing.range, np.deg2rad(sensing.field_of_view)))
+            self._camera = self._make_camera()
         return self._camera
 
     @property
@@ -327,46 +347,66 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     # -- recording and replay -----------------------------------------------------------------------------------------
 
     def state_dict(self) -> dict[str, Any]:
-        """The running episode as plain values: how it began and every action since."""
+        """The running episode as plain values, which JSON keeps: where and how it began, and every action since."""
+        from decomplex_bt.envs.recording import FORMAT, circumstances
+
         episode = self._running
-        return {**episode.recording.to_dict(), "house": episode.house}
+        made_in = circumstances(episode.domain, episode.house, self.config)
+        return {"format": FORMAT, **made_in, **episode.recording.to_dict()}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
         """Brings the environment to a recorded moment by doing all of it again, exactly.
 
-        Raises `InputError` naming the step at which the replay departs from the recording.
+        Raises `InputError` for what is no recording, for one that was made in another house, domain or configuration,
+        and where the replay departs from it, naming the step; the environment is then as it was.
         """
+        self.np_random = self._replay(state)
+
+    def _replay(self, state: Mapping[str, Any]) -> np.random.Generator:
+        """Does a recorded episode again; the generator as it left it is the value."""
+        from decomplex_bt.envs.options import check_keys, read_options
+        from decomplex_bt.envs.recording import Recorded
+
+        recorded = Recorded.read(state)
         with self._unchanged_if_refused() as before:
-            self._home.move(state["house"])
-            self.np_random.bit_generator.state = state["generator"]
+            self._home.move((recorded.house.path, recorded.house.seed))
+            self._home.renew_stage()  # the episode of before keeps its own until this one is known to be exact
+            recorded.check_circumstances(self.domain, self.config)
+            check_keys(recorded.options)
+            options, rng = read_options(recorded.options, self.setting.geometry), recorded.begin_random()
+            episode = self._draw(options, rng, recorded.request)()
+            camera = None if self._camera is None and self.render_mode is None else self._make_camera()
+            for forward, turn, interaction, target in recorded.actions:
+                if episode.is_over:
+                    break
+                if camera is not None:
+                    camera.note(episode.world)
+                episode.step({"drive": (forward, turn), "interact": interaction, "target": target})
+            recorded.check(episode.recording)
+        if self._episode is not None:
+            self._episode.world.dismantle()
+        if self.domain is not before:
             self._judge = None
-            self._begin(state["options"], before, replayed=state["request"])
-        for forward, turn, interaction, target in state["actions"]:
-            HouseholdEnv.step(self, {"drive": (forward, turn), "interact": interaction, "target": target})
-        self._running.recording.check(state["checksums"])
+        self._enter(episode, before)
+        if camera is not None:
+            self._change_camera(camera)
+            self._film()
+        if episode.is_over:
+            self._tell_bodies()
+        return rng
 
-    def __getstate__(self) -> dict[str, Any]:
-        site = self._site
+    def __getstate__(self) -> tuple[dict[str, Any], dict[str, Any] | None]:
+        """All attributes but those that are made anew, and the running episode's recording."""
+        kept = {name: value for name, value in vars(self).items() if name not in _MADE_ANEW}
         if "_home" in vars(self):
-            domain = site["domain"] if isinstance(site["domain"], str) else self._home.base.folder
-            site = {**site, "domain": domain, "house_seed": self._home.seed}
-        return {
-            "arguments": {**site, "config": self.config, "render_mode": self.render_mode},
-            "request": self._request,
-            "episode": None if self._episode is None else self.state_dict(),
-            "generator": None if self._np_random is None else self.np_random.bit_generator.state,
-            "seed": self._np_random_seed,
-            "spec": self.spec,
-        }
+            kept["_site"] = {**self._site, "house_seed": self._home.seed}
+        return kept, None if self._episode is None else self.state_dict()
 
-    def __setstate__(self, state: Mapping[str, Any]) -> None:
-        self.__init__(**state["arguments"])  # type: ignore[misc]
-        if state["episode"] is not None:
-            self.load_state_dict(state["episode"])
-        self._request, self.spec = state["request"], state["spec"]
-        if state["generator"] is not None:
-            self.np_random.bit_generator.state = state["generator"]
-            self._np_random_seed = state["seed"]
+    def __setstate__(self, state: tuple[dict[str, Any], dict[str, Any] | None]) -> None:
+        kept, recorded = state
+        vars(self).update(kept, _bodies=[], _camera=None, _judge=None, _episode=None)
+        if recorded is not None:
+            self._replay(recorded)
 
     # -- the house ----------------------------------------------------------------------------------------------------
 
@@ -387,61 +427,81 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         if self.domain is not before:
             self._judge = None
 
-    def _settle_in(self, before: Domain) -> None:
-        """Where the house is another one than before: whoever has the map of the old one gets the new one."""
+    def _enter(self, episode: Episode, before: Domain) -> None:
+        """Makes an episode the running one. Where its house is another one than before, whoever has the map of the old
+        one gets the new one."""
+        self._episode = episode
         if self.domain is before:
             return
-        if self._camera is not None:
-            self._camera.close()
-            self._camera = None
+        self._change_camera(None)
         for body in (reference() for reference in self._bodies):
             if body is not None:
                 body.move_to(self.domain)
 
     @contextmanager
-    def _unchanged_if_refused(self) -> Iterator[Domain]:
-        """Brings house and instruction back where an episode could not begin; the domain from before is its value."""
+    def _unchanged_if_refused(self, *, is_rehearsal: bool = False) -> Iterator[Domain]:
+        """Brings house, instruction and random numbers back where an episode could not begin, or is not to; the domain
+        from before is its value."""
         address, request, judge = self._home.address, self._request, self._judge
+        rng, seed = self._np_random, self._np_random_seed
+        numbers = {} if rng is None else rng.bit_generator.state
+        is_kept = False
         try:
             yield self.domain
-        except Exception:
-            self._home.address, self._request, self._judge = address, request, judge
-            raise
+            is_kept = not is_rehearsal
+        finally:
+            if not is_kept:
+                self._home.address, self._request, self._judge = address, request, judge
+                self._np_random, self._np_random_seed = rng, seed
+                if rng is not None:
+                    rng.bit_generator.state = numbers
 
     # -- an episode ---------------------------------------------------------------------------------------------------
 
-    def _begin(
-        self, options: Options, before: Domain, replayed: Request | None = None
-    ) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode in the house of now. Nothing of the last one is touched until all is known to be usable."""
-        from decomplex_bt.envs.episode import Episode
-        from decomplex_bt.envs.opening import draw_start
-        from decomplex_bt.envs.randomness import draw_generators
-        from decomplex_bt.envs.recording import Recording
+    def _prepare(self, seed: int | None, options: dict[str, Any] | None, instruction: Any) -> Callable[[], Episode]:
+        """Draws the episode that is asked for, in the house that is asked for; what is given back makes it."""
+        from decomplex_bt.envs.options import check_keys, read_options, with_instruction
 
-        generator = self.np_random.bit_generator.state
-        generators = draw_generators(self.np_random)
-        if options.request is not None:
-            self._request, self._judge = options.request, None
-        request, judge = self._ask(replayed or self._request, generators)
-        start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
-        self._settle_in(before)
+        check_keys(options)
+        options = with_instruction(options, instruction)
+        super().reset(seed=seed)
+        self._choose_house(options)
+        checked = read_options(options, self.setting.geometry)
+        if checked.request is not None:
+            self._request, self._judge = checked.request, None
+        return self._draw(checked, self.np_random, self._request)
+
+    def _begin(self, begin: Callable[[], Episode], before: Domain) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode in the house of now; up to here nothing of the last one was touched."""
         if self._episode is not None:
-            self._episode.world.dismantle()
-        recording = Recording(generator, request, options)
-        self._episode = episode = Episode(self._home, judge, start, self.config, recording, generators)
+            self._episode.world.dismantle()  # its shapes are for the next
+        self._enter(episode := begin(), before)
         if self._camera is not None:
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
         return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
 
+    def _draw(self, options: Options, rng: np.random.Generator, request: Request | None) -> Callable[[], Episode]:
+        """Draws all that an episode in the house of now begins with; what is given back makes it."""
+        from decomplex_bt.envs.episode import Episode
+        from decomplex_bt.envs.opening import draw_start
+        from decomplex_bt.envs.randomness import draw_generators
+        from decomplex_bt.envs.recording import Recording
+
+        numbers = rng.bit_generator.state
+        generators = draw_generators(rng)
+        request, judge = self._ask(request, generators)
+        start = draw_start(self.setting, options, judge.tests, self.config.balance, generators)
+        recording = Recording(numbers, request, options)
+        return partial(Episode, self._home, judge, start, self.config, recording, generators)
+
     def _ask(self, request: Request | None, generators: Generators) -> tuple[Request, Judge]:
         """What the robot is asked to do, with its judge; drawn from the corpus where nothing is asked."""
         from decomplex_bt.envs.opening import draw_asked, judge_for
 
         if request is None:
-            return draw_asked(self._home.base, self.domain, generators.asking)
+            return draw_asked(self._home.base, self.setting, generators.asking)
         if request is not self._request:  # a replayed one, whose judge is not that of the resets to come
             return request, judge_for(request, self.domain)
         if self._judge is None:
@@ -459,6 +519,17 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         for body in (reference() for reference in self._bodies):
             if body is not None:
                 body.end(self._running.observe())
+
+    def _make_camera(self) -> Camera:
+        from decomplex_bt.envs.rendering.camera import Camera
+
+        sensing = self.config.sensing
+        return Camera(self.setting.geometry, sight=(sensing.range, np.deg2rad(sensing.field_of_view)))
+
+    def _change_camera(self, camera: Camera | None) -> None:
+        if self._camera is not None:
+            self._camera.close()
+        self._camera = camera
 
     def _observe(self) -> Observation:
         return self._running.observe()
@@ -482,6 +553,13 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.spaces import observation_space
 
         return observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
+
+
+def _plain(argument: Any) -> Any:
+    """An argument as a spec keeps it: JSON makes mappings of configurations and instructions, and cannot keep these."""
+    if isinstance(argument, Path):
+        return str(argument.resolve())
+    return argument.item() if isinstance(argument, np.generic) else argument
 
 
 def _refuse(arguments: Mapping[str, Any]) -> None:

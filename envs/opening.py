@@ -45,14 +45,16 @@ def can_be_asked(request: Request, domain: Domain) -> bool:
     return True
 
 
-def draw_asked(base: Domain, domain: Domain, rng: Generator) -> tuple[Request, Judge]:
-    """A request from the corpus of `base` that suits the house of `domain`, with its judge. Raises `InputError`."""
+def draw_asked(base: Domain, setting: Setting, rng: Generator) -> tuple[Request, Judge]:
+    """A request from the corpus of `base` that suits the house of `setting`, with its judge. Raises `InputError`."""
     for _ in range(INSTRUCTION_TRIES):
         request = draw_request(base, rng)
+        if request in setting.misfits:
+            continue
         try:
-            return request, judge_for(request, domain)
+            return request, judge_for(request, setting.domain)
         except InputError:
-            continue  # most corpora ask for more than one house has
+            setting.misfits.add(request)  # most corpora ask for more than one house has
     raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples suits this house; give an instruction")
 
 

@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from difflib import get_close_matches
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-import numpy as np
+from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
 from decomplex_bt.envs.chance import APERTURE, POWER, Draw
+from decomplex_bt.envs.config import REWARDS
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
+from decomplex_bt.envs.values import choice, flag, known, nearest, number, several, whole
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction
 
 MAX_CHARACTERS = 2000
 """The longest instruction, in code points."""
-REWARDS = ("success", "progress")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +56,17 @@ class Options:
     max_seconds: float | None = None
     reward: str | None = None
 
+    def given(self) -> dict[str, Any]:
+        """All but the request, as plain values that `read_options` reads as the same."""
+        plain: dict[str, Any] = {}
+        for key in (item.name for item in fields(self) if item.name != "request"):
+            value = getattr(self, key)
+            if isinstance(value, Mapping):
+                plain[key] = {name: list(of) if isinstance(of, tuple) else of for name, of in value.items()}
+            elif value is not None:
+                plain[key] = list(value) if isinstance(value, tuple) else value
+        return plain
+
 
 HOUSE_KEYS = ("house", "house_seed")
 """The keys that are about which house it is; they are read first, since the others name what is in it."""
@@ -82,31 +93,45 @@ def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Optio
     """The options as a value. Raises `InputError` for an unknown name or value, naming the nearest known."""
     if not options:
         return Options()
-    given = dict(options)
+    given = {key: value for key, value in options.items() if value is not None}
     house = geometry.house
     places = geometry.names[: geometry.place_count]
-    return Options(
+    read = Options(
         request=read_request(given.get("instruction"), given.get("gold")),
-        balance=_number(given, "balance", 0.0, 0.5),
+        balance=_number(given, "balance", 0.5),
         placement=_names(given, "placement", tuple(house.things), places),
         states=_states(given.get("states"), geometry),
         broken=_devices(given.get("broken"), geometry),
         people=_names(given, "people", tuple(house.people), tuple(house.rooms)),
-        noise=_flag(given, "noise"),
-        grasp_slip=_number(given, "grasp_slip", 0.0, 1.0),
-        missed_detection=_number(given, "missed_detection", 0.0, 1.0),
-        meddling=_number(given, "meddling", 0.0, 60.0) or 0.0,
-        chance=_flag(given, "chance"),
-        max_seconds=_number(given, "max_seconds", 0.0, float("inf")),
-        reward=_one_of(given, "reward", REWARDS),
+        noise=flag("noise", given.get("noise", True)),
+        grasp_slip=_number(given, "grasp_slip", 1.0),
+        missed_detection=_number(given, "missed_detection", 1.0),
+        meddling=number("meddling", given.get("meddling", 0.0), high=60.0),
+        chance=flag("chance", given.get("chance", True)),
+        max_seconds=_number(given, "max_seconds", float("inf")),
+        reward=choice("reward", given["reward"], REWARDS) if "reward" in given else None,
     )
+    _check_switched(read, geometry)
+    return read
 
 
 def check_keys(options: Mapping[str, Any] | None) -> None:
-    """Raises `InputError` for an unknown key, naming the nearest known."""
+    """Raises `InputError` for what is no mapping and for an unknown key, naming the nearest known."""
+    if options is not None and not isinstance(options, Mapping):
+        raise InputError(f"options is {options!r}; expected a mapping of {', '.join(KEYS)}")
     for key in options or {}:
         if key not in KEYS:
-            raise InputError(f"unknown reset option {key!r}{_nearest(str(key), KEYS)}; known: {', '.join(KEYS)}")
+            raise InputError(f"unknown reset option {key!r}{nearest(str(key), KEYS)}; known: {', '.join(KEYS)}")
+
+
+def with_instruction(options: dict[str, Any] | None, instruction: Any) -> dict[str, Any] | None:
+    """The options with an instruction that was given beside them. Raises `InputError` where they have another one."""
+    if instruction is None:
+        return options
+    told = read_request((options or {}).get("instruction"))
+    if told is not None and told != read_request(instruction):
+        raise InputError(f"two instructions are given, one of them as an option: {told.text!r}; give one")
+    return {**(options or {}), "instruction": instruction}
 
 
 def read_house(options: Mapping[str, Any] | None) -> tuple[str | None, int | None]:
@@ -115,11 +140,11 @@ def read_house(options: Mapping[str, Any] | None) -> tuple[str | None, int | Non
     path, seed = given.get("house"), given.get("house_seed")
     if path is not None and not isinstance(path, str | Path):
         raise InputError(f"house is {path!r}; expected the path of a house file")
-    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0):
-        raise InputError(f"house_seed is {seed!r}; expected a whole number from 0")
+    if seed is not None:
+        seed = whole("house_seed", seed)
     if path is not None and seed is not None:
         raise InputError("house and house_seed exclude each other; give one of them")
-    return None if path is None else str(path), None if seed is None else int(seed)
+    return None if path is None else str(path), seed
 
 
 def read_request(instruction: Any, gold: Any = None) -> Request | None:
@@ -145,7 +170,7 @@ def check_text(text: str) -> str:
         raise InputError("the instruction is empty; say what is to be done")
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"the instruction has {len(text)} characters; at most {MAX_CHARACTERS} are understood")
-    return text
+    return str(text)  # numpy's texts are not taken by all who read them
 
 
 def apply_options(options: Options, draw: Draw, rng: Any) -> None:
@@ -190,22 +215,33 @@ def _reading(key: str, value: Any) -> Instruction | None:
         return value
     if isinstance(value, Example):
         return value.instruction
-    raise InputError(f"{key} is a {type(value).__name__}; expected an Instruction or a corpus Example")
+    if isinstance(value, Mapping):
+        return _from_mapping(key, value)
+    text = "a text, " if key == "instruction" else ""
+    raise InputError(f"{key} is a {type(value).__name__}; expected {text}an Instruction or a corpus Example")
+
+
+def _from_mapping(key: str, value: Mapping[str, Any]) -> Instruction:
+    """An instruction of what `dataclasses.asdict` makes of one (or of an example), as specs and recordings keep it."""
+    try:
+        return TypeAdapter(Instruction).validate_python(value.get("instruction", value))
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join([key, *(str(part) for part in first["loc"])])
+        raise InputError(f"{where}: {first['msg']}; expected the fields of an Instruction") from None
 
 
 def _names(
     given: Mapping[str, Any], key: str, names: tuple[str, ...], values: tuple[str, ...]
 ) -> dict[str, str | None] | None:
-    wanted = given.get(key)
-    if wanted is None:
+    if key not in given:
         return None
-    if not isinstance(wanted, Mapping):
-        raise InputError(f"{key} is {wanted!r}; expected a mapping of names")
-    for name, value in wanted.items():
-        _known(key, name, names)
-        if value is not None:
-            _known(f"{key}.{name}", value, values)
-    return dict(wanted)
+    if not isinstance(given[key], Mapping):
+        raise InputError(f"{key} is {given[key]!r}; expected a mapping of names")
+    return {
+        known(key, name, names): None if value is None else known(f"{key}.{name}", value, values)
+        for name, value in given[key].items()
+    }
 
 
 def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | None:
@@ -213,60 +249,37 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
         return None
     if not isinstance(wanted, Mapping):
         raise InputError(f"states is {wanted!r}; expected a mapping of an entity to a state or several")
-    known = tuple(value for pair in geometry.kinds.state_pairs.values() for value in pair.values)
+    pairs = geometry.kinds.state_pairs.values()
+    all_states = tuple(value for pair in pairs for value in pair.values)
     states: dict[str, tuple[str, ...]] = {}
     for name, value in wanted.items():
-        _known("states", name, geometry.names)
-        if not isinstance(value, Iterable):
-            raise InputError(f"states.{name} is {value!r}; expected a state or a list of them")
-        states[name] = (value,) if isinstance(value, str) else tuple(value)
-        for state in states[name]:
-            _known(f"states.{name}", state, known)
+        key = f"states.{name}"
+        values = (value,) if isinstance(value, str) else several(key, value, "a state or a list of them")
+        states[known("states", name, geometry.names)] = chosen = tuple(
+            known(key, state, all_states) for state in values
+        )
+        for pair in pairs:
+            if set(pair.values) <= set(chosen):
+                raise InputError(f"states: {name} cannot be both {' and '.join(pair.values)}; give one of them")
     return states
 
 
 def _devices(wanted: Any, geometry: Geometry) -> tuple[str, ...] | None:
     if wanted is None:
         return None
-    if isinstance(wanted, str) or not isinstance(wanted, Iterable):
-        raise InputError(f"broken is {wanted!r}; expected a list of devices")
-    wanted = tuple(wanted)
     devices = tuple(
         name for name in geometry.names[: geometry.place_count] if geometry.house.kind(name, geometry.kinds).is_device
     )
-    for name in wanted:
-        _known("broken", name, devices)
-    return wanted
+    return tuple(known("broken", name, devices) for name in several("broken", wanted, "a list of devices"))
 
 
-def _number(given: Mapping[str, Any], key: str, low: float, high: float) -> float | None:
-    value = given.get(key)
-    if value is None:
-        return None
-    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
-        raise InputError(f"{key} is {value!r}; expected a number from {low:g} to {high:g}")
-    return float(value)
+def _check_switched(options: Options, geometry: Geometry) -> None:
+    """Raises `InputError` for a device that is to be broken and on."""
+    on = geometry.kinds.state_pairs[STATE_PAIRS[POWER]].values[0]
+    for name in options.broken or ():
+        if on in (options.states or {}).get(name, ()):
+            raise InputError(f"{name} cannot be broken and {on}: what is broken stays off; give one of them")
 
 
-def _flag(given: Mapping[str, Any], key: str) -> bool:
-    value = given.get(key, True)
-    if not isinstance(value, bool):
-        raise InputError(f"{key} is {value!r}; expected True or False")
-    return value
-
-
-def _one_of(given: Mapping[str, Any], key: str, choices: tuple[str, ...]) -> str | None:
-    value = given.get(key)
-    if value is not None and value not in choices:
-        raise InputError(f"{key} is {value!r}; expected one of {', '.join(choices)}")
-    return value
-
-
-def _known(key: str, value: Any, choices: tuple[str, ...]) -> None:
-    if value not in choices:
-        raise InputError(f"{key}: unknown {value!r}{_nearest(str(value), choices)}")
-
-
-def _nearest(value: str, choices: tuple[str, ...]) -> str:
-    near = get_close_matches(value, choices, n=3, cutoff=0.5)
-    return f" (the nearest known: {', '.join(near)})" if near else ""
+def _number(given: Mapping[str, Any], key: str, high: float) -> float | None:
+    return number(key, given[key], high=high) if key in given else None

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 from numpy.random import Generator
 
-from decomplex_bt.corpus import Example, read_corpus, read_voices
+from decomplex_bt.corpus import read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.options import Request
@@ -18,12 +18,13 @@ from decomplex_bt.errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class Setting:
-    """A domain with its house's geometry, spots and prior."""
+    """A domain with its house's geometry, spots and prior. `misfits`: requests known not to suit the house."""
 
     domain: Domain
     geometry: Geometry
     spots: Spots
     prior: Prior
+    misfits: set[Request] = field(default_factory=set)
 
 
 @lru_cache(maxsize=16)
@@ -36,9 +37,8 @@ def setting_of(domain: Domain) -> Setting:
 def draw_request(domain: Domain, rng: Generator) -> Request:
     """An annotated instruction of the domain's training corpus: a voice first, then one of its examples."""
     voices = _training_voices(domain)
-    examples = _examples(domain, voices[int(rng.integers(len(voices)))])
-    instruction = examples[int(rng.integers(len(examples)))].instruction
-    return Request(instruction.text, instruction)
+    requests = _requests(domain, voices[int(rng.integers(len(voices)))])
+    return requests[int(rng.integers(len(requests)))]
 
 
 @lru_cache(maxsize=8)
@@ -50,6 +50,7 @@ def _training_voices(domain: Domain) -> tuple[str, ...]:
     return voices
 
 
-@lru_cache(maxsize=64)
-def _examples(domain: Domain, voice: str) -> tuple[Example, ...]:
-    return read_corpus(domain.folder / "corpus" / f"{voice}.yaml", domain.ontology)
+@lru_cache(maxsize=1024)  # more than there are voices: reading one takes longer than many resets
+def _requests(domain: Domain, voice: str) -> tuple[Request, ...]:
+    examples = read_corpus(domain.folder / "corpus" / f"{voice}.yaml", domain.ontology)
+    return tuple(Request(example.instruction.text, example.instruction) for example in examples)

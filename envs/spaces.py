@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import lru_cache
 from math import isfinite, pi
+from operator import index
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ MAX_TURN_RATE = 10.0  # [rad/s]
 MAX_SECONDS = 1e6  # [s]
 _CHARACTERS = frozenset(CHARSET)
 _INTERACTIONS = tuple(Interaction)
+_REAL = "iuf"
+"""The kinds of numpy's types that are numbers to drive by."""
 
 Drive = tuple[float, float]
 
@@ -65,19 +68,21 @@ def observation_space(rows: int, bounds: Rect, tray_slots: int) -> spaces.Dict:
 def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Interaction, int]:
     """Forward and turning speed in [-1, 1] (clipped), interaction and target. Raises `InputError` for no action."""
     try:
-        drive = action["drive"]
-        forward, turn = drive.tolist() if isinstance(drive, np.ndarray) else map(float, drive)
-        interact, target = int(action["interact"]), int(action["target"])
-    except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"no action: {error!r} in {action!r}; expected drive (2 numbers), interact, target") from None
-    if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0 and 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows:
-        return forward, turn, _INTERACTIONS[interact], target
-    if not (isfinite(forward) and isfinite(turn) and 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows):
-        raise InputError(
-            f"no action: {action!r}; expected two finite numbers to drive, interact below {len(_INTERACTIONS)} and "
-            f"target below {rows}"
-        )
-    return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), _INTERACTIONS[interact], target
+        drive = np.asarray(action["drive"])
+        interact, target = index(action["interact"]), index(action["target"])
+        if drive.shape == (2,) and drive.dtype.kind in _REAL:
+            forward, turn = drive.tolist()
+            if 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows:
+                if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0:
+                    return forward, turn, _INTERACTIONS[interact], target
+                if isfinite(forward) and isfinite(turn):
+                    return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), _INTERACTIONS[interact], target
+    except (KeyError, IndexError, TypeError, ValueError):
+        pass  # it is none, whatever it is instead
+    raise InputError(
+        f"no action: {action!r}; expected a mapping of drive (two finite numbers), interact (a whole number from 0 "
+        f"to {len(_INTERACTIONS) - 1}) and target (a whole number from 0 to {rows - 1})"
+    )
 
 
 @lru_cache(maxsize=64)

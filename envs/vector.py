@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any
 
 import gymnasium as gym
+import numpy as np
 from gymnasium.vector import SyncVectorEnv
 
 from decomplex_bt.errors import InputError
@@ -14,28 +15,53 @@ from decomplex_bt.errors import InputError
 class HouseholdVectorEnv(SyncVectorEnv):
     """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was).
 
-    Where it is refused, each keeps the instruction that it had.
+    Where a reset is refused for one of them, none is reset, and each keeps the instruction that it had.
     """
 
     def reset(
         self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Any, dict[str, Any]]:
-        """As `SyncVectorEnv.reset`. Raises `InputError` where there are not as many instructions as environments."""
+        """As `SyncVectorEnv.reset`; with a `reset_mask` the instructions of the others are passed over.
+
+        Raises `InputError` where there are not as many instructions as environments, or one cannot be used.
+        """
         options = dict(options or {})
-        instructions = options.pop("instructions", None)
-        if instructions is not None and (isinstance(instructions, str) or len(instructions) != self.num_envs):
-            raise InputError(f"instructions is {instructions!r}; expected a list of {self.num_envs}, one for each")
+        instructions = self._read_instructions(options.pop("instructions", None))
         houses: list[Any] = [env.unwrapped for env in self.envs]
         former = [house.request for house in houses]
+        mask = options.get("reset_mask", np.ones(self.num_envs, dtype=bool))
         try:
-            for house, instruction in zip(houses, instructions or [None] * self.num_envs, strict=True):
-                if instruction is not None:
-                    house.instruction = instruction
+            if np.shape(mask) == (self.num_envs,):  # of another one, Gymnasium says what is wrong
+                chosen = [index for index in range(self.num_envs) if mask[index]]
+                self._rehearse(chosen, seed, options, instructions)
+                for index in chosen:
+                    if instructions[index] is not None:
+                        houses[index].instruction = instructions[index]
             return super().reset(seed=seed, options=options)
-        except Exception:
+        except BaseException:
             for house, request in zip(houses, former, strict=True):
-                house.instruction = request
+                if house.request is not request:
+                    house.instruction = request
             raise
+
+    def _read_instructions(self, given: Any) -> list[Any]:
+        if given is None:
+            return [None] * self.num_envs
+        if isinstance(given, list | tuple | np.ndarray) and np.ndim(given) and len(given) == self.num_envs:
+            return list(given)
+        raise InputError(f"instructions is {given!r}; expected a list of {self.num_envs}, one for each")
+
+    def _rehearse(self, chosen: list[int], seed: Any, options: dict[str, Any], instructions: list[Any]) -> None:
+        """Raises what the reset of any of them would raise, before the first is reset."""
+        from decomplex_bt.envs.options import with_instruction
+
+        common = {key: value for key, value in options.items() if key != "reset_mask"}
+        seeds = [seed + index for index in range(self.num_envs)] if isinstance(seed, int) else seed
+        for index in chosen:
+            wanted = with_instruction(common, instructions[index])
+            if wanted:
+                house: Any = self.envs[index].unwrapped
+                house.check_reset(seed=seeds[index] if seeds else None, options=wanted)
 
 
 def make_household_vector(num_envs: int = 1, **arguments: Any) -> HouseholdVectorEnv:

@@ -23,6 +23,6 @@ class InstructionReset(gym.Wrapper, RecordConstructorArgs):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None, instruction: Any = None
     ) -> tuple[Any, dict[str, Any]]:
         """As the environment's, with `instruction` as the option of that name (see `HouseholdEnv`)."""
-        if instruction is not None:
-            options = {**(options or {}), "instruction": instruction}
-        return self.env.reset(seed=seed, options=options)
+        from decomplex_bt.envs.options import with_instruction
+
+        return self.env.reset(seed=seed, options=with_instruction(options, instruction))

@@ -71,7 +71,9 @@ class EmbodimentContract:
                 tick = skill.tick(observation)
                 if tick.status is not SkillStatus.RUNNING:
                     break
-                observation, *_ = env.step(tick.action)
+                observation, _, terminated, truncated, _ = env.step(tick.action)
+                if terminated or truncated:
+                    break
             action = skill.stop()
             assert env.action_space.contains(action)
             assert _is_equal(action, body.rest()), f"{step}: what ends a skill is rest"

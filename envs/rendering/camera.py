@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
+
+import numpy as np
 
 from decomplex_bt.envs.interface import STATE_PAIRS, Interaction, Result
 from decomplex_bt.envs.rendering.scene import Pose, Scene
 from decomplex_bt.envs.rendering.text_map import text_map
+from decomplex_bt.envs.values import choice, whole
+from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.geometry import Geometry
@@ -27,7 +31,7 @@ SIZE = (800, 700)
 
 
 class Camera:
-    """Pictures of one episode after another in one house.
+    """Pictures of one episode after another in one house. `size`: width and height in pixels.
 
     `doing`, `pointed_out`, `message`: what a caller wants shown besides the world: the task at work, entities to mark,
     the words of the next speech. `sight`: range (m) and field of view (rad) of the view cone, None for none.
@@ -36,8 +40,10 @@ class Camera:
     def __init__(
         self, geometry: Geometry, *, size: tuple[int, int] = SIZE, sight: tuple[float, float] | None = None
     ) -> None:
+        if not isinstance(size, tuple | list | np.ndarray) or len(size) != 2:
+            raise InputError(f"size is {size!r}; expected width and height in pixels")
         self.geometry = geometry
-        self.size = size
+        self.size = whole("width", size[0], 1), whole("height", size[1], 1)
         self.sight = sight
         self._renderer: Renderer | None = None
         self._window: Window | None = None
@@ -92,7 +98,11 @@ class Camera:
         )
 
     def show(self, scene: Scene, mode: Mode) -> Frame | str | None:
-        """`(height, width, 3)` uint8 for "rgb_array", text for "ansi"; "human" puts it on the screen and gives None."""
+        """`(height, width, 3)` uint8 for "rgb_array", text for "ansi"; "human" puts it on the screen and gives None.
+
+        Raises `InputError` for another mode.
+        """
+        choice("mode", mode, get_args(Mode))
         if mode == "ansi":
             return text_map(self.geometry, scene)
         if mode == "rgb_array":

@@ -3,7 +3,7 @@ from __future__ import annotations
 import gymnasium as gym
 import pytest
 
-import decomplex_bt  # noqa: F401 - registers the environments
+import decomplex_bt
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import InputError
@@ -15,6 +15,7 @@ KEYS = read_markup(
     DOMAIN.ontology,
     flow=[{"if": 1, "then": [2]}],
 )
+GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", DOMAIN.ontology, flow=[1])
 START = {"placement": {"keys": "desk"}, "people": {"user": "study"}, "noise": False, "balance": 0.0}
 
 
@@ -119,3 +120,28 @@ def test_random_is_the_same_for_the_same_seed_and_never_finishes(env):
 def test_an_unknown_agent_is_named_with_the_known_ones(env):
     with pytest.raises(InputError, match="'clever'; known: tree, oracle, random, idle"):
         env.unwrapped.policy("clever")
+
+
+@pytest.mark.parametrize("name", ["tree", "oracle", "random", "idle"])
+def test_flat_spaces_are_for_other_policies(name):
+    with pytest.raises(InputError, match="make Household-v0"):
+        gym.make("decomplex_bt/HouseholdFlat-v0").unwrapped.policy(name)
+
+
+@pytest.mark.parametrize("wrapped", [True, False])
+def test_the_tree_agent_says_what_it_needs_to_see(wrapped):
+    env = gym.make(f"decomplex_bt/Household{'' if wrapped else 'Flat'}-v0", instruction=KEYS)
+    env = gym.wrappers.FlattenObservation(env) if wrapped else env
+    agent = decomplex_bt.TreeAgent(env, flow=KEYS)
+    with pytest.raises(InputError, match="was given a ndarray"):
+        agent.reset(*env.reset(seed=0))
+
+
+def test_random_handles_what_is_in_the_house_of_now():
+    env = gym.make("decomplex_bt/HouseholdSmall-v0", instruction=GO).unwrapped
+    env.reset(seed=0, options={"house_seed": 1})
+    policy, fewer = env.policy("random"), len(env.entities)
+    observation, info = env.reset(options={"house_seed": 0})
+    policy.reset(observation, info)
+    assert fewer < len(env.entities)
+    assert fewer <= max(policy.act(observation)["target"] for _ in range(500)) < len(env.entities)

@@ -14,14 +14,20 @@ from gymnasium.vector import AutoresetMode
 from py_trees.blackboard import Blackboard
 
 import decomplex_bt
-from decomplex_bt.corpus import read_markup
+from decomplex_bt.corpus import Example, read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.config import HouseholdConfig, WorldConfig
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL, IDS
 
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
 TELL = read_markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", ONTOLOGY, flow=[1])
+ASK = read_markup(
+    "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
+    ONTOLOGY,
+    flow=[{"if": 1, "then": [2]}],
+)
 FINISH = {
     "drive": np.zeros((2, 2), dtype=np.float32),
     "interact": np.full(2, int(Interaction.FINISH)),
@@ -32,6 +38,13 @@ MODES = {
     "async shared": {"vectorization_mode": "async", "vector_kwargs": {"shared_memory": True}},
     "async piped": {"vectorization_mode": "async", "vector_kwargs": {"shared_memory": False}},
 }
+
+
+def sample(env):
+    """Any action but the last one."""
+    action = env.action_space.sample()
+    action["interact" if isinstance(action, dict) else 2] %= int(Interaction.FINISH)
+    return action
 
 
 def text_of(codes):
@@ -120,6 +133,24 @@ def test_a_spec_makes_the_environment_again(identity):
     assert (again.observation_space, again.action_space) == (env.observation_space, env.action_space)
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"config": HouseholdConfig(reward="progress", world=WorldConfig(max_speed=0.5))},
+        {"instruction": ASK},
+        {"instruction": Example("1", ASK)},
+        {"domain": load_domain("household").folder},
+        {"size": "small", "house_seed": np.int64(3)},
+    ],
+    ids=lambda arguments: ", ".join(arguments),
+)
+def test_a_spec_goes_through_json_whatever_it_was_made_with(arguments):
+    env = gym.make(HOUSEHOLD, **arguments)
+    again = gym.make(EnvSpec.from_json(env.spec.to_json())).unwrapped
+    assert (again.config, again.request) == (env.unwrapped.config, env.unwrapped.request)
+    assert again.domain.house == env.unwrapped.domain.house
+
+
 def test_wrapped_environments_have_specs_that_make_them_again():
     wrapped = gym.wrappers.FlattenObservation(gym.wrappers.TimeLimit(gym.make(HOUSEHOLD, instruction=GO), 3))
     again = gym.make(wrapped.spec)
@@ -130,10 +161,10 @@ def test_wrapped_environments_have_specs_that_make_them_again():
 
 @pytest.mark.parametrize("identity", [HOUSEHOLD, HOUSEHOLD_SMALL, HOUSEHOLD_FLAT])
 def test_pickles_go_on_where_they_were(identity):
-    env = gym.make(identity, instruction=GO)
+    env = gym.make(identity, instruction=TELL)
     env.reset(seed=2)
     env.action_space.seed(0)
-    actions = [env.action_space.sample() for _ in range(30)]
+    actions = [sample(env) for _ in range(30)]
     for action in actions[:12]:
         env.step(action)
     twin = pickle.loads(pickle.dumps(env))
@@ -142,7 +173,7 @@ def test_pickles_go_on_where_they_were(identity):
         assert data_equivalence(env.step(action)[0], twin.step(action)[0], exact=True)
     assert env.unwrapped.domain.house == twin.unwrapped.domain.house
     assert data_equivalence(env.reset()[0], twin.reset()[0], exact=True)
-    assert twin.unwrapped.instruction == GO.text
+    assert twin.unwrapped.instruction == TELL.text
 
 
 def test_statistics_are_of_the_episode():

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+import copy
 import gc
+import json
 import pickle
 import re
 import subprocess
 import sys
 import warnings
+from functools import partial
 
 import gymnasium as gym
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env, data_equivalence
+from gymnasium.vector import AutoresetMode
 
 import decomplex_bt  # noqa: F401 - registers the environments
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.config import WorldConfig
 from decomplex_bt.envs.household import HouseholdConfig, HouseholdEnv
+from decomplex_bt.envs.houses import generated_domain
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
+from decomplex_bt.envs.vector import HouseholdVectorEnv
 from decomplex_bt.envs.wrappers import InstructionReset
 from decomplex_bt.errors import InputError
 
@@ -102,15 +109,119 @@ def test_a_fresh_environment_pickles():
     assert pickle.loads(pickle.dumps(HouseholdEnv(GO))).instruction == GO.text
 
 
-def test_a_replay_that_departs_says_where():
-    env = HouseholdEnv(GO)
-    env.reset(seed=4)
-    list(rollout(env, 60))
+# -- recordings -------------------------------------------------------------------------------------------------------
+
+
+def recorded(steps=30, **arguments):
+    env = HouseholdEnv(TV, **arguments)
+    options = {"placement": {"apple": "fridge", "pan": None}, "states": {"pan": ("dirty", "full")}, "broken": ["tv"]}
+    env.reset(seed=4, options=options)
+    list(rollout(env, steps))
+    return env
+
+
+def test_a_recording_is_plain_and_read_back_exactly():
+    env, twin = recorded(), HouseholdEnv(GO)
     state = env.state_dict()
+    twin.load_state_dict(json.loads(json.dumps(state)))
+    assert twin.state_dict() == state
+    assert twin.instruction == GO.text
+    for mine, yours in zip(rollout(env, 20, seed=2), rollout(twin, 20, seed=2), strict=True):
+        assert data_equivalence(mine, yours, exact=True)
+    assert data_equivalence(env.reset()[0]["entities"], twin.reset(instruction=TV)[0]["entities"], exact=True)
+
+
+@pytest.mark.parametrize(("index", "step"), [(0, 0), (1, 50), (2, 60)])
+def test_a_replay_that_departs_says_where(index, step):
+    state = recorded(steps=60).state_dict()
     HouseholdEnv().load_state_dict(state)
-    state["checksums"] = (*state["checksums"][:-1], 0)
-    with pytest.raises(InputError, match="step 50"):
+    state["checksums"][index] += 1
+    with pytest.raises(InputError, match=f"by step {step};"):
         HouseholdEnv().load_state_dict(state)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"config": HouseholdConfig(world=WorldConfig(max_speed=0.5))}, "config.world.max_speed 1.0.* has 0.5"),
+        ({"config": HouseholdConfig(balance=0.1)}, "config.balance 0.3.* has 0.1"),
+        ({"size": "small"}, "another house"),
+    ],
+    ids=str,
+)
+def test_a_recording_is_not_replayed_elsewhere(arguments, says):
+    with pytest.raises(InputError, match=says):
+        HouseholdEnv(**arguments).load_state_dict(recorded().state_dict())
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"format": 1}, "format 1; this version reads format 2"),
+        ({"format": None}, "no recording"),
+        ({"generator": None}, "generator: Field required"),
+        ({"generator": {"state": 1}}, "generator: .*PCG64"),
+        ({"checksums": [1]}, "1 checksums; expected 3 for 60 actions"),
+        ({"actions": [[0.0, 0.0, 0]] * 60}, r"actions\.0\.3: Field required"),
+        ({"actions": [[0.0, 0.0, 99, 0]] * 60}, "no action"),
+        ({"actions": [[0.0, 0.0, int(Interaction.FINISH), 0]] * 60}, "by step 50"),
+        ({"options": {"balanse": 1}}, "balanse"),
+        ({"house": 1}, "house: .*"),
+        ({"gold": {"text": 1}}, "gold.text"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_recording_that_cannot_be_loaded_leaves_the_environment_as_it_was(changes, says):
+    state = recorded(steps=60).state_dict() | changes
+    state = {key: value for key, value in state.items() if value is not None}
+    env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
+    for each in (env, undisturbed):
+        each.reset(seed=0)
+        list(rollout(each, 10))
+    with pytest.raises(InputError, match=says):
+        env.load_state_dict(state)
+    for mine, yours in zip(rollout(env, 20, seed=2), rollout(undisturbed, 20, seed=2), strict=True):
+        assert data_equivalence(mine, yours, exact=True)
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
+
+
+def test_a_replay_is_filmed_like_what_was_recorded():
+    env = recorded(render_mode="rgb_array")
+    assert np.array_equal(pickle.loads(pickle.dumps(env)).render(), env.render())
+
+
+class Robot(HouseholdEnv):
+    """An environment of somebody's own, which takes other arguments."""
+
+    def __init__(self, number):
+        super().__init__(GO)
+        self.number = number
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])
+def test_a_copy_has_all_that_the_environment_has(copied):
+    env = Robot(3)
+    env.reset(seed=1)
+    env.action_space.seed(5)
+    env.mine = ["anything"]
+    twin = copied(env)
+    assert (twin.number, twin.mine, twin.np_random_seed) == (3, ["anything"], 1)
+    assert [twin.action_space.sample()["target"] for _ in range(9)] == [
+        env.action_space.sample()["target"] for _ in range(9)
+    ]
+    assert data_equivalence(env.step(REST), twin.step(REST), exact=True)
+    assert data_equivalence(env.reset(), twin.reset(), exact=True)
+
+
+def test_a_copy_lives_in_the_house_of_the_domain_that_was_given():
+    env = HouseholdEnv(GO, domain=generated_domain(load_domain("household"), "small", 3))
+    env.reset(seed=0)
+    twin = copy.deepcopy(env)
+    assert twin.domain.house == env.domain.house
+    assert data_equivalence(env.step(REST), twin.step(REST), exact=True)
+
+
+# -- the instruction --------------------------------------------------------------------------------------------------
 
 
 def test_the_instruction_can_be_given_in_four_ways_and_stays():
@@ -169,6 +280,13 @@ def test_same_seed_same_world_whatever_instruction_apart_from_what_it_tests():
         ({"instruction": "  "}, "empty"),
         ({"instruction": "a" * 2001}, "2001"),
         ({"instruction": 7}, "int"),
+        ({"instruction": {"text": "Go.", "tasks": [{"id": 1}]}}, "instruction.tasks.0.type: Field required"),
+        ({"reward": np.array([1, 2])}, "success, progress"),
+        ({"placement": {"pan": np.array(["desk", "stove"])}}, "placement.pan: unknown"),
+        ({"broken": np.array("tv")}, "expected a list of devices"),
+        ({"states": {"fridge": ("open", "closed")}}, "fridge cannot be both open and closed"),
+        ({"states": {"tv": "on"}, "broken": ["tv"]}, "tv cannot be broken and on"),
+        (["noise"], "expected a mapping"),
     ],
     ids=str,
 )
@@ -177,21 +295,46 @@ def test_options_that_cannot_be_used_are_refused(options, says):
         HouseholdEnv(GO).reset(seed=0, options=options)
 
 
+def test_an_instruction_that_is_given_twice_is_given_once():
+    for env in (HouseholdEnv(), InstructionReset(HouseholdEnv())):
+        assert env.reset(seed=0, instruction=GO, options={"instruction": GO})[1]["instruction"] == GO.text
+        with pytest.raises(InputError, match="two instructions"):
+            env.reset(seed=0, instruction=GO, options={"instruction": TV})
+
+
+def test_numpy_values_are_taken_for_what_they_are():
+    plain = {"noise": False, "balance": 0.25, "max_seconds": 5, "states": {"tv": "on"}, "placement": {"pan": "stove"}}
+    numpys = {
+        "noise": np.bool_(False),
+        "balance": np.float32(0.25),
+        "max_seconds": np.int64(5),
+        "states": {np.str_("tv"): np.array(["on"])},
+        "placement": {"pan": np.str_("stove")},
+    }
+    one, other = HouseholdEnv(GO), HouseholdEnv(GO)
+    assert data_equivalence(one.reset(seed=0, options=plain), other.reset(seed=0, options=numpys), exact=True)
+    assert json.dumps(one.state_dict()) == json.dumps(other.state_dict())
+    one.instruction = np.str_("Go to the kitchen.")
+    assert type(one.instruction) is str
+
+
+@pytest.mark.parametrize("seed", [None, 99])
 @pytest.mark.parametrize(
     "options",
     [{"house_seed": 1}, {"instruction": "Lovely weather today."}, {"instruction": TV, "placement": {"pan": "tv"}}],
     ids=str,
 )
-def test_a_refused_reset_changes_nothing(options):
+def test_a_refused_reset_changes_nothing(options, seed):
     env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
     for each in (env, undisturbed):
         each.reset(seed=0)
     with pytest.raises(InputError):
-        env.reset(options=options)
+        env.reset(seed=seed, options=options)
     assert env.instruction == GO.text
     for mine, yours in zip(rollout(env, 20), rollout(undisturbed, 20), strict=True):
         assert data_equivalence(mine, yours, exact=True)
-    assert data_equivalence(env.reset(seed=1), undisturbed.reset(seed=1), exact=True)
+    assert env.np_random_seed == undisturbed.np_random_seed
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
     fresh = HouseholdEnv()
     with pytest.raises(InputError):
         fresh.reset(options=options)
@@ -282,19 +425,87 @@ def test_a_result_is_in_the_next_observation():
 @pytest.mark.parametrize(
     "bad",
     [
-        {"drive": (0, 0), "interact": 99, "target": 0},
-        {"drive": (0, 0), "interact": 0, "target": -1},
-        {"drive": (float("nan"), 0), "interact": 0, "target": 0},
-        {"drive": (0,), "interact": 0, "target": 0},
-        {},
+        {"interact": 99},
+        {"target": -1},
+        {"interact": 1.9},
+        {"interact": float("inf")},
+        {"interact": "1"},
+        {"interact": None},
+        {"interact": np.array([0])},
+        {"drive": (float("nan"), 0)},
+        {"drive": (0, float("inf"))},
+        {"drive": (0,)},
+        {"drive": np.zeros(3)},
+        {"drive": np.zeros((2, 1))},
+        {"drive": "12"},
+        {"drive": {0.1, 0.5}},
+        {"drive": np.zeros(2, dtype=complex)},
+        {"drive": (np.complex128(0), 0)},
+        {"drive": None},
     ],
     ids=str,
 )
-def test_what_is_no_action_is_refused(bad):
+def test_what_is_no_action_is_refused_and_not_done(bad):
     env = HouseholdEnv(GO)
     env.reset(seed=0)
-    with pytest.raises(InputError, match="no action"):
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected a mapping of drive"):
+        env.step({"drive": (1.0, 0.0), "interact": 0, "target": 0} | bad)
+    assert env.world.steps == 0
+
+
+@pytest.mark.parametrize("bad", [None, 3, [0, 0, 0, 0], np.zeros(4), "drive", {}, {"drive": (0, 0)}], ids=str)
+def test_what_is_not_even_a_mapping_of_an_action_is_refused(bad):
+    env = HouseholdEnv(GO)
+    env.reset(seed=0)
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected a mapping of drive"):
         env.step(bad)
+
+
+def test_speeds_beyond_the_highest_are_the_highest():
+    fast, faster = HouseholdEnv(GO), HouseholdEnv(GO)
+    for env, speed in ((fast, 1), (faster, 7)):
+        env.reset(seed=0)
+        env.step({"drive": [speed, -speed], "interact": np.int64(0), "target": np.array(0)})
+    assert fast.world.robot == faster.world.robot
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        [-1, 4, 0, 0],
+        [9, 4, 0, 0],
+        [4, 4, 99, 0],
+        [4, 4, 0],
+        [4.5, 4, 0, 0],
+        [float("nan")] * 4,
+        np.zeros(4),
+        np.zeros((1, 4), dtype=np.int64),
+        None,
+        3,
+        "abcd",
+        REST,
+    ],
+    ids=str,
+)
+def test_what_is_no_flat_action_is_refused_and_not_done(bad):
+    env = gym.make(HOUSEHOLD_FLAT, instruction=GO).unwrapped
+    env.reset(seed=0)
+    with pytest.raises(InputError, match=r"(?s)no action: .* expected 4 whole numbers"):
+        env.step(bad)
+    assert env.world.steps == 0
+
+
+@pytest.mark.parametrize("how", ["finish", "time"])
+def test_after_the_end_there_are_no_steps_until_a_reset(how):
+    env = HouseholdEnv(GO)
+    env.reset(seed=0, options={"max_seconds": 0.1} if how == "time" else None)
+    _, _, terminated, truncated, _ = env.step(action(env, Interaction.FINISH) if how == "finish" else REST)
+    assert (terminated, truncated) == (how == "finish", how == "time")
+    with pytest.raises(gym.error.ResetNeeded, match="is over"):
+        env.step(REST)
+    assert env.world.steps == 1
+    env.reset()
+    env.step(REST)
 
 
 def test_before_a_reset_there_is_no_world():
@@ -314,13 +525,57 @@ def test_vector_environments_take_an_instruction_each():
     assert list(info["instruction"]) == [GO.text, TV.text]
     assert observation["entities"].shape[0] == 2
     envs.step(envs.action_space.sample())
-    with pytest.raises(InputError, match="list of 2"):
-        envs.reset(options={"instructions": [GO]})
-    for refused in ([TV, "Lovely weather today."], [TV, " "]):
-        with pytest.raises(InputError):
-            envs.reset(options={"instructions": refused})
-        assert list(envs.reset(seed=2)[1]["instruction"]) == [GO.text, TV.text]
+    assert list(
+        envs.reset(options={"instructions": np.array(["Go to the kitchen.", "Go to the study."])})[1]["seconds"]
+    )
+    assert [env.unwrapped.instruction for env in envs.envs] == ["Go to the kitchen.", "Go to the study."]
     envs.close()
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"instructions": [GO]}, "list of 2"),
+        ({"instructions": 5}, "list of 2"),
+        ({"instructions": "ab"}, "list of 2"),
+        ({"instructions": np.array("ab")}, "list of 2"),
+        ({"instructions": [TV, "Lovely weather today."]}, "asks for nothing"),
+        ({"instructions": [TV, " "]}, "empty"),
+        ({"instructions": [TV, GO], "placement": {"pan": "tv"}}, "nothing can lie"),
+        ({"instructions": [TV, None], "instruction": GO}, "two instructions"),
+    ],
+    ids=str,
+)
+def test_a_refused_reset_of_several_resets_none(options, says):
+    envs, undisturbed = (gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO) for _ in range(2))
+    for each in (envs, undisturbed):
+        each.reset(seed=0)
+        each.action_space.seed(0)
+    with pytest.raises(InputError, match=says):
+        envs.reset(seed=5, options=options)
+    actions = envs.action_space.sample() | {"interact": np.zeros(2, dtype=np.int64)}
+    assert data_equivalence(envs.step(actions), undisturbed.step(actions), exact=True)
+    assert data_equivalence(envs.reset(), undisturbed.reset(), exact=True)
+
+
+def test_what_is_masked_keeps_its_instruction():
+    made = partial(gym.make, HOUSEHOLD, instruction=GO)
+    envs = HouseholdVectorEnv([made, made], autoreset_mode=AutoresetMode.DISABLED)
+    envs.reset(seed=0)
+    envs.reset(options={"reset_mask": np.array([True, False]), "instructions": [TV, "Lovely weather today."]})
+    assert [env.unwrapped.instruction for env in envs.envs] == [TV.text, GO.text]
+    envs.close()
+
+
+def test_a_reset_can_be_checked_without_one():
+    env, undisturbed = HouseholdEnv(GO, size="small"), HouseholdEnv(GO, size="small")
+    for each in (env, undisturbed):
+        each.reset(seed=0)
+    env.check_reset(seed=5, options={"instruction": TV, "house_seed": 3})
+    with pytest.raises(InputError, match="attic"):
+        env.check_reset(options={"people": {"user": "attic"}})
+    assert data_equivalence(env.step(REST), undisturbed.step(REST), exact=True)
+    assert data_equivalence(env.reset(), undisturbed.reset(), exact=True)
 
 
 def test_flat_spaces_hold_the_same():
@@ -377,3 +632,38 @@ def test_one_that_was_never_reset_survives_pickling():
     env = pickle.loads(pickle.dumps(HouseholdEnv(size="small", house_seed=3)))
     assert env.entities == HouseholdEnv(size="small", house_seed=3).entities
     assert pickle.loads(pickle.dumps(HouseholdEnv())).entities == HouseholdEnv().entities
+
+
+# -- the configuration ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("config", "says"),
+    [
+        ({"reward": "sparse"}, "reward is 'sparse'; expected one of success, progress"),
+        ({"max_seconds": float("nan")}, "max_seconds is nan"),
+        ({"max_seconds": -1}, "max_seconds is -1"),
+        ({"max_seconds": "x"}, "max_seconds is 'x'"),
+        ({"balance": 5}, "balance is 5; expected a number from 0 to 0.5"),
+        ({"balanse": 0.1}, "config: unknown 'balanse' .*balance"),
+        ({"world": {"substeps": 0}}, "substeps is 0; expected a whole number from 1"),
+        ({"world": {"tray_slots": -1}}, "tray_slots is -1"),
+        ({"world": {"max_speed": 0}}, "max_speed is 0; expected a number above 0"),
+        ({"world": {"reach": float("inf")}}, "reach is inf"),
+        ({"world": 3}, "world is 3; expected a WorldConfig or a mapping"),
+        ({"sensing": {"every": 1.5}}, "every is 1.5"),
+        ({"sensing": {"field_of_view": 720}}, "above 0 to 360"),
+        ("fast", "config is 'fast'"),
+    ],
+    ids=str,
+)
+def test_a_configuration_that_cannot_be_is_refused_at_once(config, says):
+    with pytest.raises(InputError, match=says):
+        gym.make(HOUSEHOLD, config=config)
+
+
+def test_a_configuration_is_a_value_or_a_mapping_of_plain_values():
+    config = HouseholdConfig(max_seconds=np.int64(5), reward="progress", world=WorldConfig(tray_slots=2))
+    assert type(config.max_seconds) is float
+    assert HouseholdEnv(config=config).config == config
+    assert HouseholdEnv(config={"max_seconds": 5, "reward": "progress", "world": {"tray_slots": 2}}).config == config

@@ -28,6 +28,8 @@ def tell(env: HouseholdEnv, seed: int) -> list[object]:
         action = {"drive": rng.uniform(-1, 1, 2), "interact": int(rng.integers(12)), "target": tv}
         _, reward, terminated, _, info = env.step(action)
         told.append((reward, terminated, info))
+        if terminated:
+            break
     return told
 
 

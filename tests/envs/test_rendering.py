@@ -110,6 +110,21 @@ def test_too_small_a_picture_is_refused(geometry: Geometry) -> None:
         Renderer(geometry, 800, 10)
 
 
+@pytest.mark.parametrize("size", [None, (100,), (100, 0), (3.5, 100), ("a", 1), 100], ids=str)
+def test_a_size_that_is_none_is_refused(geometry: Geometry, size: object) -> None:
+    with pytest.raises(InputError, match="expected"):
+        Camera(geometry, size=size)
+
+
+def test_numpys_numbers_are_a_size(geometry: Geometry, scene: Scene) -> None:
+    assert Camera(geometry, size=np.array((200, 100))).show(scene, "rgb_array").shape == (100, 200, 3)
+
+
+def test_a_mode_that_is_none_is_refused(geometry: Geometry, scene: Scene) -> None:
+    with pytest.raises(InputError, match="'svg'; expected one of rgb_array, human, ansi"):
+        Camera(geometry).show(scene, "svg")
+
+
 def test_view_stops_at_a_wall() -> None:
     wall = np.array([[2.0, -1.0, 2.0, 1.0]])
     outline = view_polygon(0.0, 0.0, 0.0, 5.0, math.pi, wall)

@@ -1,0 +1,79 @@
+"""Values that a caller gives, by name: checked, and made plain where they are numpy's. All raise `InputError`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+from math import isfinite
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+
+from decomplex_bt.errors import InputError
+
+
+def number(name: str, value: Any, low: float = 0.0, high: float | None = None) -> float:
+    """A number from `low` to `high`; without `high` a finite one."""
+    if _is_number(value, Real) and low <= value and _is_up_to(value, high):
+        return float(value)
+    raise InputError(f"{name} is {value!r}; expected a number from {low:g}{_up_to(high)}")
+
+
+def positive(name: str, value: Any, high: float | None = None) -> float:
+    """A number above 0, up to `high`; without `high` a finite one."""
+    if _is_number(value, Real) and value > 0 and _is_up_to(value, high):
+        return float(value)
+    raise InputError(f"{name} is {value!r}; expected a number above 0{_up_to(high)}")
+
+
+def whole(name: str, value: Any, low: int = 0) -> int:
+    if _is_number(value, Integral) and value >= low:
+        return int(value)
+    raise InputError(f"{name} is {value!r}; expected a whole number from {low}")
+
+
+def flag(name: str, value: Any) -> bool:
+    if isinstance(value, bool | np.bool_):
+        return bool(value)
+    raise InputError(f"{name} is {value!r}; expected True or False")
+
+
+def choice(name: str, value: Any, choices: Sequence[str]) -> str:
+    """One of a few."""
+    if isinstance(value, str) and value in choices:
+        return str(value)
+    raise InputError(f"{name} is {value!r}; expected one of {', '.join(choices)}")
+
+
+def known(name: str, value: Any, choices: Sequence[str]) -> str:
+    """One of many, of which an error names the nearest."""
+    if isinstance(value, str) and value in choices:
+        return str(value)
+    raise InputError(f"{name}: unknown {value!r}{nearest(str(value), choices)}")
+
+
+def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
+    """What a list, or anything else to go through but a text, holds."""
+    is_scalar = isinstance(value, str | bytes) or (isinstance(value, np.ndarray) and not value.shape)
+    if isinstance(value, Iterable) and not is_scalar:
+        return tuple(value)
+    raise InputError(f"{name} is {value!r}; expected {expected}")
+
+
+def nearest(value: str, choices: Iterable[str]) -> str:
+    """In brackets, what was perhaps meant; empty where nothing is near."""
+    near = get_close_matches(value, list(choices), n=3, cutoff=0.5)
+    return f" (the nearest known: {', '.join(near)})" if near else ""
+
+
+def _is_number(value: Any, kind: type) -> bool:
+    return isinstance(value, kind) and not isinstance(value, bool)
+
+
+def _is_up_to(value: Any, high: float | None) -> bool:
+    return isfinite(value) if high is None else value <= high
+
+
+def _up_to(high: float | None) -> str:
+    return "" if high is None else f" to {high:g}"
