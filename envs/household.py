@@ -80,8 +80,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
     temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs),
     place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every fifth step, and in any step
-    in which something was changed; between looks the table stays. A floor counts as inspected when
-    each part of it was in view within the last 15 s; things seen on it in that time are then reported where they were.
+    in which it has changed something; between looks the table stays. A floor counts as inspected when each part of it
+    was in view within the last 15 s; things seen on it in that time are then reported as they were seen last, until
+    the spot is in view again.
 
     ## Rewards
     1.0 with success, else 0. `reward="progress"`: the change in the share of goal conditions met.
