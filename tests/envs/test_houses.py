@@ -192,6 +192,19 @@ def test_a_house_comes_from_a_file(tmp_path):
         HouseholdEnv(go("kitchen"), house=path).reset(options={"house": str(DOMAIN.folder / "house.yaml")})
 
 
+def test_a_house_file_that_was_edited_is_read_anew(tmp_path):
+    path, text = tmp_path / "house.yaml", (DOMAIN.folder / "house.yaml").read_text()
+    path.write_text(text.replace("default house", "first  house"))
+    env = HouseholdEnv(go("kitchen"), house=path)
+    env.reset(seed=0)
+    path.write_text(text.replace("default house", "second house"))
+    env.reset(seed=0)
+    assert env.domain.house.name == "first  house", "an environment stays in the house it was made in"
+    assert HouseholdEnv(go("kitchen"), house=path).domain.house.name == "second house"
+    env.reset(options={"house": path})
+    assert env.domain.house.name == "second house"
+
+
 @pytest.mark.parametrize(
     ("options", "says"),
     [
