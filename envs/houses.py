@@ -22,8 +22,9 @@ from decomplex_bt.domain.house import Doorway, Furniture, House, Item, Person, R
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.nouns import Nouns
+from decomplex_bt.domain.survey import check_house
 from decomplex_bt.envs.furnishing import Furnished, Group, Rect, groups_of
-from decomplex_bt.envs.reach import is_reachable
+from decomplex_bt.envs.reach import check_access, is_reachable
 from decomplex_bt.errors import DataFileError, InputError
 
 LEAST_ROOMS, MOST_ROOMS = 2, 40
@@ -82,8 +83,8 @@ def generate_house(domain: Domain, rooms: int, seed: int) -> House:
 
 
 def with_house(domain: Domain, house: House) -> Domain:
-    """The domain with another house in it. Raises `ValueError` where the house has unknown kinds."""
-    house.check_kinds(domain.kinds)
+    """The domain with another house in it. Raises `ValueError` for a house that does not fit it, or together."""
+    check_house(house, domain.kinds)
     return replace(domain, house=house, nouns=Nouns.of(house, domain.kinds))
 
 
@@ -104,9 +105,11 @@ def domain_with_file(domain: Domain, path: str) -> Domain:
 def _domain_with(domain: Domain, path: str, text: str) -> Domain:
     house = check_record(load_yaml(text, path), House, path)
     try:
-        return with_house(domain, house)
+        found = with_house(domain, house)
     except ValueError as error:
         raise DataFileError(path, str(error)) from None
+    check_access(found, path)
+    return found
 
 
 # -- the pattern ------------------------------------------------------------------------------------------------------

@@ -13,9 +13,10 @@ from decomplex_bt.errors import DataFileError
 
 
 class Record(BaseModel):
-    """Base of everything read from a data file: immutable, no unknown keys, no silent conversion of strings."""
+    """Base of everything read from a data file: immutable, no unknown keys, no silent conversion of strings, finite
+    numbers."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
 
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -88,6 +89,8 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
         return model.model_validate(value)
     except ValidationError as error:
         first = error.errors()[0]
+        if first["type"] == "value_error" and not first["loc"]:  # which names its keys itself
+            raise DataFileError(path, str(first["ctx"]["error"]), line=line) from None
         key = ".".join(str(part) for part in first["loc"]) or "the whole"
         got = repr(first["input"])
         got = got if len(got) <= 60 else got[:57] + "..."

@@ -16,6 +16,7 @@ from decomplex_bt.domain.kinds import Kind, Kinds
 from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.domain.survey import check_house
 from decomplex_bt.errors import DataFileError, InputError
 
 _FILES = ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl")
@@ -114,8 +115,7 @@ def _load(folder: Path, texts: tuple[str, ...]) -> Domain:
     with _blame(folder / "kinds.yaml"):
         _check_tags(kinds)
     with _blame(folder / "house.yaml"):
-        house.check_kinds(kinds)
-        _check_places(house, kinds)
+        check_house(house, kinds)
     with _blame(folder / "words.yaml"):
         _check_words(lexicon, ontology, kinds)
     with _blame(folder / "goals.yaml"):
@@ -144,22 +144,6 @@ def _check_tags(kinds: Kinds) -> None:
                     raise ValueError(
                         f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}"
                     )
-
-
-def _check_places(house: House, kinds: Kinds) -> None:
-    for name, item in house.things.items():
-        for place in item.places:
-            if place not in kinds.kinds and place not in house.places():
-                raise ValueError(f"things.{name}.places: {place!r} is neither a place of the house nor a kind")
-    for name, person in house.people.items():
-        for room in person.rooms:
-            if room not in house.rooms:
-                raise ValueError(f"people.{name}.rooms: unknown room {room!r}")
-    for room in house.robot_start:
-        if room not in house.rooms:
-            raise ValueError(f"robot_start: unknown room {room!r}")
-    if not house.people:
-        raise ValueError("people: somebody must be at home, the first is the user")
 
 
 def _check_words(lexicon: Lexicon, ontology: Ontology, kinds: Kinds) -> None:
