@@ -257,10 +257,8 @@ def test_a_house_that_cannot_be_is_refused_naming_file_and_key(tmp_path, change,
 def test_the_house_of_a_folder_is_looked_over_as_well(tmp_path):
     for name in ("ontology.yaml", "kinds.yaml", "words.yaml", "goals.yaml", "domain.pddl"):
         shutil.copy(DOMAIN.folder / name, tmp_path)
-    text = (DOMAIN.folder / "house.yaml").read_text()
-    (tmp_path / "house.yaml").write_text(
-        text.replace("centre: [2.2, 5.3], width: 1.1", "centre: [2.2, 5.3], width: 0.4")
-    )
+    text = (DOMAIN.folder / "house.yaml").read_text().replace("[2.2, 5.3], width: 1.1", "[2.2, 5.3], width: 0.4")
+    (tmp_path / "house.yaml").write_text(text)
     with pytest.raises(DataFileError, match=r"house\.yaml: doorways\.kitchen_doorway"):
         HouseholdEnv(go("kitchen"), domain=tmp_path)
 
