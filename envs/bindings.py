@@ -47,5 +47,5 @@ def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:
 
 
 def needed(referent: Referent, among: tuple[str, ...]) -> int:
-    """How many of these candidates a referent asks for."""
-    return len(among) if referent.is_all else min(referent.count, len(among))
+    """How many candidates a referent asks for: all of these (at least one), or its count even where these are fewer."""
+    return max(1, len(among)) if referent.is_all else referent.count

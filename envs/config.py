@@ -50,7 +50,8 @@ class SensingConfig:
 
     `every`: control steps between two looks (between them the table stays; a change that the robot itself brings about
     is seen at once). `memory` [s]: a floor is inspected when each part of it was in view within this time, and what was
-    seen there in that time is reported along. `looks`: looks in a row with a place in full view that make it inspected.
+    seen there in that time is reported along, as it was seen last. `looks`: looks in a row with a place in full view
+    that make it inspected.
     """
 
     range: float = 5.0

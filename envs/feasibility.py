@@ -67,24 +67,25 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
     narrowed = dict(bindings)
     for role, referent in _roles(task):
         among = candidates(referent, bindings)
-        if not among:
-            return _none_of(referent, task, domain, truth)
+        need = needed(referent, among)
+        if len(among) < need:
+            return _too_few(referent, among, task, domain, truth)
         why = {name: _obstacle(domain, truth, task, role, name) for name in among}
         able = tuple(name for name in among if why[name] is None)
-        if len(able) < max(1, needed(referent, among)):
+        if len(able) < need:
             kind, entity = next(found for name in among if (found := why[name]) is not None)
             return Cause(kind, entity, task.number)
         narrowed[referent] = able
     return narrowed
 
 
-def _none_of(referent: Referent, task: GroundTask, domain: Domain, truth: Truth) -> Cause:
-    """Why nothing is what a phrase means: none is in the house, or none of those that are is as the phrase says."""
-    name = referent.candidates[0]
-    if name in domain.house.people:
-        return Cause("person out", name, task.number)
-    is_described = any(truth.place(other) is not None for other in referent.candidates)
-    return Cause("thing nowhere", referent.phrase if is_described else name, task.number)
+def _too_few(referent: Referent, among: Sequence[str], task: GroundTask, domain: Domain, truth: Truth) -> Cause:
+    """Why no more than these are what a phrase means: the others are not in the house, or not as the phrase says."""
+    others = [name for name in referent.candidates if name not in among]
+    if others[0] in domain.house.people:
+        return Cause("person out", others[0], task.number)
+    is_otherwise = any(truth.place(name) is not None for name in others)
+    return Cause("thing nowhere", referent.phrase if is_otherwise else others[0], task.number)
 
 
 def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:

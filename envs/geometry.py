@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from decomplex_bt.domain.house import House
+from decomplex_bt.domain.house import House, Rect
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.errors import InputError
 
@@ -20,7 +20,6 @@ WALL_RADIUS = 0.05  # [m] half the thickness of a wall
 LEAF_RADIUS = 0.03  # [m] half the thickness of a door leaf
 EDGE_TOLERANCE = 0.02  # [m] how far a doorway's centre may lie off its rooms' common edge
 
-Rect = tuple[float, float, float, float]
 Segment = tuple[float, float, float, float]
 Floats = NDArray[np.float64]
 
@@ -70,7 +69,7 @@ class Geometry:
         self.walls = tuple(_walls(house, openings.values()))
         self.wall_lines = np.array(self.walls)
         self.blocks = tuple(
-            _rect(piece.centre, piece.size)
+            piece.footprint
             for name, piece in house.furniture.items()
             if piece.part_of is None and house.kind(name, kinds).category == "furniture"
         )
@@ -123,7 +122,7 @@ class Geometry:
         return not any(crosses((*start, *end), line) for line in lines)
 
     def _footprints(self) -> Floats:
-        rects: list[Rect] = [_rect(piece.centre, piece.size) for piece in self.house.furniture.values()]
+        rects: list[Rect] = [piece.footprint for piece in self.house.furniture.values()]
         for ax, ay, bx, by in self.leaves.values():
             pad_x, pad_y = (WALL_RADIUS, 0.0) if ax == bx else (0.0, WALL_RADIUS)
             rects.append((min(ax, bx) - pad_x, min(ay, by) - pad_y, max(ax, bx) + pad_x, max(ay, by) + pad_y))
@@ -171,11 +170,6 @@ def crosses(first: Segment, second: Segment) -> bool:
     three = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx)
     four = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx)
     return one * two < 0 and three * four < 0
-
-
-def _rect(centre: tuple[float, float], size: tuple[float, float]) -> Rect:
-    (x, y), (width, depth) = centre, size
-    return x - width / 2, y - depth / 2, x + width / 2, y + depth / 2
 
 
 def _opening(house: House, name: str) -> Segment:

@@ -33,13 +33,14 @@ def interact(world: World, interaction: Interaction, target: int) -> Result:
         return Result.OK
     if target > world.geometry.robot_row:  # a row that stands for nothing in this house
         return Result.NOT_THERE
-    hand, holder = world.held, int(world.place[target])
+    hand, holder, version = world.held, int(world.place[target]), world.version
     led = Lead()
     if interaction is Interaction.SAY and not is_person(world, target):
         led = ask_to_lead(world, target)
         result = led.result
     else:
         result = _ACTS[interaction](world, target)
+    world.deeds += world.version != version
     person = target if is_person(world, target) else holder if interaction is Interaction.PICK else led.person
     names = world.geometry.names
     world.event = Event(

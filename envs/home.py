@@ -11,6 +11,7 @@ from numpy.random import Generator
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.envs.opening import can_be_asked
 from decomplex_bt.envs.options import read_house
+from decomplex_bt.envs.reach import check_access
 from decomplex_bt.envs.residence import Residence
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.stage import Stage
@@ -38,6 +39,10 @@ class Home:
         path, self.seed = read_house({"house": house, "house_seed": house_seed})
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
         self.house: tuple[str | None, int | None] = path, self.seed
+        if isinstance(
+            domain, Path
+        ):  # a shipped one is known to be in order, and the first episode need not wait for it
+            check_access(self.base, self.base.folder / "house.yaml")
         self._residence = Residence(self.base, path=path, size=size)
         self._settle(self._residence.domain(self.seed))
         self.rows, self.bounds = self._residence.extent(self.setting.geometry)

@@ -86,8 +86,9 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,
     temperature, cleanliness, fill. What is not seen is masked: coordinates 0 (places and the user keep theirs),
     place and states -1. Row `r` is `env.unwrapped.entities[r]`. The robot looks every fifth step, and in any step
-    in which something was changed; between looks the table stays. A floor counts as inspected when
-    each part of it was in view within the last 15 s; things seen on it in that time are then reported where they were.
+    in which it has changed something; between looks the table stays. A floor counts as inspected when each part of it
+    was in view within the last 15 s; things seen on it in that time are then reported as they were seen last, until
+    the spot is in view again.
 
     ## Rewards
     1.0 with success, else 0. `reward="progress"`: the change in the share of goal conditions met.
@@ -135,7 +136,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | key | meaning |
     |---|---|
     | `instruction` | the exact text |
-    | `is_success` | everything due was done; as of this step, at most one step late |
+    | `is_success` | everything due was done; as of this step, at most one step late; after reset: nothing is left to do |
     | `goal_conditions_met`, `goal_conditions_total` | tasks and conditions settled, and all that are due |
     | `branches` | of each condition reached: `task`, `truth` (None: undecided), `taken` ("then", "else", None) |
     | `violations` | what was brought about that was not due, in words; one ends the episode |

@@ -12,18 +12,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 from numpy.random import Generator
 
-from decomplex_bt.domain.document import read_record
+from decomplex_bt.domain.document import check_record, load_yaml, read_text
 from decomplex_bt.domain.house import Doorway, Furniture, House, Item, Person, Room
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.nouns import Nouns
+from decomplex_bt.domain.survey import check_house
 from decomplex_bt.envs.furnishing import Furnished, Group, Rect, groups_of
-from decomplex_bt.envs.reach import is_reachable
-from decomplex_bt.errors import InputError
+from decomplex_bt.envs.reach import check_access, is_reachable
+from decomplex_bt.errors import DataFileError, InputError
 
 LEAST_ROOMS, MOST_ROOMS = 2, 40
 ROW_ROOMS = 4
@@ -81,8 +83,8 @@ def generate_house(domain: Domain, rooms: int, seed: int) -> House:
 
 
 def with_house(domain: Domain, house: House) -> Domain:
-    """The domain with another house in it. Raises `ValueError` where the house has unknown kinds."""
-    house.check_kinds(domain.kinds)
+    """The domain with another house in it. Raises `ValueError` for a house that does not fit it, or together."""
+    check_house(house, domain.kinds)
     return replace(domain, house=house, nouns=Nouns.of(house, domain.kinds))
 
 
@@ -94,16 +96,20 @@ def generated_domain(domain: Domain, size: str, seed: int) -> Domain:
     return with_house(domain, SIZES[size].draw(domain, seed))
 
 
-@lru_cache(maxsize=16)
 def domain_with_file(domain: Domain, path: str) -> Domain:
-    """The domain with the house of this file. Raises `DataFileError` for a broken one, `InputError` for a misfit."""
-    from pathlib import Path
+    """The domain with the house of this file, as it is now. Raises `DataFileError` for a broken one or a misfit."""
+    return _domain_with(domain, path, read_text(Path(path)))
 
-    house = read_record(Path(path), House)
+
+@lru_cache(maxsize=16)
+def _domain_with(domain: Domain, path: str, text: str) -> Domain:
+    house = check_record(load_yaml(text, path), House, path)
     try:
-        return with_house(domain, house)
+        found = with_house(domain, house)
     except ValueError as error:
-        raise InputError(f"the house {path}: {error}") from None
+        raise DataFileError(path, str(error)) from None
+    check_access(found, path)
+    return found
 
 
 # -- the pattern ------------------------------------------------------------------------------------------------------

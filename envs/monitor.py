@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates
+from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates, needed
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import FINDING_OUT, Assumed, Course, enter, find_cause, plan_course, plan_rest
 from decomplex_bt.envs.interface import Interaction, Result
@@ -221,16 +221,21 @@ class Monitor:
         Whether something is in the house at all has an answer, no, as a plain step too.
         """
         if task.type == "check_state":
-            return task.state == HERE and not task.places and not self._is_any_here(task, reading.bindings)
+            return task.state == HERE and not task.places and not self._are_here(task, reading.bindings)
         if not is_condition:
             return False
         if task.type == "searching":
             return reading.is_impossible and not task.places
         return reading.is_impossible
 
-    def _is_any_here(self, task: GroundTask, bindings: Bindings) -> bool:
-        names = [name for referent in task.objects for name in candidates(referent, bindings)]
-        return any(true_room(self.domain, self.truth, name) is not None for name in names)
+    def _are_here(self, task: GroundTask, bindings: Bindings) -> bool:
+        """Whether as many as each phrase asks for are in the house."""
+
+        def is_here(name: str) -> bool:
+            return true_room(self.domain, self.truth, name) is not None
+
+        among = {referent: candidates(referent, bindings) for referent in task.objects}
+        return all(sum(map(is_here, names)) >= needed(referent, names) for referent, names in among.items())
 
     def _settle(self, reading: Reading, node: Node, truth: bool, bindings: Bindings) -> Reading:
         branch, ahead = enter(node, truth)

@@ -218,7 +218,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
         return state_holds(evidence, name, task.state)
 
     asks_any = all(is_indefinite(referent) for referent in task.objects)
-    if task.places and asks_any and not _is_any_there(task, bindings, evidence):
+    if task.places and asks_any and not any(_those_there(task, r, bindings, evidence) for r in task.objects):
         yield from _presence(task, bindings, evidence)
         return
     seen = _choose(task.objects, bindings, lambda name: evidence.was_seen(name) and is_so(name))
@@ -230,7 +230,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
         failing = tuple(name for name in looked_at if not is_so(name))
         if referent.is_all or is_indefinite(referent):
             spare = len(among) - needed(referent, among)
-            if len(failing) > spare:
+            if len(failing) > spare >= 0:
                 yield Outcome(False, bindings)
                 return
         elif failing:
@@ -238,20 +238,17 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
 
 
 def _narrow_to_places(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Bindings:
-    """Keeps of each object's candidates those that truly are where the task says, if any are."""
-    wheres = [where for place in task.places for where in candidates(place, bindings)]
-    narrowed = dict(bindings)
-    for referent in task.objects if wheres else ():
-        among = candidates(referent, bindings)
-        there = tuple(name for name in among if any(evidence.is_there(name, where) for where in wheres))
-        narrowed[referent] = there or among
-    return narrowed
+    """Keeps of each object's candidates those that truly are where the task says, if there are as many as asked for."""
+    there = {referent: _those_there(task, referent, bindings, evidence) for referent in task.objects}
+    return {**bindings, **{referent: names for referent, names in there.items() if names}}
 
 
-def _is_any_there(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool:
+def _those_there(task: GroundTask, referent: Referent, bindings: Bindings, evidence: Evidence) -> tuple[str, ...]:
+    """The candidates that truly are where the task says; none where they are fewer than asked for."""
     wheres = [where for place in task.places for where in candidates(place, bindings)]
-    names = [name for referent in task.objects for name in candidates(referent, bindings)]
-    return any(evidence.is_there(name, where) for name in names for where in wheres)
+    names = candidates(referent, bindings)
+    there = tuple(name for name in names if any(evidence.is_there(name, where) for where in wheres))
+    return there if len(there) >= needed(referent, there) else ()
 
 
 # -- shared -----------------------------------------------------------------------------------------------------------
@@ -268,8 +265,9 @@ def state_holds(evidence: Evidence, name: str, value: str | None) -> bool:
 
 
 def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, not for a certain one."""
-    return referent.phrase.lower().split(" ", 1)[0] in INDEFINITE
+    """Whether a phrase asks for any one, or any so many, not for a certain one."""
+    is_any_number = referent.count > 1 and not referent.is_all
+    return is_any_number or referent.phrase.lower().split(" ", 1)[0] in INDEFINITE
 
 
 def _done(outcome: Outcome | None) -> Iterator[Outcome]:
@@ -283,7 +281,7 @@ def _choose(referents: Iterable[Referent], bindings: Bindings, is_ok: Callable[[
     for referent in referents:
         among = candidates(referent, bindings)
         chosen = tuple(name for name in among if is_ok(name))
-        if len(chosen) < max(1, needed(referent, among)):
+        if len(chosen) < needed(referent, among):
             return None
         bound[referent] = chosen
         is_final &= len(chosen) == len(among)

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from decomplex_bt.domain.kinds import Kind
 from decomplex_bt.envs.geometry import Floats, Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
-from decomplex_bt.errors import InputError
 
 ABSENT = -1
 """In place of a row: nowhere in the house."""
@@ -40,18 +39,19 @@ class Prior:
         people = geometry.house.people.values()
         self.home = np.array([person.home for person in people])
         self.home[0] = 1.0
-        self.rooms = np.array([self._shares(person.rooms, "people") for person in people])
+        self.rooms = np.array([self._shares(person.rooms) for person in people])
         self.homes: list[float] = self.home.tolist()
         self.room_sums: list[list[float]] = np.cumsum(self.rooms, axis=1).tolist()
-        self.robot_rooms = self._shares(geometry.house.robot_start, "robot_start")
+        self.robot_rooms = self._shares(geometry.house.robot_start)
         self.robot_room_sums: list[float] = np.cumsum(self.robot_rooms).tolist()
         self.floors: list[int] = geometry.floor_row.tolist()
-        rows = np.array(geometry.thing_rows)
+        rows = np.array(geometry.thing_rows, dtype=np.int64)
         self.warm_things: list[int] = rows[self.has_state[rows, STATE_PAIRS.index("temperature")]].tolist()
         self.tempering = frozenset(row for row in range(geometry.place_count) if kinds[row].cools or kinds[row].heats)
         count = len(geometry.names)
         self.nowhere, self.no_position = np.full(count, ABSENT), np.full((count, 2), np.nan)
         self.no_states, self.none_broken = np.full((count, len(STATE_PAIRS)), -1, dtype=np.int8), np.zeros(count, bool)
+        self._named = geometry.house.places_by_name()
         self._of_thing = {row: self._places(row) for row in geometry.thing_rows}
         self.place_list = [*range(geometry.place_count), ABSENT]
         self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]
@@ -77,35 +77,17 @@ class Prior:
         absent = kind.absent if item.absent is None else item.absent
         weights = np.zeros(geometry.place_count + 1)
         for name, weight in (item.places or kind.places).items():
-            found = self._named(name)
-            if not found:
-                raise InputError(
-                    f"things.{geometry.names[row]}: lies at {name!r}, which no place of the house is, by name or kind"
-                )
+            found = [geometry.row[place] for place in self._named[name]]
             for place in found:
-                if not self.holds[place]:
-                    where = geometry.names[place]
-                    raise InputError(f"things.{geometry.names[row]}: nothing can lie on or in {where!r}")
                 weights[place] += weight / len(found)
         total = weights.sum()
         weights = weights * (1 - absent) / total if total > 0 else weights
         weights[-1] = absent if total > 0 else 1.0
         return np.append(np.arange(geometry.place_count), ABSENT), weights
 
-    def _named(self, name: str) -> list[int]:
-        """The places of this name or kind."""
-        geometry = self.geometry
-        return [
-            row
-            for row, place in enumerate(geometry.names[: geometry.place_count])
-            if name in (place, geometry.house.kind_of(place))
-        ]
-
-    def _shares(self, weights: Mapping[str, float], key: str) -> Floats:
+    def _shares(self, weights: Mapping[str, float]) -> Floats:
         shares = np.zeros(len(self.geometry.rooms))
         for room, weight in weights.items():
-            if room not in self.geometry.room_index:
-                raise InputError(f"{key}: unknown room {room!r}; the rooms are {', '.join(self.geometry.rooms)}")
             shares[self.geometry.room_index[room]] = weight
         return shares / shares.sum()
 

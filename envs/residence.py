@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 class Residence:
     """The house of the domain, one from a file (`path`), or any that is generated in a `size`.
 
-    Raises `InputError` for an unknown size, or for both a path and a size.
+    The file is read once, when the residence is made. Raises `InputError` for an unknown size, or for both a path and a
+    size, `DataFileError` for a broken file.
     """
 
     def __init__(self, base: Domain, *, path: str | None = None, size: str | None = None) -> None:
@@ -25,7 +26,8 @@ class Residence:
 
             if size not in SIZES:
                 raise InputError(f"size is {size!r}; expected one of {', '.join(SIZES)}")
-        self._base, self._path, self._size = base, path, size
+        self._base, self._size = base, size
+        self._own = base if path is None else self._from_file(path)
 
     @property
     def is_generated(self) -> bool:
@@ -38,16 +40,18 @@ class Residence:
         """
         if seed is not None and self._size is None:
             raise InputError("house_seed is given, and this environment generates no houses; make it with a size")
-        path = path or self._path
         if path is not None:
-            from decomplex_bt.envs.houses import domain_with_file
-
-            return domain_with_file(self._base, path)
+            return self._from_file(path)
         if self._size is not None:
             from decomplex_bt.envs.houses import generated_domain
 
             return generated_domain(self._base, self._size, seed or 0)
-        return self._base
+        return self._own
+
+    def _from_file(self, path: str) -> Domain:
+        from decomplex_bt.envs.houses import domain_with_file
+
+        return domain_with_file(self._base, path)
 
     def extent(self, geometry: Geometry) -> tuple[int, Rect]:
         """Rows of the entity table and bounds [m] that hold every house of this residence."""

@@ -217,6 +217,7 @@ class Scene:
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
         np.copyto(thresholds[WEDGES:, fixed:], np.where(layout.wedge_rooms == room, SLACK, SLACK - ANYWAY))
         self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
+        self._reach = samples.reach
         self._is_one_way = len(ways) == len(layout.rooms)
         self.move(position)
 
@@ -241,20 +242,33 @@ class Scene:
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
-        is_within = np.array(asked).reshape(-1, 3).dot(self.points) >= self._thresholds
-        if half_angle >= pi:
+        self._asked, self._half_angle, self._beyond = np.array(asked).reshape(-1, 3), half_angle, beyond
+        is_within = self._asked.dot(self.points) >= self._thresholds
+        in_view = self._all(is_within)
+        holding = self.layout.holding_points
+        return in_view, is_within[NEARNESS, holding] & in_view[holding]
+
+    def shows(self, spots: Floats, room: Rows) -> Bools:
+        """Which of some spots `(n, 2)` on the floors of these rooms the last view took in."""
+        points = np.vstack((spots.T, np.ones(len(spots))))
+        thresholds = np.full((len(self._thresholds), len(spots)), SLACK)
+        thresholds[RANGE] += (spots * spots).sum(axis=1) - self._reach**2
+        thresholds[WEDGES:] -= np.where(self.layout.wedge_rooms == room, 0.0, ANYWAY)
+        is_in_sight = np.logical_or.reduce([room == other for other in self.layout.rooms])
+        return self._all(self._asked.dot(points) >= thresholds) & is_in_sight
+
+    def _all(self, is_within: Bools) -> Bools:
+        """Of answers to all that was asked of points, for each point whether it is in view."""
+        if self._half_angle >= pi:
             first = RANGE
-        elif half_angle < pi / 2:
+        elif self._half_angle < pi / 2:
             first = LEFTMOST
         else:
             first = RIGHTMOST
             np.logical_or(is_within[LEFTMOST], is_within[RIGHTMOST], out=is_within[RIGHTMOST])
-        through = (
-            is_within[first:] if self._is_one_way else [*is_within[first:WEDGES], *self._through(is_within, beyond)]
-        )
-        in_view = np.logical_and.reduce(through)
-        holding = self.layout.holding_points
-        return in_view, is_within[NEARNESS, holding] & in_view[holding]
+        if self._is_one_way:
+            return np.logical_and.reduce(is_within[first:])
+        return np.logical_and.reduce([*is_within[first:WEDGES], *self._through(is_within, self._beyond)])
 
     @staticmethod
     def _through(is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:

@@ -52,70 +52,78 @@ class Sensor:
         never = np.zeros(geometry.place_count, dtype=np.bool_)
         self._full_before = deque([never] * (config.looks - 1), maxlen=config.looks - 1)
         self._tracked = np.zeros(count, dtype=bool)
-        self._known, self._truth = (table.copy() for table in _tables(geometry))
-        self._version = self._arrangement = self._stirs = -1
+        self._known, self._shown = (table.copy() for table in _tables(geometry))
+        self._now = self._shown[self._movable].copy()
+        self._on_floors = self._floors_at = self._astray = np.empty(0, dtype=np.int64)
+        self._version = self._deeds = self._arrangement = self._stirs = -1
         self._looked_at = -config.every
         self._scenes: dict[tuple[int, ...], Scene] = {}
         self._rooms = np.empty(0, dtype=np.int64)
-        self._shown = b""
+        self._last_visible = b""
         self.table = self._known
         self.visible = np.zeros(len(geometry.names), dtype=bool)
         self.inspected = np.zeros(geometry.place_count, dtype=bool)
 
     def look(self) -> bool:
-        """Looks if it is time to, or if something was changed; says whether it looked."""
+        """Looks if it is time to, or if the robot changed something; says whether it looked.
+
+        What others change does not make it look: when it looks would tell of what it cannot see.
+        """
         world = self.world
-        is_changed = world.version != self._version
-        if world.steps - self._looked_at < self.config.every and not is_changed:
+        if world.steps - self._looked_at < self.config.every and world.deeds == self._deeds:
             return False
+        is_changed = world.version != self._version
         if is_changed:
             self._take_changes()
-        if is_changed or world.arrangement != self._arrangement:
+        is_rearranged = is_changed or world.arrangement != self._arrangement
+        if is_rearranged:
             self._note_seeable(is_changed)
-            self._shown = b""
-        is_stirred = world.stirs != self._stirs
-        self._version, self._arrangement, self._stirs = world.version, world.arrangement, world.stirs
+        is_moved = is_rearranged or world.stirs != self._stirs
+        self._version, self._deeds = world.version, world.deeds
+        self._arrangement, self._stirs = world.arrangement, world.stirs
         self._looked_at = world.steps
-        self._look_round()
-        self._see_movable(is_stirred)
-        self._write(is_stirred)
+        if is_moved:
+            self._take_motion()
+        scene = self._look_round()
+        is_news = self._see_movable(is_changed, is_moved)
+        self._recall_floors(scene)
+        self._write(is_news)
         return True
 
     def _take_changes(self) -> None:
         """Takes in what changes only when something is done: states, and from how far each thing can be seen."""
         world, samples = self.world, self._samples
-        self._truth[:, FIRST_STATE:] = world.states
-        self._truth[:, PLACE] = world.place
+        self._shown[: self._places, FIRST_STATE:] = world.states[: self._places]
+        self._now[:, FIRST_STATE:] = world.states[self._movable]
+        self._now[:, PLACE] = world.place[self._movable]
         shut = self._shut
         np.logical_and(world.prior.has_door, world.states[: self._places, APERTURE] == 0, out=shut[:-1])
         self._is_open = ~shut[:-1]
         at = samples.place_at[world.place[self._movable]]
         limit = self._limit = samples.limit[at]
         limit[shut[at] | ~world.is_somewhere[self._movable]] = -1
-        is_on_floor = samples.is_floor[at]
-        self._on_floors = is_on_floor.nonzero()[0]
-        self._floors_at = at[self._on_floors]
-        self._elsewhere = (~is_on_floor).nonzero()[0] + self._places
 
     def _note_seeable(self, is_changed: bool) -> None:
         """Notes which things and people can be seen at all, and the rooms they are in.
 
         Where only the robot has come into another room, the scenes stay as they are.
         """
-        world, user = self.world, self.world.geometry.user_row
         self._seeable = (self._limit >= 0).nonzero()[0] + self._places
-        before, self._rooms = self._rooms, world.room[self._seeable]
+        before, self._rooms = self._rooms, self.world.room[self._seeable]
         if is_changed or not np.array_equal(self._rooms, before):
             self._scenes.clear()
+
+    def _take_motion(self) -> None:
+        """Takes in where things and people are, and where the user is, who is known wherever the robot looks."""
+        world, user = self.world, self.world.geometry.user_row
         position = world.position
-        # What lies on a floor may be reported where it was seen last, everything else only where it is.
-        self._truth[self._elsewhere, X : Y + 1] = position[self._elsewhere]
-        self._truth[user:-1, HEADING] = world.heading[user:-1]
+        self._now[:, X : Y + 1] = position[self._movable]
+        self._now[user - self._places :, HEADING] = world.heading[user:-1]
         self._known[user, X : Y + 1] = position[user]
 
     # -- what is in view ----------------------------------------------------------------------------------------------
 
-    def _look_round(self) -> None:
+    def _look_round(self) -> Scene:
         """What is in view, which places are so with their whole contents, and which floors were within the memory."""
         world, now = self.world, self.world.seconds
         eye, room = complex(*world.robot), world.robot_room
@@ -140,6 +148,7 @@ class Sensor:
         self._seen_floor[layout.floor_numbers[in_view[layout.floor_points]]] = now
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
         np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
+        return scene
 
     def _scene_of(self, ways: tuple[int, ...]) -> Scene:
         """The scene of the robot's room and those that wedges lead into, with everything where it is now."""
@@ -165,39 +174,66 @@ class Sensor:
             scene.move(self.world.position)
         return scene
 
-    def _see_movable(self, is_stirred: bool) -> None:
-        """Things and people: those in view, less what is missed; on inspected floors also those seen a while ago.
+    def _see_movable(self, is_changed: bool, is_moved: bool) -> bool:
+        """Things and people in view, less what is missed: as they are now is how they are shown from here on.
 
-        What was seen by the last look is missed by none.
+        What was seen by the last look is missed by none. Says whether anything may be shown otherwise than before.
         """
-        world, on_floors = self.world, self._on_floors
+        world = self.world
         in_view = self.visible[self._movable]
         (fresh,) = (in_view > self._tracked).nonzero()
         if fresh.size and self.missed_detection > 0:
             in_view[fresh] = world.noise.random(fresh.size) >= self.missed_detection
         self._tracked = in_view.copy()
         np.putmask(self._seen_when, in_view, world.seconds)
-        if is_stirred or (fresh.size and on_floors.size):
-            truth = self._truth[self._movable, X : Y + 1]
-            np.copyto(truth, world.position[self._movable], where=in_view[:, None], casting="same_kind")
-        if on_floors.size:
-            is_inspected = self.inspected[self._floors_at]
-            if True in is_inspected.tolist():
-                is_recent = self._seen_when[on_floors] >= world.seconds - self.config.memory
-                in_view[on_floors] |= is_inspected & is_recent
+        if not (is_moved or fresh.size):
+            return False
+        now, shown = self._now, self._shown[self._movable]
+        np.copyto(shown, now, where=in_view[:, None])
+        if is_changed or fresh.size:
+            at = self._samples.place_at[shown[:, PLACE].astype(np.int64)]
+            self._on_floors = self._samples.is_floor[at].nonzero()[0]
+            self._floors_at = at[self._on_floors]
+        if self._on_floors.size:
+            is_astray = (now[:, X : Y + 1] != shown[:, X : Y + 1]).any(axis=1)
+            is_astray[fresh] |= ~in_view[fresh]
+            self._astray = is_astray[self._on_floors].nonzero()[0]
+        return True
+
+    def _recall_floors(self, scene: Scene) -> None:
+        """Things seen on a floor a while ago: of an inspected one they are reported along, as they were seen last."""
+        on_floors, oldest = self._on_floors, self.world.seconds - self.config.memory
+        if not on_floors.size:
+            return
+        if self._astray.size:
+            self._forget(scene, oldest)
+        is_inspected = self.inspected[self._floors_at]
+        if True in is_inspected.tolist():
+            self.visible[self._movable][on_floors] |= is_inspected & (self._seen_when[on_floors] >= oldest)
+
+    def _forget(self, scene: Scene, oldest: float) -> None:
+        """Forgets what is not seen any more though its spot is in view.
+
+        Only what is not where it was seen, or was missed, needs to be asked about: the spot of anything else is in view
+        when it is itself.
+        """
+        things = self._on_floors[self._astray]
+        is_recent = self._seen_when[things] >= oldest
+        self._astray = self._astray[is_recent]
+        if self._astray.size:
+            things, floors = things[is_recent], self._floors_at[self._astray]
+            spots = self._shown[self._movable, X : Y + 1][things].astype(np.float64)
+            is_gone = scene.shows(spots, self.world.geometry.place_room[floors])
+            self._seen_when[things[is_gone]] = -np.inf
 
     # -- the table ----------------------------------------------------------------------------------------------------
 
-    def _write(self, is_stirred: bool) -> None:
+    def _write(self, is_news: bool) -> None:
         """Brings the table in line: what is known for ever, and what is seen now."""
-        world, truth = self.world, self._truth
-        if is_stirred:
-            user = world.geometry.user_row
-            truth[user:-1, HEADING] = world.heading[user:-1]
-            self._known[user, X : Y + 1] = world.position[user]
-        shown, self._shown = self._shown, self.visible.tobytes()
-        if is_stirred or shown != self._shown:
-            self.table = np.where(self.visible[:, None], truth, self._known)
+        world = self.world
+        before, self._last_visible = self._last_visible, self.visible.tobytes()
+        if is_news or before != self._last_visible:
+            self.table = np.where(self.visible[:, None], self._shown, self._known)
         self.table[: self._places, INSPECTED] = self.inspected
         robot = self.table[-1]
         robot[X], robot[Y] = world.robot
@@ -206,10 +242,10 @@ class Sensor:
 
 @lru_cache(maxsize=8)
 def _tables(geometry: Geometry) -> tuple[Table, Table]:
-    """The entity table before anything is seen, and before anything is true: of what is fixed, where it is."""
+    """The entity table before anything is seen, and what is shown of what is seen: of what is fixed, where it is."""
     known = np.zeros((len(geometry.names), len(COLUMNS)), dtype=np.float32)
     known[: geometry.place_count, X : Y + 1] = geometry.footprints.reshape(-1, 2, 2).mean(axis=1)
     known[:, PLACE] = known[:, FIRST_STATE:] = -1
-    truth = known.copy()
-    truth[:, VISIBLE] = 1
-    return known, truth
+    shown = known.copy()
+    shown[:, VISIBLE] = 1
+    return known, shown

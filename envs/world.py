@@ -59,10 +59,10 @@ class World:
     Arrays by row of the entity table: `position` `(rows, 2)`, `heading` `(rows,)`, `place` (row of the place a thing
     lies at or of who carries it, `ABSENT` where nowhere and for all but things), `room` (index, -1 where not in the
     house), `states` `(rows, pairs)`, `broken`, `home`. `held` and `tray` are rows or `NOTHING`. `version` counts
-    changes that are no motion, `arrangement` moves from one room to another, the robot's too (which is in room
-    `robot_room`), and `stirs` steps in which anything but the robot moved. `closed_leaves`: the doors between rooms
-    that are closed. `noise` is for slips and misses, `whims` gives numbers in [0, 1) for
-    where people go who may go wherever they like.
+    changes that are no motion, `deeds` those of them that the robot made, `arrangement` moves from one room to
+    another, the robot's too (which is in room `robot_room`), and `stirs` steps in which anything but the robot moved.
+    `closed_leaves`: the doors between rooms that are closed. `noise` is for slips and misses, `whims` gives numbers in
+    [0, 1) for where people go who may go wherever they like.
     `stage`: the fixed shapes to use, which leave the world they were in before; None: this world gets its own.
     """
 
@@ -104,7 +104,7 @@ class World:
         self.speed = self.turn_rate = 0.0
         self.steps, self.seconds = 0, 0.0
         self.version = 0
-        self.arrangement = self.stirs = 0
+        self.arrangement = self.stirs = self.deeds = 0
         self.event: Event | None = None
         self.walks: dict[int, Walk] = {}
         self._floors = frozenset(prior.floors)

@@ -13,9 +13,10 @@ from decomplex_bt.errors import DataFileError
 
 
 class Record(BaseModel):
-    """Base of everything read from a data file: immutable, no unknown keys, no silent conversion of strings."""
+    """Base of everything read from a data file: immutable, no unknown keys, no silent conversion of strings, finite
+    numbers."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
 
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -43,9 +44,19 @@ class _Loader(_SafeLoader):
         return super().construct_mapping(node, deep)
 
 
+def read_text(path: Path) -> str:
+    """The text of a file. Raises `DataFileError` where it cannot be read, or not as UTF-8."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise DataFileError(path, f"not valid UTF-8 at byte {error.start}; save the file as UTF-8") from None
+    except OSError as error:
+        raise DataFileError(path, f"cannot be read: {error.strerror}") from None
+
+
 def read_yaml(path: Path) -> Any:
     """The plain value of a YAML file. Raises `DataFileError` naming the line where it is not readable as UTF-8 YAML."""
-    return load_yaml(_read_text(path), path)
+    return load_yaml(read_text(path), path)
 
 
 def load_yaml(text: str, path: str | Path) -> Any:
@@ -78,19 +89,12 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
         return model.model_validate(value)
     except ValidationError as error:
         first = error.errors()[0]
+        if first["type"] == "value_error" and not first["loc"]:  # which names its keys itself
+            raise DataFileError(path, str(first["ctx"]["error"]), line=line) from None
         key = ".".join(str(part) for part in first["loc"]) or "the whole"
         got = repr(first["input"])
         got = got if len(got) <= 60 else got[:57] + "..."
         raise DataFileError(path, f"{key}: {first['msg']} (got {got})", line=line) from None
-
-
-def _read_text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError as error:
-        raise DataFileError(path, f"not valid UTF-8 at byte {error.start}; save the file as UTF-8") from None
-    except OSError as error:
-        raise DataFileError(path, f"cannot be read: {error.strerror}") from None
 
 
 def _first_line(error: Exception) -> str:

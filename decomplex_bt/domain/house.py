@@ -5,21 +5,41 @@ World frame: origin bottom left, x to the right, y up, metres; headings in radia
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from decomplex_bt.domain.document import Record
 from decomplex_bt.domain.kinds import Kind, Kinds
 
+ROBOT = "robot"
+"""The robot's name, the last row of the entity table."""
+Rect = tuple[float, float, float, float]
 Side = Literal["north", "east", "south", "west"]
+Length = Annotated[float, Field(gt=0)]
+
+
+def _check_rect(rect: Rect) -> Rect:
+    x0, y0, x1, y1 = rect
+    if x0 >= x1 or y0 >= y1:
+        raise ValueError("expected x0, y0, x1, y1 with x0 < x1 and y0 < y1")
+    return rect
+
+
+def _check_weights(weights: dict[str, float]) -> dict[str, float]:
+    if weights and (min(weights.values()) < 0 or not any(weights.values())):
+        raise ValueError("expected weights from 0 on, one of them above 0")
+    return weights
+
+
+Weights = Annotated[dict[str, float], AfterValidator(_check_weights)]
 
 
 class Room(Record):
     """A rectangular room with a floor on which things can lie. `rect`: x0, y0, x1, y1."""
 
     kind: str
-    rect: tuple[float, float, float, float]
+    rect: Annotated[Rect, AfterValidator(_check_rect)]
 
 
 class Doorway(Record):
@@ -28,7 +48,7 @@ class Doorway(Record):
 
     rooms: tuple[str, str]
     centre: tuple[float, float]
-    width: float = Field(0.95, gt=0)
+    width: Length = 0.95
     kind: str | None = None
 
 
@@ -42,9 +62,14 @@ class Furniture(Record):
     kind: str
     room: str
     centre: tuple[float, float]
-    size: tuple[float, float]
+    size: tuple[Length, Length]
     sides: tuple[Side, ...] = Field(min_length=1)
     part_of: str | None = None
+
+    @property
+    def footprint(self) -> Rect:
+        (x, y), (width, depth) = self.centre, self.size
+        return x - width / 2, y - depth / 2, x + width / 2, y + depth / 2
 
 
 class Item(Record):
@@ -52,9 +77,9 @@ class Item(Record):
 
     kind: str
     colour: str | None = None
-    places: dict[str, float] = {}
+    places: Weights = {}
     """Overrides the kind's places: names or kinds of places to relative weight."""
-    absent: float | None = None
+    absent: float | None = Field(None, ge=0, le=1)
 
 
 class Person(Record):
@@ -63,7 +88,7 @@ class Person(Record):
     kind: str
     words: tuple[str, ...] = ()
     home: float = Field(1.0, ge=0, le=1)
-    rooms: dict[str, float] = Field(min_length=1)
+    rooms: Weights = Field(min_length=1)
 
 
 class House(Record):
@@ -74,24 +99,27 @@ class House(Record):
 
     format: int
     name: str
-    rooms: dict[str, Room]
+    rooms: dict[str, Room] = Field(min_length=1)
     doorways: dict[str, Doorway]
     furniture: dict[str, Furniture]
     things: dict[str, Item]
-    people: dict[str, Person]
-    robot_start: dict[str, float]
+    people: dict[str, Person] = Field(min_length=1)
+    robot_start: Weights = Field(min_length=1)
     grasp_slip: float = Field(0.0, ge=0, le=1)
     missed_detection: float = Field(0.0, ge=0, le=1)
 
     @model_validator(mode="after")
     def _check(self) -> House:
-        names = [*self.rooms, *self.doorways, *self.furniture, *self.things, *self.people]
-        for name in names:
-            if not name.isidentifier() or name != name.lower():
-                raise ValueError(f"{name!r} is no lower-case identifier")
-        if len(set(names)) != len(names):
-            twice = next(name for name in names if names.count(name) > 1)
-            raise ValueError(f"the name {twice!r} stands twice")
+        floors = {self.floor_of(room): f"the floor of {room}" for room in self.rooms}
+        taken = {ROBOT: "the robot", **floors}
+        for section in ("rooms", "doorways", "furniture", "things", "people"):
+            for name in getattr(self, section):
+                key = f"{section}.{name}"
+                if not name.isidentifier() or name != name.lower():
+                    raise ValueError(f"{key}: {name!r} is no lower-case identifier")
+                if name in taken:
+                    raise ValueError(f"{key}: the name {name!r} stands twice, it is that of {taken[name]}")
+                taken[name] = key
         for name, piece in self.furniture.items():
             if piece.room not in self.rooms:
                 raise ValueError(f"furniture.{name}: unknown room {piece.room!r}")
@@ -117,9 +145,17 @@ class House(Record):
         doors = tuple(name for name, doorway in self.doorways.items() if doorway.kind is not None)
         return (*self.furniture, *doors, *(self.floor_of(room) for room in self.rooms))
 
+    def places_by_name(self) -> dict[str, tuple[str, ...]]:
+        """The places that a name means, be it one's own or that of a kind, in order."""
+        named: dict[str, tuple[str, ...]] = {}
+        for place in self.places():
+            for name in dict.fromkeys((place, self.kind_of(place))):
+                named[name] = (*named.get(name, ()), place)
+        return named
+
     def entities(self) -> tuple[str, ...]:
         """The rows of the entity table in order: places, things, people (the user first), and "robot" last."""
-        return (*self.places(), *self.things, *self.people, "robot")
+        return (*self.places(), *self.things, *self.people, ROBOT)
 
     def kind_of(self, name: str) -> str:
         """The kind of an entity, room or doorway; "floor" for floors. Raises `KeyError` (also for plain openings)."""
@@ -133,12 +169,6 @@ class House(Record):
         if name.removesuffix("_floor") in self.rooms:
             return "floor"
         raise KeyError(name)
-
-    def check_kinds(self, kinds: Kinds) -> None:
-        """Raises `ValueError` where a kind is unknown."""
-        for name in (*self.places(), *self.things, *self.rooms, *self.people):
-            if self.kind_of(name) not in kinds.kinds:
-                raise ValueError(f"{name}: unknown kind {self.kind_of(name)!r}")
 
     def kind(self, name: str, kinds: Kinds) -> Kind:
         return kinds.kinds[self.kind_of(name)]

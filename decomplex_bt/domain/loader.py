@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import cache
+from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 
-from decomplex_bt.domain.document import read_record
+from decomplex_bt.domain.document import Model, check_record, load_yaml, read_text
 from decomplex_bt.domain.goals import Goals, check_goals, pddl_predicates
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kind, Kinds
 from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.domain.survey import check_house
 from decomplex_bt.errors import DataFileError, InputError
 
+_FILES = ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl")
 _ABILITIES = ("heats", "cools", "washes", "rinses", "fills", "drains", "wipes")
 
 
@@ -25,7 +27,7 @@ _ABILITIES = ("heats", "cools", "washes", "rinses", "fills", "drains", "wipes")
 class Domain:
     """Everything that is known before an episode: task types, words, kinds, the house, goals and the PDDL text.
 
-    Compared by identity: a folder is loaded once per process.
+    Compared by identity: a folder is loaded once per process, and anew when one of its files was changed.
     """
 
     name: str
@@ -80,7 +82,7 @@ def load_domain(domain: str | Path = "household") -> Domain:
     unknown name.
     """
     if isinstance(domain, Path):
-        return _load(domain.resolve())
+        return _read(domain.resolve())
     shipped = Path(str(files("decomplex_bt.domains")))
     folder = shipped / domain
     if not (folder / "ontology.yaml").is_file():
@@ -89,25 +91,31 @@ def load_domain(domain: str | Path = "household") -> Domain:
             f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder, written with a slash "
             f"as in ./{Path(domain).name} (in Python: a Path)"
         )
-    return _load(folder.resolve())
+    return _read(folder.resolve())
 
 
-@cache
-def _load(folder: Path) -> Domain:
-    ontology = read_record(folder / "ontology.yaml", Ontology)
-    kinds = read_record(folder / "kinds.yaml", Kinds)
-    house = read_record(folder / "house.yaml", House)
-    lexicon = read_record(folder / "words.yaml", Lexicon)
-    goals = read_record(folder / "goals.yaml", Goals)
-    try:
-        domain_pddl = (folder / "domain.pddl").read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise DataFileError(folder / "domain.pddl", f"cannot be read: {error}") from None
+def _read(folder: Path) -> Domain:
+    return _load(folder, tuple(read_text(folder / name) for name in _FILES))
+
+
+@lru_cache(maxsize=16)
+def _load(folder: Path, texts: tuple[str, ...]) -> Domain:
+    """The domain of a folder whose files have these texts: one that was edited is read anew."""
+    text_of = dict(zip(_FILES, texts, strict=True))
+
+    def record(name: str, model: type[Model]) -> Model:
+        return check_record(load_yaml(text_of[name], folder / name), model, folder / name)
+
+    ontology = record("ontology.yaml", Ontology)
+    kinds = record("kinds.yaml", Kinds)
+    house = record("house.yaml", House)
+    lexicon = record("words.yaml", Lexicon)
+    goals = record("goals.yaml", Goals)
+    domain_pddl = text_of["domain.pddl"]
     with _blame(folder / "kinds.yaml"):
         _check_tags(kinds)
     with _blame(folder / "house.yaml"):
-        house.check_kinds(kinds)
-        _check_places(house, kinds)
+        check_house(house, kinds)
     with _blame(folder / "words.yaml"):
         _check_words(lexicon, ontology, kinds)
     with _blame(folder / "goals.yaml"):
@@ -136,22 +144,6 @@ def _check_tags(kinds: Kinds) -> None:
                     raise ValueError(
                         f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}"
                     )
-
-
-def _check_places(house: House, kinds: Kinds) -> None:
-    for name, item in house.things.items():
-        for place in item.places:
-            if place not in kinds.kinds and place not in house.places():
-                raise ValueError(f"things.{name}.places: {place!r} is neither a place of the house nor a kind")
-    for name, person in house.people.items():
-        for room in person.rooms:
-            if room not in house.rooms:
-                raise ValueError(f"people.{name}.rooms: unknown room {room!r}")
-    for room in house.robot_start:
-        if room not in house.rooms:
-            raise ValueError(f"robot_start: unknown room {room!r}")
-    if not house.people:
-        raise ValueError("people: somebody must be at home, the first is the user")
 
 
 def _check_words(lexicon: Lexicon, ontology: Ontology, kinds: Kinds) -> None:

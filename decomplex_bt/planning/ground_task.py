@@ -26,11 +26,6 @@ class Referent:
     count: int = 1
     where: tuple[tuple[str, str], ...] = ()
 
-    @property
-    def needed(self) -> int:
-        """How many different candidates must be bound."""
-        return len(self.candidates) if self.is_all else min(self.count, len(self.candidates))
-
     def __str__(self) -> str:
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
         told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""

@@ -162,7 +162,7 @@ class Handling(Looking):
         return next_place(unknown, self.belief, self._open_for(unknown))
 
     def _is_enough(self, referent: Referent, picked: Sequence[str]) -> bool:
-        """Of "all", and of several, those will do that there are."""
+        """Of "all" those will do that there are."""
         return bool(picked) if referent.is_all else len(picked) >= self._needed(referent) > 0
 
     # -- people and places to go to -----------------------------------------------------------------------------------

@@ -74,13 +74,8 @@ class Standing:
         return () if referent is None else self.bindings.get(referent, referent.candidates)
 
     def _needed(self, referent: Referent) -> int:
-        """How many of its candidates are needed: of several asked for no more than there can still be."""
-        meant = self._meant(referent)
-        if referent.is_all:
-            return len(meant)
-        if referent.count == 1 or len(meant) == 1:
-            return min(1, len(meant))
-        return min(referent.count, max(1, sum(map(self._counts, meant))))
+        """How many of its candidates are needed."""
+        return len(self._meant(referent)) if referent.is_all else referent.count
 
     def _fitting(self, referent: Referent) -> tuple[str, ...]:
         """Candidates that are not known to differ from how the phrase describes them ("the clean mug")."""
@@ -231,7 +226,8 @@ class Standing:
 
     def _why_not(self, referent: Referent, roles: Mapping[str, str]) -> str:
         names = (*self._meant(referent), *roles.values())
-        is_known = any(self._is_located(name) for name in self._fitting(referent))
+        known = sum(map(self._is_located, self._fitting(referent)))
+        is_known = known >= (1 if referent.is_all else referent.count)
         summary = (
             f"no way was found to do it with {referent.phrase!r}"
             if is_known
@@ -252,5 +248,6 @@ _INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "any
 
 
 def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, not for a certain one."""
-    return referent.phrase.lower().split(" ", 1)[0] in _INDEFINITE
+    """Whether a phrase asks for any one, or any so many, not for a certain one."""
+    is_any_number = referent.count > 1 and not referent.is_all
+    return is_any_number or referent.phrase.lower().split(" ", 1)[0] in _INDEFINITE

@@ -57,6 +57,14 @@ def test_a_file_that_does_not_fit_is_named(folder: Path, file: str, old: str, ne
         load_domain(folder)
 
 
+def test_a_folder_is_read_anew_when_a_file_of_it_was_edited(folder: Path) -> None:
+    before = load_domain(folder)
+    assert load_domain(folder) is before
+    text = (folder / "house.yaml").read_text(encoding="utf-8")
+    (folder / "house.yaml").write_text(text.replace("default house", "another house"), encoding="utf-8")
+    assert load_domain(folder).house.name == "another house"
+
+
 def test_an_unknown_domain_names_the_known_ones() -> None:
     with pytest.raises(InputError, match=r"'hospital'.*household"):
         load_domain("hospital")

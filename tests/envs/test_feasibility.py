@@ -119,6 +119,30 @@ def test_a_thing_told_by_a_state_that_none_has_is_nowhere():
     assert str(cause) == "task 1: the clean mug is nowhere in the house"
 
 
+PENS = referent("pen_1", "pen_2", phrase="two pens", count=2)
+CUPS = referent("cup_1", "cup_2", phrase="two cups", count=2)
+CLEAN_CUPS = Referent("two clean cups", ("cup_1", "cup_2"), count=2, where=(("cleanliness", "clean"),))
+
+
+@pytest.mark.parametrize(
+    ("world", "due", "entity"),
+    [
+        (HandWorld({"pen_1": "desk"}), task(1, "bringing", PENS, recipient="user"), "pen_2"),
+        (HandWorld({"pen_2": "user"}), task(1, "bringing", PENS, recipient="user"), "pen_1"),
+        (HandWorld({"cup_1": "kitchen_table"}), task(1, "placing", CUPS, goal="kitchen_table"), "cup_2"),
+        (
+            HandWorld({"cup_1": "desk", "cup_2": "desk"}, {("cup_1", "cleanliness"): "clean"}),
+            task(1, "taking", CLEAN_CUPS),
+            "two clean cups",
+        ),
+    ],
+    ids=["elsewhere", "there already", "one is there", "one is otherwise"],
+)
+def test_two_of_a_kind_are_two_different_ones(world, due, entity):
+    found = course(world, [1], due).cause
+    assert (found.kind, found.entity) == ("thing nowhere", entity)
+
+
 # -- against the planner ----------------------------------------------------------------------------------------------
 
 

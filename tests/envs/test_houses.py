@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+
 import gymnasium as gym
 import networkx as nx
 import numpy as np
@@ -16,13 +18,13 @@ from decomplex_bt.envs.feasibility import find_cause
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.houses import MOST_ROOMS, SIZES, generate_house, generated_domain, with_house
-from decomplex_bt.envs.reach import is_reachable
+from decomplex_bt.envs.reach import check_access, is_reachable
 from decomplex_bt.envs.registration import HOUSEHOLD_LARGE, HOUSEHOLD_MEDIUM, HOUSEHOLD_SMALL
 from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.world import World, WorldConfig
 from decomplex_bt.envs.world_truth import WorldTruth
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
 DOMAIN = load_domain("household")
@@ -63,6 +65,7 @@ def test_a_house_is_connected_and_all_of_it_in_reach(seed):
     assert len(house.rooms) == 2 + seed * 3 % (MOST_ROOMS - 1)
     assert nx.is_connected(rooms)
     domain = with_house(DOMAIN, house)
+    check_access(domain, "house.yaml")
     assert all(is_reachable(domain, name) for name in (*house.rooms, *house.doorways, *house.places()))
     named = {entity for entities in domain.nouns.entities.values() for entity in entities}
     assert named >= {*house.rooms, *house.places(), *house.things, *house.people}
@@ -190,6 +193,104 @@ def test_a_house_comes_from_a_file(tmp_path):
     assert small.domain.house == house
     with pytest.raises(InputError, match="spaces are made for"):
         HouseholdEnv(go("kitchen"), house=path).reset(options={"house": str(DOMAIN.folder / "house.yaml")})
+
+
+def changed(*steps, to):
+    """A change of a house's data: what the keys lead to becomes another value."""
+
+    def change(data):
+        *path, last = steps
+        for key in path:
+            data = data[key]
+        if to is None:
+            del data[last]
+        else:
+            data[last] = to
+
+    return change
+
+
+ATTIC = {"kind": "study", "rect": [20, 20, 25, 25]}
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (changed("furniture", "fridge", "centre", to=[100, 100]), r"furniture\.fridge.*not within its room, kitchen"),
+        (changed("furniture", "fridge", "centre", to=[4.4, 8.0]), r"furniture\.fridge.*not within its room, kitchen"),
+        (changed("furniture", "kitchen_window", "centre", to=[3, 20]), r"furniture\.kitchen_window.*not within"),
+        (changed("furniture", "fridge", "centre", to=[2.2, 7.1]), r"furniture\.fridge: it overlaps kitchen_table"),
+        (changed("furniture", "fridge", "size", to=[0, 0]), r"furniture\.fridge\.size\.0.*greater than 0"),
+        (changed("things", "robot", to={"kind": "pen"}), r"things\.robot.*stands twice.*the robot"),
+        (changed("things", "kitchen_floor", to={"kind": "pen"}), r"things\.kitchen_floor.*the floor of kitchen"),
+        (changed("things", "fridge", to={"kind": "pen"}), r"things\.fridge.*furniture\.fridge"),
+        (changed("doorways", "kitchen_doorway", to=None), r"rooms\.kitchen: no way joins it"),
+        (changed("doorways", "kitchen_doorway", "width", to=0.4), r"doorways\.kitchen_doorway.*cannot drive through"),
+        (changed("doorways", "kitchen_doorway", "centre", to=[2.2, 6]), r"doorways\.kitchen_doorway.*common wall"),
+        (changed("furniture", "kitchen_table", "centre", to=[2.2, 5.8]), r"doorways\.kitchen_doorway.*clear the way"),
+        (changed("rooms", "attic", to=ATTIC), r"rooms\.attic: no way joins it"),
+        (changed("rooms", "attic", to={**ATTIC, "rect": [1, 6, 2, 7]}), r"rooms\.attic: it overlaps kitchen"),
+        (changed("rooms", "kitchen", "rect", to=[4.4, 5.3, 0, 9]), r"rooms\.kitchen\.rect.*x0 < x1"),
+        (changed("rooms", "kitchen", "rect", to=[float("nan"), 5.3, 4.4, 9]), r"rooms\.kitchen\.rect\.0.*finite"),
+        (changed("furniture", "fridge", "centre", to=[0.4, float("inf")]), r"furniture\.fridge\.centre\.1.*finite"),
+        (changed("robot_start", to={"kitchen": 0}), r"robot_start.*above 0"),
+        (changed("people", "anna", "rooms", to={"attic": 1}), r"people\.anna\.rooms: unknown room 'attic'"),
+        (changed("people", to={}), r"people: .*at least 1"),
+        (changed("rooms", to={}), r"rooms: .*at least 1"),
+        (changed("furniture", to={}), r"things\.\w+: lies at '\w+', which no place of the house is"),
+        (
+            changed("things", "apple", to={"kind": "apple", "places": {"tv": 1}}),
+            r"things\.apple: nothing can lie .*'tv'",
+        ),
+    ],
+)
+def test_a_house_that_cannot_be_is_refused_naming_file_and_key(tmp_path, change, says):
+    data = yaml.safe_load((DOMAIN.folder / "house.yaml").read_text())
+    change(data)
+    path = tmp_path / "house.yaml"
+    path.write_text(yaml.safe_dump(data, sort_keys=False))
+    with pytest.raises(DataFileError, match=says) as found:
+        HouseholdEnv(go("kitchen"), house=path)
+    assert found.value.path == str(path)
+
+
+def test_the_house_of_a_folder_is_looked_over_as_well(tmp_path):
+    for name in ("ontology.yaml", "kinds.yaml", "words.yaml", "goals.yaml", "domain.pddl"):
+        shutil.copy(DOMAIN.folder / name, tmp_path)
+    text = (DOMAIN.folder / "house.yaml").read_text().replace("[2.2, 5.3], width: 1.1", "[2.2, 5.3], width: 0.4")
+    (tmp_path / "house.yaml").write_text(text)
+    with pytest.raises(DataFileError, match=r"house\.yaml: doorways\.kitchen_doorway"):
+        HouseholdEnv(go("kitchen"), domain=tmp_path)
+
+
+def test_the_shipped_house_is_in_order():
+    check_access(DOMAIN, "house.yaml")
+
+
+def test_a_house_without_things_is_lived_in(tmp_path):
+    data = yaml.safe_load((DOMAIN.folder / "house.yaml").read_text())
+    path = tmp_path / "house.yaml"
+    path.write_text(yaml.safe_dump({**data, "things": {}}, sort_keys=False))
+    env = HouseholdEnv(go("kitchen"), house=path)
+    observation, info = env.reset(seed=0)
+    agent = decomplex_bt.TreeAgent(env, flow=go("kitchen"))
+    agent.reset(observation, info)
+    while not agent.done:
+        observation, _, _, _, info = env.step(agent.act(observation))
+    assert info["is_success"]
+
+
+def test_a_house_file_that_was_edited_is_read_anew(tmp_path):
+    path, text = tmp_path / "house.yaml", (DOMAIN.folder / "house.yaml").read_text()
+    path.write_text(text.replace("default house", "first  house"))
+    env = HouseholdEnv(go("kitchen"), house=path)
+    env.reset(seed=0)
+    path.write_text(text.replace("default house", "second house"))
+    env.reset(seed=0)
+    assert env.domain.house.name == "first  house", "an environment stays in the house it was made in"
+    assert HouseholdEnv(go("kitchen"), house=path).domain.house.name == "second house"
+    env.reset(options={"house": path})
+    assert env.domain.house.name == "second house"
 
 
 @pytest.mark.parametrize(

@@ -43,11 +43,47 @@ def markup(text, flow):
     return read_markup(text, ONTOLOGY, flow=flow)
 
 
+CLOSE_AND_OPEN = markup(
+    "[Close](1:change_state) [the bedroom window](1:object) and [open](2:change_state) [the kitchen window](2:object).",
+    [1, 2],
+)
+TELL_OF_TV = markup(
+    "[Turn](1:change_state) [on](1:state) [the tv](1:object). If you cannot, [tell](2:informing) [me](2:recipient).",
+    [{"if": 1, "else": [2]}],
+)
 GO = markup("[Go](1:motion) [to the kitchen](1:goal).", [1])
 TV = markup(
     "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
     [{"if": 1, "then": [2]}],
 )
+
+
+@pytest.mark.parametrize(("kitchen", "met", "unsettled"), [("open", 2, 0), ("closed", 1, 2)])
+def test_what_holds_at_the_start_is_done_and_the_first_info_tells(kitchen, met, unsettled):
+    env = gym.make(HOUSEHOLD, instruction=CLOSE_AND_OPEN)
+    _, info = env.reset(seed=0, options={"states": {"bedroom_window": "closed", "kitchen_window": kitchen}})
+    assert (info["goal_conditions_met"], info["goal_conditions_total"], info["unsettled"]) == (met, 2, unsettled)
+    assert info["is_success"] is (met == 2)
+    _, reward, terminated, _, _ = env.step(REST)
+    assert (reward, terminated) == (float(met == 2), met == 2)
+
+
+@pytest.mark.parametrize("is_broken", [True, False])
+def test_whether_something_can_be_done_is_true_or_false_without_a_try(is_broken):
+    env = gym.make(HOUSEHOLD, instruction=TELL_OF_TV)
+    options = {"states": {"tv": "off"}, "broken": ["tv"] * is_broken, "noise": False}
+    observation, info = env.reset(seed=0, options=options)
+    assert info["branches"] == [
+        {"task": 1, "truth": False if is_broken else None, "taken": "else" if is_broken else None}
+    ]
+    agent = env.unwrapped.policy(
+        "tree", reading=markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", [1])
+    )
+    agent.reset(observation, info)
+    terminated = False
+    while not terminated:
+        observation, _, terminated, _, info = env.step(agent.act(observation))
+    assert (info["is_success"], bool(info["violations"])) == (is_broken, not is_broken)
 
 
 def play(env, example, seed, **options):

@@ -16,6 +16,9 @@ from decomplex_bt.errors import InputError
 assert decomplex_bt
 ONTOLOGY = DOMAIN.ontology
 REST = {"drive": np.zeros(2, dtype=np.float32), "interact": int(Interaction.NONE), "target": 0}
+UNTIDY = ("shoes", "ball", "towel", "blanket", "shirt", "socks", "bag", "umbrella")
+IN_THE_KITCHEN = (7, 9, 12, 15)
+"""Seeds with which the robot starts there."""
 FETCH = read_markup("[Bring](1:bringing) [me](1:recipient) [the towel](1:object).", ONTOLOGY, flow=[1])
 
 
@@ -61,6 +64,32 @@ def test_things_stay_in_the_house_at_places_that_suit_them_and_the_instruction_p
         assert weights[rows == world.place[row]].sum() > 0
         assert world.room[row] == world.geometry.place_room[world.place[row]]
     assert info["feasible"]
+
+
+def test_what_somebody_else_does_out_of_view_is_not_observed():
+    """Two episodes that differ in meddling alone look the same but for what was in view in one since it was moved."""
+    envs = [gym.make("decomplex_bt/Household-v0").unwrapped for _ in range(2)]
+    names = envs[0].entities
+    options = {"instruction": FETCH, "noise": False, "placement": dict.fromkeys(UNTIDY, "kitchen_floor")}
+    turn = {**REST, "drive": np.array([0.0, 1.0], dtype=np.float32)}
+    remembered = 0
+    for seed in IN_THE_KITCHEN:
+        for env, rate in zip(envs, (0, 60), strict=True):
+            env.reset(seed=seed, options={**options, "meddling": rate})
+        moved, seen = set(), set()
+        for step in range(200):
+            (one, *_), (other, *_, info) = (env.step(turn if step < 30 or step >= 150 else REST) for env in envs)
+            moved |= {event.split()[2] for event in info["events"]}
+            seen |= {name for name in moved if any(is_in_view(env, name) for env in envs)}
+            rows = np.flatnonzero((one["entities"] != other["entities"]).any(axis=1))
+            assert {names[row] for row in rows} <= seen
+            remembered += sum(bool(one["entities"][names.index(name), 0]) for name in moved - seen)
+    assert remembered > 10, "something was moved while it was remembered"
+
+
+def is_in_view(env, name):
+    sensor = env._episode.sensor
+    return bool(sensor._tracked[sensor.world.geometry.row[name] - sensor.world.geometry.place_count])
 
 
 def test_an_episode_with_somebody_else_in_the_house_replays(env):

@@ -135,6 +135,49 @@ def test_two_of_a_kind_need_two_different_ones():
     assert episode.take("pen_2").is_success
 
 
+def test_one_that_there_is_does_not_do_for_two():
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    episode = Episode(HandWorld({"pen_1": "user"}), [1], task(1, "bringing", pens, recipient="user"))
+    assert not episode.step().is_success
+    tasks = task(1, "bringing", pens, recipient="user"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld({"pen_1": "desk"}), [{"if": 1, "else": [2]}], *tasks)
+    assert episode.say("user").is_success
+    assert episode.truths == [(1, False, "else")]
+
+
+@pytest.mark.parametrize(("second", "is_there"), [("desk", True), ("couch", False), (None, False)])
+def test_two_of_a_kind_are_there_only_both(second, is_there):
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    tasks = task(1, "check_state", pens, at=["desk"], state=HERE), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld({"pen_1": "desk", "pen_2": second}), [{"if": 1, "then": [2]}], *tasks)
+    episode.world.seen = {"pen_1", "pen_2"} if is_there else {"pen_1"}
+    episode.inspect("desk")
+    assert [truth for _, truth, _ in episode.truths] == [is_there]
+
+
+def test_two_that_are_not_both_in_the_house_are_not_here():
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    episode = Episode(
+        HandWorld({"pen_1": "desk"}),
+        [{"if": 1, "then": [2]}],
+        task(1, "check_state", pens, state=HERE),
+        task(2, "informing", recipient="user"),
+    )
+    assert episode.truths == [(1, False, None)]
+
+
+def test_two_are_not_so_when_one_is_not_and_both_are_meant_from_there_on():
+    cups = referent("cup_1", "cup_2", phrase="two cups", count=2)
+    tasks = task(1, "check_state", cups, state="clean"), task(2, "taking", cups)
+    world = HandWorld({"cup_1": "desk", "cup_2": "couch"}, {("cup_1", "cleanliness"): "clean"})
+    episode = Episode(world, [{"if": 1, "else": [2]}], *tasks)
+    assert episode.see("cup_1").branches[0].truth is None
+    episode.see("cup_2")
+    assert episode.truths == [(1, False, "else")]
+    assert not episode.take("cup_1").is_success
+    assert episode.take("cup_2").is_success
+
+
 def test_a_check_is_done_when_the_fact_was_observed_whatever_it_is():
     episode = Episode(HandWorld(), [1], task(1, "check_state", "front_door", state="open"))
     assert not is_done(episode)

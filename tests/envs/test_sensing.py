@@ -102,6 +102,46 @@ def test_a_floor_is_inspected_by_turning_round_in_the_middle_of_its_room(trial):
     assert t.sees("shoes"), "seen a while ago counts while the floor is inspected"
 
 
+def shoes_seen_and_moved(trial):
+    """Two trials in which the robot has looked round and stopped with the shoes behind it; in the second they are then
+    moved out of view."""
+    both = []
+    for is_moved in (False, True):
+        t = trial(at=(3.6, 2.0), placement={"shoes": "bedroom_floor"}, states={"bedroom_door": "closed"})
+        t.world.shift(t.row["shoes"], t.row["bedroom_floor"], (2.6, 2.9))
+        t.drive(0.0, 1.0, steps=30)
+        while t.sensor._tracked[t.row["shoes"] - t.world.geometry.place_count]:
+            t.drive(0.0, 1.0)
+        t.drive(0.0, steps=9)
+        assert t.sees("shoes")
+        if is_moved:
+            t.world.shift(t.row["shoes"], t.row["desk"], (8.0, 0.5))
+        both.append(t)
+    return both
+
+
+def test_what_was_seen_on_a_floor_is_reported_so_until_its_spot_is_in_view_again(trial):
+    left, moved = shoes_seen_and_moved(trial)
+    for _ in range(40):
+        for t in (left, moved):
+            t.drive(0.0)
+        assert np.array_equal(left.sensor.table, moved.sensor.table)
+    for t in (left, moved):
+        t.drive(0.0, 1.0, steps=25)
+    assert left.sees("shoes")
+    assert not moved.sees("shoes")
+    assert inspected(moved, "bedroom_floor")
+
+
+def test_what_others_do_does_not_make_the_robot_look(trial):
+    t = trial(at=(2.2, 6.2), facing=(2.2, 9.0), placement={"apple": "kitchen_table"})
+    t.world.shift(t.row["apple"], t.row["desk"], (8.0, 0.5))
+    t.world.drive(0.0, 0.0)
+    assert not t.sensor.look()
+    t.drive(0.0, steps=4)
+    assert not t.sees("apple")
+
+
 def test_a_missed_detection_is_made_up_for_by_the_next_look(trial):
     t = trial(at=(2.2, 6.2), facing=(2.2, 9.0), placement={"apple": "kitchen_table"})
     t.sensor.missed_detection = 1.0

@@ -276,10 +276,19 @@ def test_something_to_wipe_with_is_looked_for_first(place: str | None, status: P
     assert (names(inside)[-1] == "(wipe coffee_table rag)") == (place is not None)
 
 
-def test_of_two_asked_for_the_one_there_is_will_do() -> None:
+def test_of_two_asked_for_the_one_there_is_will_not_do() -> None:
     inside = world({"cup_2": None})
     (brought,) = run("[Bring](1:bringing) [me](1:recipient) [two cups](1:object)", inside)
-    assert (brought.status, bound(brought)["two cups"]) == (DONE, ("cup_1",))
+    assert (brought.status, brought.reason) == (FAILED, "'two cups' is nowhere to be found")
+
+
+@pytest.mark.parametrize(("second", "is_so"), [("full", True), ("empty", False)])
+def test_two_of_a_kind_are_so_if_both_are(second: str, is_so: bool) -> None:
+    fills = {("cup_1", "fill"): "full", ("cup_2", "fill"): second}
+    inside = world({"cup_1": "coffee_table", "cup_2": "counter"}, fills)
+    (checked,) = run("Check if [two cups](1:object) [are](1:check_state) [full](1:state)", inside)
+    assert (checked.status, checked.truth) == (DONE, is_so)
+    assert bound(checked).get("two cups") == (("cup_1", "cup_2") if is_so else None)
 
 
 def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:

@@ -1,0 +1,77 @@
+"""The survey of a house: whether all that it names is known, and everything stands where it can."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from decomplex_bt.domain.house import House, Rect
+from decomplex_bt.domain.kinds import Kinds
+
+TOLERANCE = 0.02
+"""[m] By which what is measured may lie over what it touches."""
+
+
+def check_house(house: House, kinds: Kinds) -> None:
+    """Raises `ValueError` naming the key where a kind, place or room is unknown, or two things are in one place."""
+    _check_kinds(house, kinds)
+    _check_whereabouts(house, kinds)
+    _check_rooms(house)
+    _check_furniture(house, kinds)
+
+
+def _check_kinds(house: House, kinds: Kinds) -> None:
+    for section in ("rooms", "doorways", "furniture", "things", "people"):
+        for name, entry in getattr(house, section).items():
+            if entry.kind not in kinds.kinds and not (section == "doorways" and entry.kind is None):
+                raise ValueError(f"{section}.{name}: unknown kind {entry.kind!r}")
+
+
+def _check_whereabouts(house: House, kinds: Kinds) -> None:
+    """That things, people and the robot begin at places and in rooms that there are."""
+    named = house.places_by_name()
+    for name, item in house.things.items():
+        for where in item.places or kinds.kinds[item.kind].places:
+            if where not in named:
+                raise ValueError(f"things.{name}: lies at {where!r}, which no place of the house is, by name or kind")
+            for place in named[where]:
+                kind = house.kind(place, kinds)
+                if not (kind.surface or kind.inside):
+                    raise ValueError(f"things.{name}: nothing can lie on or in {place!r}")
+    starts = {f"people.{name}.rooms": person.rooms for name, person in house.people.items()}
+    for key, rooms in (*starts.items(), ("robot_start", house.robot_start)):
+        for room in rooms:
+            if room not in house.rooms:
+                raise ValueError(f"{key}: unknown room {room!r}")
+
+
+def _check_rooms(house: House) -> None:
+    for (one, first), (other, second) in combinations(house.rooms.items(), 2):
+        if _overlap(first.rect, second.rect) > TOLERANCE:
+            raise ValueError(f"rooms.{other}: it overlaps {one}; rooms share no more than walls")
+
+
+def _check_furniture(house: House, kinds: Kinds) -> None:
+    """That every piece is in its room, with all of its body, and no body is where another of the room is."""
+    bodies: dict[str, dict[str, Rect]] = {room: {} for room in house.rooms}
+    for name, piece in house.furniture.items():
+        room, (x, y) = house.rooms[piece.room].rect, piece.centre
+        has_body = piece.part_of is None and kinds.kinds[piece.kind].category == "furniture"
+        if not _holds(room, piece.footprint if has_body else (x, y, x, y)):
+            raise ValueError(f"furniture.{name}: it is not within its room, {piece.room}, which is {room}")
+        if not has_body:
+            continue
+        for other, rect in bodies[piece.room].items():
+            if _overlap(rect, piece.footprint) > TOLERANCE:
+                raise ValueError(
+                    f"furniture.{name}: it overlaps {other}; move it, or make it a part of that (part_of: {other})"
+                )
+        bodies[piece.room][name] = piece.footprint
+
+
+def _overlap(one: Rect, other: Rect) -> float:
+    """By how many metres two rectangles overlap in the direction in which they do so less; 0 or less: they do not."""
+    return min(min(one[axis + 2], other[axis + 2]) - max(one[axis], other[axis]) for axis in (0, 1))
+
+
+def _holds(room: Rect, rect: Rect) -> bool:
+    return all(room[axis] - TOLERANCE <= rect[axis] and rect[axis + 2] <= room[axis + 2] + TOLERANCE for axis in (0, 1))
