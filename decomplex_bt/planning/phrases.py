@@ -17,7 +17,9 @@ _EITHER = re.compile(r"^n?either\s+(?!of\b)")
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
-_HEDGES = frozenset(("some", "any", "no", "more", "other", "another"))
+_PICKS = frozenset("some any no none one either neither another".split())
+"""Words that pick from what they stand before ("any of the books"): not all of them, and no certain one."""
+_HEDGES = _PICKS | frozenset(("a", "an", "more", "other"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,13 +153,15 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
     """ "X of Y": a measure of Y, a part of Y, or the X that belongs to the place Y."""
     whole = _read_part(rest, preposition, domain, None)
     noun = head[-1]
-    measures = {**domain.lexicon.measures, **dict.fromkeys(("both", *domain.lexicon.all_words), 1)}
+    measures = {**dict.fromkeys(("both", *_PICKS, *domain.lexicon.all_words), 1), **domain.lexicon.measures}
     measure = noun if noun in measures else next((word for word in (noun[:-1], noun[:-2]) if word in measures), None)
     is_part = noun in domain.lexicon.parts and whole is not None and _opens(whole, domain)
     if whole is not None and (measure is not None or is_part):
-        count = _number(head, domain) or (measures[measure] if measure else 1)
+        number = _number(head, domain)
+        count = number or (measures[measure] if measure else 1)
         is_all = any(word in domain.lexicon.all_words or word == "both" for word in head)
-        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all)
+        is_definite = whole.is_definite and number is None and not any(word in _PICKS for word in head)
+        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all, is_definite=is_definite)
     own = _read_simple(" ".join(head), preposition, domain, None)
     return _inside(own, whole, domain) if own is not None and whole is not None else own
 
@@ -205,10 +209,10 @@ def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhra
             wanted.append(state)
         elif room:
             rooms.add(room)
-        elif word not in lexicon.determiners and word not in lexicon.measures and not word.isdigit():
+        elif not (word in _HEDGES or word in lexicon.determiners or word in lexicon.measures or word.isdigit()):
             return None
         i += length
-    is_hedged = any(word in _HEDGES or word in ("a", "an") for word in before)
+    is_hedged = any(word in _HEDGES for word in before)
     is_definite = any(word in DEFINITE for word in before) or not is_hedged
 
     def fits(entity: str) -> bool:
