@@ -58,8 +58,10 @@ class HandWorld:
         return place in self.inspected
 
 
-def referent(*candidates: str, phrase: str = "", is_all: bool = False, count: int = 1) -> Referent:
-    return Referent(phrase or "the " + candidates[0], candidates, is_all, count)
+def referent(
+    *candidates: str, phrase: str = "", is_all: bool = False, count: int = 1, is_any: bool = False
+) -> Referent:
+    return Referent(phrase or "the " + candidates[0], candidates, is_all, count, is_any=is_any)
 
 
 def task(

@@ -16,9 +16,6 @@ from decomplex_bt.envs.evidence import Evidence
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
-INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
-"""First words of a phrase that asks whether there is one, not about a certain one."""
-
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -217,7 +214,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     def is_so(name: str) -> bool:
         return state_holds(evidence, name, task.state)
 
-    asks_any = all(is_indefinite(referent) for referent in task.objects)
+    asks_any = all(referent.is_any for referent in task.objects)
     if task.places and asks_any and not _is_any_there(task, bindings, evidence):
         yield from _presence(task, bindings, evidence)
         return
@@ -228,7 +225,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
         among = candidates(referent, bindings)
         looked_at = tuple(name for name in among if evidence.was_seen(name))
         failing = tuple(name for name in looked_at if not is_so(name))
-        if referent.is_all or is_indefinite(referent):
+        if referent.is_all or referent.is_any:
             spare = len(among) - needed(referent, among)
             if len(failing) > spare:
                 yield Outcome(False, bindings)
@@ -265,11 +262,6 @@ def state_holds(evidence: Evidence, name: str, value: str | None) -> bool:
     except KeyError:
         return False
     return evidence.truth.state(name, pair) == value
-
-
-def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, not for a certain one."""
-    return referent.phrase.lower().split(" ", 1)[0] in INDEFINITE
 
 
 def _done(outcome: Outcome | None) -> Iterator[Outcome]:

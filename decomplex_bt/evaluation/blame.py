@@ -78,7 +78,7 @@ def _task_meaning(task: GroundTask) -> tuple[Any, ...]:
 
 
 def _referent_meaning(referent: Referent) -> tuple[Any, ...]:
-    return frozenset(referent.candidates), referent.is_all, referent.count, referent.where
+    return frozenset(referent.candidates), referent.is_all, referent.count, referent.where, referent.is_any
 
 
 def _spoken(instruction: Instruction) -> tuple[Any, ...]:

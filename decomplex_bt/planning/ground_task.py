@@ -15,9 +15,11 @@ class Referent:
     """What a phrase may mean, likeliest first: names of entities (for places also rooms).
 
     `is_all`: all candidates are meant ("the lights", "all the cups"), those that are in the house, and where the task
-    names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `where`:
-    state pairs and values by which one is told from another ("the clean mug"). Equal referents of one instruction are
-    one and the same: who binds one binds all.
+    names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `is_any`:
+    whichever they are ("a window", "the tv or the radio"): a check of them is false only when none of them will do,
+    while that of a certain one ("the mug") is settled by the first one seen. `where`: state pairs and values by which
+    one is told from another ("the clean mug"). Equal referents of one instruction are one and the same: who binds one
+    binds all.
     """
 
     phrase: str
@@ -25,6 +27,7 @@ class Referent:
     is_all: bool = False
     count: int = 1
     where: tuple[tuple[str, str], ...] = ()
+    is_any: bool = False
 
     @property
     def needed(self) -> int:

@@ -12,8 +12,7 @@ from decomplex_bt.errors import UnknownWordError
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
-_CHOICE = re.compile(r"\s+n?or\s+")
-_EITHER = re.compile(r"^n?either\s+(?!of\b)")
+_CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
@@ -29,6 +28,7 @@ class NounPhrase:
     `entities`: what its noun names as it stands, likeliest first; `plurals`: what its noun is a plural of. `is_all`,
     `count`: of how many it speaks; `is_definite`: of known ones ("the", "my"). `wanted`: state pairs and values that
     its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the words of its noun.
+    `choices`: what it chooses among ("the tv or the radio"), any of which will do; it begins with the first.
     """
 
     text: str
@@ -41,6 +41,7 @@ class NounPhrase:
     wanted: tuple[tuple[str, str], ...] = ()
     place: NounPhrase | None = None
     noun: str = ""
+    choices: tuple[NounPhrase, ...] = ()
 
 
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
@@ -113,18 +114,12 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
 
 def _read_choice(part: str, preposition: str, domain: Domain, later: NounPhrase | None, text: str) -> NounPhrase:
     """One part of a coordination; with "or" whatever any of its alternatives names."""
-    alternatives = [_read_part(choice, preposition, domain, later) for choice in _CHOICE.split(_EITHER.sub("", part))]
-    if None in alternatives:
+    said = [choice for choice in _CHOICE.split(part) if choice]
+    choices = tuple(_read_part(choice, preposition, domain, later) for choice in said or [""])
+    found = tuple(choice for choice in choices if choice is not None)
+    if len(found) < len(choices):
         raise _unknown(part or text, domain)
-    first, *others = [phrase for phrase in alternatives if phrase is not None]
-    for other in others:
-        first = replace(
-            first,
-            text=part,
-            entities=_unique(first.entities + other.entities),
-            plurals=_unique(first.plurals + other.plurals),
-        )
-    return first
+    return found[0] if len(found) == 1 else replace(found[0], text=part, is_all=False, is_definite=False, choices=found)
 
 
 def _read_part(words: str, preposition: str, domain: Domain, later: NounPhrase | None) -> NounPhrase | None:

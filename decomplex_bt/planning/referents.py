@@ -105,9 +105,8 @@ class Referents:
             return before
         if self._container is not None and self._is_bare_part(phrase, words):
             phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
-        entities = tuple(name for name in phrase.entities if fits(name))
-        is_plural = not entities
-        names = entities or tuple(name for name in phrase.plurals if fits(name))
+        is_plural = not any(map(fits, phrase.entities))
+        names = tuple(dict.fromkeys(n for choice in phrase.choices or (phrase,) for n in _named(choice, fits)))
         if not names and phrase.is_all and phrase.plurals == tuple(self._house.things):
             names = tuple(name for name in self._house.places() if fits(name))  # "turn everything off"
         if not names:
@@ -123,7 +122,8 @@ class Referents:
             self._remember(names)
         # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
         where = () if len(names) == 1 and words.split()[0] in DEFINITE else phrase.wanted
-        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where)
+        is_any = not (is_all or phrase.is_definite)
+        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where, is_any)
         referent = self._same(referent) if phrase.is_definite else self._first(referent)
         self._named[words] = referent
         return referent
@@ -199,6 +199,11 @@ class Referents:
     def may_move(self, referents: Sequence[Referent]) -> bool:
         """Whether any of what they may mean is a thing or a person, which need not be where it was."""
         return any(not self.is_fixed(name) for referent in referents for name in referent.candidates)
+
+
+def _named(phrase: NounPhrase, fits: Callable[[str], bool]) -> list[str]:
+    """Of what a phrase names, what fits; of what it is a plural of, where it names nothing else."""
+    return list(filter(fits, phrase.entities)) or list(filter(fits, phrase.plurals))
 
 
 def _key(referent: Referent) -> Key:

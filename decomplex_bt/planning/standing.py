@@ -246,11 +246,3 @@ class Standing:
         wanted = set(names)
         phrases = [referent.phrase for referent in self.task.objects if wanted & set(referent.candidates)]
         return " and ".join(phrases) or self._objects_phrase()
-
-
-_INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
-
-
-def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, not for a certain one."""
-    return referent.phrase.lower().split(" ", 1)[0] in _INDEFINITE

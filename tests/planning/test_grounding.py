@@ -14,6 +14,7 @@ from decomplex_bt.planning.grounding import GroundInstruction, GroundTask, groun
 
 DOMAIN = load_domain()
 PENS, MUGS, TABLES = ("pen_1", "pen_2"), ("mug_1", "mug_2"), ("kitchen_table", "coffee_table", "hallway_table")
+WINDOWS = ("kitchen_window", "living_room_window", "bedroom_window")
 
 
 def grounded(text: str, count: int = 1, **kwargs: Any) -> GroundInstruction:
@@ -53,6 +54,29 @@ def first(text: str) -> GroundTask:
 def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ...], bool, int]]) -> None:
     task = first(f"[Take](1:taking) [{phrase}](1:object)")
     assert [(r.candidates, r.is_all, r.count) for r in task.objects] == expected
+
+
+@pytest.mark.parametrize(
+    ("phrase", "is_any"),
+    [
+        ("a window", True),
+        ("one window", True),
+        ("any of the windows", True),
+        ("the tv or the radio", True),
+        ("either the tv or the radio", True),
+        ("the tv nor the radio", True),
+        ("the window", False),
+        ("all the windows", False),
+    ],
+)
+def test_a_phrase_asks_for_any_or_for_a_certain_one(phrase: str, is_any: bool) -> None:
+    task = first(f"[Look](1:searching) [at {phrase}](1:location)")
+    assert task.places[0].is_any is is_any
+
+
+def test_alternatives_may_be_one_or_several_of_a_kind() -> None:
+    task = first("[Open](1:change_state) [the windows or the front door](1:object)")
+    assert set(task.objects[0].candidates) == {*WINDOWS, "front_door"}
 
 
 @pytest.mark.parametrize(

@@ -353,3 +353,17 @@ def test_who_was_in_a_room_a_moment_ago_is_there_once_it_was_looked_over(is_reme
         )
     found = pursue(task, belief, {}, since=2)
     assert (found.status, found.truth) == (DONE, is_remembered)
+
+
+@pytest.mark.parametrize(
+    ("phrase", "values", "truth"),
+    [
+        ("either the tv or the radio", {("radio", "power"): "on"}, True),
+        ("the tv or the radio", {("tv", "power"): "on"}, True),
+        ("neither the tv nor the radio", {}, False),
+    ],
+)
+def test_of_alternatives_any_will_do(phrase: str, values: dict[tuple[str, str], str], truth: bool) -> None:
+    inside = world(values={("tv", "power"): "off", ("radio", "power"): "off", **values})
+    (checked,) = run(f"if [{phrase}](1:object) [is](1:check_state) [on](1:state)", inside)
+    assert checked.truth is truth
