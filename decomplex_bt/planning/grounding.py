@@ -132,14 +132,16 @@ class _Grounder:
     def _bringing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
         recipient, goal = task.value("recipient"), task.value("goal")
-        if recipient is not None:
-            return replace(grounded, recipient=self.referents.person(recipient, "get a thing"))
-        if goal is None:
-            return replace(grounded, recipient=self._user())
-        where = self.referents.goal_place(goal)
-        if all(name in self.house.people for name in where.candidates):
-            return replace(grounded, recipient=where)
-        return replace(grounded, goal=where)
+        people = self.referents.people(recipient, "get a thing") if recipient is not None else (self._user(),)
+        if recipient is None and goal is not None:
+            people = (self.referents.goal_place(goal),)
+            if not all(map(self.referents.is_person, people[0].candidates)):
+                return replace(grounded, goal=people[0])
+        if len(people) > 1 or people[0].is_all:
+            raise ImpossibleGoalError(
+                f"only one person can have a thing, not {recipient or goal!r}; say who, or what each of them gets"
+            )
+        return replace(grounded, recipients=people)
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
@@ -224,8 +226,8 @@ class _Grounder:
 
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         recipient = task.value("recipient")
-        person = self.referents.person(recipient, "be told") if recipient is not None else self._user()
-        return replace(bare, recipient=person, message=task.value("message"))
+        people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
+        return replace(bare, recipients=people, message=task.value("message"))
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""
@@ -236,7 +238,7 @@ class _Grounder:
             objects=objects,
             places=places + self._places(task, "location", "source"),
             goal=self.referents.place(goal, people=True) if goal else None,
-            recipient=self.referents.person(recipient, "be a recipient") if recipient else None,
+            recipients=self.referents.people(recipient, "be a recipient") if recipient else (),
             state=state,
             message=task.value("message"),
         )

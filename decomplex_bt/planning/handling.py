@@ -42,9 +42,9 @@ class Handling(Looking):
 
     def _put(self, task_type: str) -> Pursuit:
         """Placing and bringing: the things end up at the goal, or with the recipient."""
-        target = self.task.recipient or self.task.goal
+        target = self.task.target
         assert target is not None
-        role = "recipient" if self.task.recipient is not None else "goal"
+        role = "recipient" if self.task.recipients else "goal"
         people = [name for name in self._meant(target) if name in self.house.people]
         places = [place for name in self._meant(target) if name not in people for place in self._landing(name)]
 

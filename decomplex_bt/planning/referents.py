@@ -48,7 +48,9 @@ class Referents:
 
     def goal_place(self, words: str) -> Referent:
         """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
-        phrase = read_phrases(words, self._domain)[0]
+        phrase, *others = read_phrases(words, self._domain)
+        if others:
+            raise ImpossibleGoalError(f"a thing ends up in one place, not {words!r}; say which, or which thing where")
         referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
         fit = self.narrowed(referent, self.can_hold)
         is_near = fit is None and phrase.preposition in TO  # "to the front door": nothing can be put on it
@@ -60,9 +62,19 @@ class Referents:
         return fit
 
     def place(self, words: str, *, people: bool = False) -> Referent:
-        """Where the robot goes: a room, a place, a door, a person or what lies there."""
-        phrase = read_phrases(words, self._domain)[0]
-        return self.referent(phrase, lambda name: people or not self.is_person(name), "be gone to", is_place=True)
+        """Where the robot goes: a room, a place, a door, a person or what lies there; to several places one by one."""
+
+        def fits(name: str) -> bool:
+            return people or not self.is_person(name)
+
+        phrases = read_phrases(words, self._domain)
+        first, *others = [self.referent(phrase, fits, "be gone to", is_place=True) for phrase in phrases]
+        if not others:
+            return first
+        names = tuple(dict.fromkeys(name for referent in (first, *others) for name in referent.candidates))
+        if len(names) > len(phrases) or not all(map(self.is_fixed, names)):
+            raise ImpossibleGoalError(f"{words!r} leaves open where to go; say one place after the other")
+        return Referent(split_preposition(words, self._domain)[1], names, is_all=True)
 
     def elsewhere(self, words: str) -> Referent:
         """Anywhere but the room that is left, the rooms next to it first.
@@ -77,13 +89,9 @@ class Referents:
         rooms = tuple(room for room in dict.fromkeys([*next_to, *self._house.rooms]) if room not in left)
         return Referent(f"out of {split_preposition(words, self._domain)[1]}", rooms)
 
-    def person(self, words: str, ability: str) -> Referent:
+    def people(self, words: str, ability: str) -> tuple[Referent, ...]:
         phrases = read_phrases(words, self._domain)
-        referents = [self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases]
-        if len(referents) == 1:
-            return referents[0]
-        names = tuple(dict.fromkeys(name for referent in referents for name in referent.candidates))
-        return Referent(" and ".join(referent.phrase for referent in referents), names, is_all=True)
+        return tuple(self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases)
 
     def referent(
         self,

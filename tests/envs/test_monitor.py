@@ -104,6 +104,14 @@ def test_a_thing_still_on_the_robot_is_not_in_the_room_it_goes_to():
     assert episode.put("cup_1", "kitchen_table").is_success
 
 
+def test_informing_is_done_when_each_who_is_named_was_told():
+    tell = task(1, "informing", recipient=["anna", "tom"])
+    episode = Episode(HandWorld({"anna": "study", "tom": "study"}), [1], tell)
+    assert not episode.say("anna").is_success
+    assert episode.say("tom").is_success
+    assert not Episode(HandWorld({"anna": "study"}), [1], tell).say("anna").is_success
+
+
 def test_bringing_is_done_when_the_recipient_has_it():
     episode = Episode(HandWorld({"cup_1": "robot"}), [1], task(1, "bringing", "cup_1", recipient="user"))
     assert not episode.go("living_room", "user").is_success

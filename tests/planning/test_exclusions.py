@@ -43,8 +43,7 @@ def test_what_comes_after_an_exclusion_is_still_said() -> None:
     grounded = ground(read_markup(text, DOMAIN.ontology, flow=[1, 2]), DOMAIN).tasks[0]
     assert grounded.objects[0].candidates == ("pen_1",)
     assert not grounded.objects[0].is_all
-    assert grounded.recipient is not None
-    assert grounded.recipient.candidates == ("anna",)
+    assert [person.candidates for person in grounded.recipients] == [("anna",)]
 
 
 @pytest.mark.parametrize("which", ["the dirty ones", "the one on the couch"])

@@ -112,8 +112,7 @@ def test_state_words_tell_one_from_another() -> None:
     assert task.objects[0].where == (("cleanliness", "clean"),)
     assert task.objects[0].candidates == MUGS
     assert first("[Take](1:taking) [the dirty shirt](1:object)").objects[0].where == ()
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
 
 
 @pytest.mark.parametrize(
@@ -260,13 +259,25 @@ def test_a_missing_argument_is_asked_for() -> None:
         first("[Put](1:placing) [the book](1:object) down")
 
 
+@pytest.mark.parametrize("who", ["Anna and Tom", "everyone"])
+def test_one_thing_for_several_people_is_refused(who: str) -> None:
+    for kind in ("recipient", "goal"):
+        with pytest.raises(ImpossibleGoalError, match=r"only one person can have a thing|ends up in one place"):
+            first(f"[Give](1:bringing) [the apple](1:object) [to {who}](1:{kind})")
+
+
+def test_a_thing_for_several_places_and_a_way_to_several_of_many_are_refused() -> None:
+    with pytest.raises(ImpossibleGoalError, match="ends up in one place"):
+        first("[Put](1:placing) [the pen](1:object) [on the desk and the couch](1:goal)")
+    with pytest.raises(ImpossibleGoalError, match="leaves open where to go"):
+        first("[Go](1:motion) [to a window and the kitchen](1:goal)")
+
+
 def test_recipient_and_message_have_defaults() -> None:
     task = first("[Fetch](1:bringing) [a pen](1:object)")
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
     task = first("[Report](1:informing) back")
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
     assert task.message is None
 
 

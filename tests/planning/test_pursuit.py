@@ -355,6 +355,24 @@ def test_who_was_in_a_room_a_moment_ago_is_there_once_it_was_looked_over(is_reme
     assert (found.status, found.truth) == (DONE, is_remembered)
 
 
+def test_several_places_are_gone_to_one_by_one() -> None:
+    inside = world()
+    (gone,) = run("[Go](1:motion) [to the kitchen and the bathroom](1:goal)", inside)
+    assert gone.status is DONE
+    assert {room for step in names(inside) for room in ("kitchen", "bathroom") if room in step} == {
+        "kitchen",
+        "bathroom",
+    }
+
+
+def test_each_who_is_named_is_told() -> None:
+    text = "[Tell](1:informing) [Anna and Tom](1:recipient) [that I left](1:message)"
+    inside = world({"anna": "study", "tom": "kitchen"})
+    assert run(text, inside)[0].status is DONE
+    assert {"(say anna)", "(say tom)"} <= {str(step) for step in inside.steps}
+    assert run(text, world({"anna": None, "tom": "kitchen"}))[0].status is FAILED
+
+
 @pytest.mark.parametrize(
     ("phrase", "values", "truth"),
     [
