@@ -58,7 +58,7 @@ class _Grounder:
     def __init__(self, instruction: Instruction, domain: Domain, ask: Ask | None) -> None:
         self.instruction, self.domain, self.ask = instruction, domain, ask
         self.house = domain.house
-        self.wording, self.referents = Wording(instruction, domain), Referents(domain)
+        self.wording, self.referents = Wording(instruction, domain), Referents(instruction.text, domain)
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
@@ -95,20 +95,20 @@ class _Grounder:
     # -- one function for each task type ------------------------------------------------------------------------------
 
     def _motion(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        words = task.value("goal") or task.value("recipient") or task.value("path") or self._named_direction(task)
-        if words is not None:
-            return replace(bare, goal=self.referents.place(words, people=True))
-        if (left := task.value("source")) is not None:
+        place = task.argument("goal", "recipient", "path") or self._named_direction(task)
+        if place is not None:
+            return replace(bare, goal=self.referents.place(place, people=True))
+        if (left := task.argument("source")) is not None:
             return replace(bare, goal=self.referents.elsewhere(left))
         raise ImpossibleGoalError(
             f"task {task.id} ({bare.phrase!r}) says how to move but no place to end up; say where to go"
         )
 
-    def _named_direction(self, task: Task) -> str | None:
+    def _named_direction(self, task: Task) -> Argument | None:
         """The direction, where it names a place ("towards the window")."""
-        words = task.value("direction")
+        direction = task.argument("direction")
         try:
-            return words if words is not None and read_phrases(words, self.domain) else None
+            return direction if direction is not None and read_phrases(direction.value, self.domain) else None
         except UnknownWordError:
             return None
 
@@ -127,20 +127,21 @@ class _Grounder:
 
     def _placing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
-        return replace(grounded, goal=self.referents.goal_place(task.value("goal") or ""))
+        goal = task.argument("goal")
+        assert goal is not None
+        return replace(grounded, goal=self.referents.goal_place(goal))
 
     def _bringing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
-        recipient, goal = task.value("recipient"), task.value("goal")
+        recipient, goal = task.argument("recipient"), task.argument("goal")
         people = self.referents.people(recipient, "get a thing") if recipient is not None else (self._user(),)
         if recipient is None and goal is not None:
             people = (self.referents.goal_place(goal),)
             if not all(map(self.referents.is_person, people[0].candidates)):
                 return replace(grounded, goal=people[0])
         if len(people) > 1 or people[0].is_all:
-            raise ImpossibleGoalError(
-                f"only one person can have a thing, not {recipient or goal!r}; say who, or what each of them gets"
-            )
+            who = " and ".join(person.phrase for person in people)
+            raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
         return replace(grounded, recipients=people)
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
@@ -210,29 +211,30 @@ class _Grounder:
         return grounded
 
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        goal = task.value("goal") or task.value("path")
+        goal = task.argument("goal", "path")
         objects, _ = self._objects(task, self.referents.is_person, "be followed")
         return replace(bare, objects=objects, goal=self._whither(goal) if goal is not None else None)
 
-    def _whither(self, words: str) -> Referent:
+    def _whither(self, argument: Argument) -> Referent:
         """Where somebody leads the way to: who leads knows rooms and furniture, not where things lie."""
-        goal = self.referents.place(words)
+        goal = self.referents.place(argument)
         fixed = tuple(name for name in goal.candidates if not self.referents.is_thing(name))
         if not fixed:
+            what = repr(argument.value)
             raise ImpossibleGoalError(
-                f"{words!r} may lie anywhere, so nobody can lead the way to it; say a room or a piece of furniture"
+                f"{what} may lie anywhere, so nobody can lead the way to it; say a room or a piece of furniture"
             )
         return replace(goal, candidates=fixed)
 
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        recipient = task.value("recipient")
+        recipient = task.argument("recipient")
         people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
         return replace(bare, recipients=people, message=task.value("message"))
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""
         objects, places = self._objects(task, lambda name: True, f"be an object of {task.type}")
-        recipient, goal = task.value("recipient"), task.value("goal")
+        recipient, goal = task.argument("recipient"), task.argument("goal")
         return replace(
             bare,
             objects=objects,
@@ -352,13 +354,8 @@ class _Grounder:
         for argument in task.arguments:
             if argument.type != "object":
                 continue
-            said = argument.span.of(self.instruction.text) if argument.span is not None else ""
-            is_pronoun = not rooms and said.lower() != argument.value.lower()
-            for phrase in read_phrases(argument.value, self.domain):
-                referent = self.referents.referent(
-                    phrase, fits, ability, rooms=frozenset(rooms), is_place=False, is_pronoun=is_pronoun
-                )
-                objects.append(referent)
+            for phrase in self.referents.phrases(argument):
+                objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
         self._refuse_everything(task, objects, inner)
@@ -387,11 +384,11 @@ class _Grounder:
             if referent.is_all and len(referent.candidates) == len(self.house.things) and not has_place:
                 raise UnknownWordError(referent.phrase, expected="a thing, or everything at a place")
 
-    def _places(self, task: Task, *arguments: str) -> tuple[Referent, ...]:
+    def _places(self, task: Task, *names: str) -> tuple[Referent, ...]:
         """The referents of the places that these arguments name."""
         found: list[Referent] = []
-        for argument in arguments:
-            for words in task.values(argument):
-                if not self.wording.is_presence(words):
-                    found.extend(self.referents.where(phrase) for phrase in read_phrases(words, self.domain))
+        for name in names:
+            for argument in task.arguments:
+                if argument.type == name and not self.wording.is_presence(argument.value):
+                    found.extend(map(self.referents.where, self.referents.phrases(argument)))
         return tuple(found)

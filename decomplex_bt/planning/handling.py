@@ -50,11 +50,13 @@ class Handling(Looking):
 
         def has_arrived(name: str) -> bool:
             place = self.belief.place_of(name)
-            return place is not None and place != ROBOT and self._is_target(place, target)
+            return place is not None and place != ROBOT and any(self._is_end(end, place) for end in self._meant(target))
 
         found = self._found(has_arrived)
         if found is not None:
-            return self._done(found)
+            where = [self.belief.place_of(name) or "" for names in found.values() for name in names]
+            ends = [end for end in self._meant(target) if any(self._is_end(end, place) for place in where)]
+            return self._done({**found, target: ends})
         lost = [name for name in self._meant(target) if not self._is_located(name)]
         ends = [name for name in (*people, *places) if name not in lost and name not in self.house.things]
         if not ends and lost:
@@ -70,13 +72,11 @@ class Handling(Looking):
         assert problem is not None
         raise problem
 
-    def _is_target(self, place: str, target: Referent) -> bool:
-        for name in self._meant(target):
-            if place == name or (name in self.house.rooms and self.domain.room_of(place) == name):
-                return True
-            if name in self.house.things and self.belief.place_of(name) == place:
-                return True
-        return False
+    def _is_end(self, name: str, place: str) -> bool:
+        """Whether what lies at a place is at a goal: the place itself, a room it is in, a thing that lies there too."""
+        if name in self.house.rooms:
+            return self.domain.room_of(place) == name
+        return place in (name, self.belief.place_of(name) if name in self.house.things else None)
 
     def _landing(self, name: str) -> list[str]:
         """Where a thing is put for a goal: a place itself, in a room a surface that suits, beside a thing its place."""

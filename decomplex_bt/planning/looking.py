@@ -34,7 +34,7 @@ class Looking(Standing):
         raise NothingLeftError(self._why(f"{failures[0]!r} could not be inspected", self.wheres), truth=None)
 
     def _parts(self, name: str) -> tuple[str, ...]:
-        return places_of(Referent(name, (name,)), self.belief)
+        return places_of((name,), self.belief)
 
     def _look_through(self, *, may_be_partial: bool) -> Pursuit:
         """A search through the places that the task names; false when they were inspected in vain."""

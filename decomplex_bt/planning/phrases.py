@@ -9,6 +9,7 @@ from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import UnknownWordError
+from decomplex_bt.instruction import Argument
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
@@ -18,6 +19,7 @@ DEFINITE = frozenset("the my our your his her its their these those".split())
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
 _PICKS = frozenset("some any no none one either neither another".split())
 """Words that pick from what they stand before ("any of the books"): not all of them, and no certain one."""
+_OF_THEM = re.compile(r"\s+of (?:them|these|those)$")
 _HEDGES = _PICKS | frozenset(("a", "an", "more", "other"))
 
 
@@ -29,6 +31,7 @@ class NounPhrase:
     `count`: of how many it speaks; `is_definite`: of known ones ("the", "my"). `wanted`: state pairs and values that
     its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the words of its noun.
     `choices`: what it chooses among ("the tv or the radio"), any of which will do; it begins with the first.
+    `is_pronoun`: whether it stands for a pronoun, which means what the same words meant before.
     """
 
     text: str
@@ -42,6 +45,12 @@ class NounPhrase:
     place: NounPhrase | None = None
     noun: str = ""
     choices: tuple[NounPhrase, ...] = ()
+    is_pronoun: bool = False
+
+    @property
+    def is_of_several(self) -> bool:
+        """Whether it speaks of more than one ("both mugs", "the mugs", "two mugs")."""
+        return self.is_all or self.count > 1 or (self.is_definite and bool(self.plurals))
 
 
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
@@ -50,6 +59,28 @@ def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
     Raises `UnknownWordError`, naming the part and the nearest known words.
     """
     return _read_phrases(_normal(text), domain, text)
+
+
+def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPhrase, ...]:
+    """The noun phrases of an argument in a text; a pronoun has its own preposition ("under it") and may pick some of
+    what it stands for ("both mugs ... one").
+
+    Raises `UnknownWordError`, as `read_phrases` does.
+    """
+    phrases = read_phrases(argument.value, domain)
+    preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
+    if said == split_preposition(argument.value, domain)[1]:
+        return phrases
+    phrases = tuple(replace(p, preposition=p.preposition or preposition, is_pronoun=True) for p in phrases)
+    picked = _OF_THEM.sub("", said).split()
+    number = _number(picked, domain)
+    if not picked or not (number is not None or _PICKS.issuperset(picked)):
+        return phrases
+    if len(phrases) == 1 and (not phrases[0].is_of_several or phrases[0].count == number):
+        return phrases
+    words = f"{' '.join(picked)} of {argument.value}"
+    choices = phrases if len(phrases) > 1 else ()
+    return (replace(phrases[0], text=words, is_all=False, is_definite=False, count=number or 1, choices=choices),)
 
 
 def read_state(text: str, pairs: Iterable[str], domain: Domain) -> tuple[str, str] | None:

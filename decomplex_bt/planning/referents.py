@@ -10,27 +10,31 @@ from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.ground_task import Referent
-from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_phrases, split_preposition
+from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_argument, split_preposition
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
 Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
 
 
 class Referents:
-    """The referents of phrases in the order of the text: rooms named on the way tell ambiguous places apart, and a
+    """The referents of a text's phrases in their order: rooms named on the way tell ambiguous places apart, and a
     definite phrase takes up an earlier one.
 
     Raises `UnknownWordError` for what names nothing here, `ImpossibleGoalError` for what cannot be what it has to be.
     """
 
-    def __init__(self, domain: Domain) -> None:
-        self._domain, self._house = domain, domain.house
+    def __init__(self, text: str, domain: Domain) -> None:
+        self._text, self._domain, self._house = text, domain, domain.house
         self._rooms_meant: tuple[str, ...] = ()  # of the place named last, where its words leave no doubt
         self._mentioned: dict[Key, Referent] = {}
         self._named: dict[str, Referent] = {}  # by its words, the last one
         self._container: str | None = None  # with a door of its own, where it was named last of all places
+
+    def phrases(self, argument: Argument) -> tuple[NounPhrase, ...]:
+        return read_argument(argument, self._text, self._domain)
 
     def where(self, phrase: NounPhrase) -> Referent:
         """Where something is looked for: on or in a place, beside a thing or with a person."""
@@ -46,9 +50,10 @@ class Referents:
             return referent
         raise ImpossibleGoalError(f"nothing can lie in {phrase.text!r} here")
 
-    def goal_place(self, words: str) -> Referent:
+    def goal_place(self, argument: Argument) -> Referent:
         """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
-        phrase, *others = read_phrases(words, self._domain)
+        words = argument.value
+        phrase, *others = self.phrases(argument)
         if others:
             raise ImpossibleGoalError(f"a thing ends up in one place, not {words!r}; say which, or which thing where")
         referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
@@ -61,13 +66,13 @@ class Referents:
             raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
         return fit
 
-    def place(self, words: str, *, people: bool = False) -> Referent:
+    def place(self, argument: Argument, *, people: bool = False) -> Referent:
         """Where the robot goes: a room, a place, a door, a person or what lies there; to several places one by one."""
 
         def fits(name: str) -> bool:
             return people or not self.is_person(name)
 
-        phrases = read_phrases(words, self._domain)
+        words, phrases = argument.value, self.phrases(argument)
         first, *others = [self.referent(phrase, fits, "be gone to", is_place=True) for phrase in phrases]
         if not others:
             return first
@@ -76,21 +81,21 @@ class Referents:
             raise ImpossibleGoalError(f"{words!r} leaves open where to go; say one place after the other")
         return Referent(split_preposition(words, self._domain)[1], names, is_all=True)
 
-    def elsewhere(self, words: str) -> Referent:
+    def elsewhere(self, argument: Argument) -> Referent:
         """Anywhere but the room that is left, the rooms next to it first.
 
         What there is one of in every room ("the rug") is the likeliest of them.
         """
-        places = self.place(words).candidates
+        places = self.place(argument).candidates
         left = {self.room(name) for name in places}
         if left.issuperset(self._house.rooms):
             left = {self.room(places[0])}
         next_to = [room for d in self._house.doorways.values() if left & set(d.rooms) for room in d.rooms]
         rooms = tuple(room for room in dict.fromkeys([*next_to, *self._house.rooms]) if room not in left)
-        return Referent(f"out of {split_preposition(words, self._domain)[1]}", rooms)
+        return Referent(f"out of {split_preposition(argument.value, self._domain)[1]}", rooms)
 
-    def people(self, words: str, ability: str) -> tuple[Referent, ...]:
-        phrases = read_phrases(words, self._domain)
+    def people(self, argument: Argument, ability: str) -> tuple[Referent, ...]:
+        phrases = self.phrases(argument)
         return tuple(self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases)
 
     def referent(
@@ -101,14 +106,12 @@ class Referents:
         *,
         rooms: frozenset[str] = frozenset(),
         is_place: bool,
-        is_pronoun: bool = False,
     ) -> Referent:
-        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does.
-
-        `is_pronoun`: whether the phrase stands for a pronoun, which means what the same words meant before, wherever
-        the robot has been sent meanwhile.
+        """The referent of a noun phrase: of what it names, what fits; of a pronoun what the same words meant before,
+        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits.
         """
         words = split_preposition(phrase.text, self._domain)[1]
+        is_pronoun = phrase.is_pronoun and not rooms
         if is_pronoun and (before := self._named.get(words)) is not None and all(map(fits, before.candidates)):
             return before
         if self._container is not None and self._is_bare_part(phrase, words):

@@ -74,6 +74,36 @@ def test_a_phrase_asks_for_any_or_for_a_certain_one(phrase: str, is_any: bool) -
     assert task.places[0].is_any is is_any
 
 
+@pytest.mark.parametrize(
+    ("said", "meant", "candidates", "count"),
+    [
+        ("one", "all the windows", WINDOWS, 1),
+        ("two of them", "the windows", WINDOWS, 2),
+        ("either of them", "both mugs", MUGS, 1),
+        ("one of them", "the tv and the radio", ("tv", "radio"), 1),
+        ("two", "two pens", PENS, 2),
+        ("one", "a pen", PENS, 1),
+    ],
+)
+def test_a_pronoun_may_pick_some_of_what_it_stands_for(
+    said: str, meant: str, candidates: tuple[str, ...], count: int
+) -> None:
+    task = first(f"[Look](1:searching) [at {said}](1:location={meant})")
+    assert [(r.candidates, r.is_all, r.count) for r in task.places] == [(candidates, False, count)]
+
+
+def test_a_pronoun_keeps_its_own_preposition() -> None:
+    task = first("[Put](1:placing) [the ball](1:object) [under it](1:goal=the couch)")
+    assert task.goal is not None
+    assert task.goal.candidates == ("living_room_floor",)
+
+
+def test_a_pronoun_means_the_place_meant_before_wherever_the_robot_is_sent() -> None:
+    close = "[Close](1:change_state) [the drawer](1:object) [in the kitchen](1:location), "
+    text = close + "[go](2:motion) [to the study](2:goal), [look](3:searching) [into it](3:location=the drawer)"
+    assert grounded(text, 3).tasks[2].places[0].candidates == ("drawer",)
+
+
 def test_alternatives_may_be_one_or_several_of_a_kind() -> None:
     task = first("[Open](1:change_state) [the windows or the front door](1:object)")
     assert set(task.objects[0].candidates) == {*WINDOWS, "front_door"}
