@@ -15,7 +15,7 @@ from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
 from decomplex_bt.planning.exclusions import excluded_phrase, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.phrases import read_phrases, read_state
+from decomplex_bt.planning.phrases import read_phrases, read_state, rooms_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -306,9 +306,7 @@ class _Grounder:
         def has_state(name: str) -> bool:
             return name not in self.house.rooms and bool(pairs & set(self._states(name)))
 
-        rooms = {
-            room for place in places for name in place.candidates if (room := self.referents.room(name)) is not None
-        }
+        rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
         label = f"be {state or words}"
         return self._objects(task, has_state, label, rooms=rooms)
 

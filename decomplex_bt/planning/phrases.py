@@ -8,12 +8,14 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import UnknownWordError
+from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Argument
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
 _CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
+_DESCRIBING = frozenset(("with", "for"))
+"""Prepositions that tell one from another by what it has or is for, and not by where it is."""
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
@@ -56,7 +58,8 @@ class NounPhrase:
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
     """The noun phrases of an argument: one for each part of a coordination.
 
-    Raises `UnknownWordError`, naming the part and the nearest known words.
+    Raises `UnknownWordError`, naming the part and the nearest known words, and `ImpossibleGoalError` for what is fixed
+    and is not at the place inside its phrase ("the window in the study").
     """
     return _read_phrases(_normal(text), domain, text)
 
@@ -65,7 +68,7 @@ def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPh
     """The noun phrases of an argument in a text; a pronoun has its own preposition ("under it") and may pick some of
     what it stands for ("both mugs ... one").
 
-    Raises `UnknownWordError`, as `read_phrases` does.
+    Raises what `read_phrases` does.
     """
     phrases = read_phrases(argument.value, domain)
     preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
@@ -106,6 +109,24 @@ def split_preposition(text: str, domain: Domain) -> tuple[str, str]:
         if preposition in domain.lexicon.beside:
             found = preposition
     return found, words
+
+
+def rooms_of(name: str, domain: Domain) -> tuple[str, ...]:
+    """The rooms of something fixed (a door has two); empty for what can be anywhere."""
+    doorway = domain.house.doorways.get(name)
+    if doorway is not None:
+        return doorway.rooms
+    room = domain.room_of(name)
+    return () if room is None else (room,)
+
+
+def nothing_there(words: str, names: Iterable[str], rooms: Iterable[str], domain: Domain) -> ImpossibleGoalError:
+    """The error for something fixed that is not where it is said to be."""
+    said, known = (
+        " or ".join(sorted(f"the {room.replace('_', ' ')}" for room in group))
+        for group in (rooms, {room for name in names for room in rooms_of(name, domain)})
+    )
+    return ImpossibleGoalError(f"{words!r} names nothing in {said}, only in {known}")
 
 
 @lru_cache(maxsize=32)
@@ -327,26 +348,18 @@ def _inside(head: NounPhrase, place: NounPhrase, domain: Domain) -> NounPhrase:
         name for name in names if _part_of(name, domain) in named or name in {_part_of(n, domain) for n in named}
     )
     if not there:
-        there = frozenset(
-            name for name in names if not rooms or not _rooms(name, domain) or rooms & _rooms(name, domain)
-        )
+        there = frozenset(n for n in names if not rooms or not rooms_of(n, domain) or rooms & {*rooms_of(n, domain)})
+    is_next_door = place.preposition in domain.lexicon.beside and named <= set(domain.house.rooms)
+    if not there and (is_next_door or place.preposition in _DESCRIBING):
+        return head  # "the room next to the kitchen", "the cupboard with the glass door"
     if not there:
-        return head
+        raise nothing_there(head.text, names, rooms, domain)
     return replace(
         head,
         entities=tuple(name for name in head.entities if name in there),
         plurals=tuple(name for name in head.plurals if name in there),
         place=place,
     )
-
-
-def _rooms(name: str, domain: Domain) -> frozenset[str]:
-    """The rooms of something fixed (a door has two); empty for what can be anywhere."""
-    doorway = domain.house.doorways.get(name)
-    if doorway is not None:
-        return frozenset(doorway.rooms)
-    room = domain.room_of(name)
-    return frozenset() if room is None else frozenset((room,))
 
 
 def _part_of(name: str, domain: Domain) -> str | None:

@@ -13,7 +13,14 @@ from decomplex_bt.errors import ImpossibleGoalError
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.ground_task import Referent
-from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_argument, split_preposition
+from decomplex_bt.planning.phrases import (
+    DEFINITE,
+    NounPhrase,
+    nothing_there,
+    read_argument,
+    rooms_of,
+    split_preposition,
+)
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
 Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
@@ -126,7 +133,10 @@ class Referents:
                 f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
             )
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
-        names = self._in_context(names, rooms, is_all)
+        if rooms:
+            names = self._in_rooms(names, rooms, words)
+        elif not is_all:
+            names = self._in_context(names)
         if phrase.count > len(names):
             raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
         if is_place or all(self.is_fixed(name) for name in names):
@@ -153,15 +163,18 @@ class Referents:
         first = self._mentioned.setdefault(_key(referent), referent)
         return first if first.is_all == referent.is_all else referent
 
-    def _in_context(self, names: tuple[str, ...], rooms: frozenset[str], is_all: bool) -> tuple[str, ...]:
-        """Of fixed candidates those in the rooms that are said, else in the room in question, if there are any."""
-        if len(names) == 1 or not all(self.is_fixed(name) for name in names):
+    def _in_rooms(self, names: tuple[str, ...], rooms: frozenset[str], words: str) -> tuple[str, ...]:
+        """Of fixed candidates those in the rooms that are said."""
+        there = tuple(name for name in names if not self.is_fixed(name) or rooms & {*self._rooms(name)})
+        if not there:
+            raise nothing_there(words, names, rooms, self._domain)
+        return there
+
+    def _in_context(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Of fixed candidates those in the room in question, if there are any."""
+        if not all(map(self.is_fixed, names)):
             return names
-        for wanted in (rooms, () if is_all else self._rooms_meant):
-            there = tuple(name for name in names if set(wanted) & set(self._rooms(name)))
-            if there:
-                return there
-        return names
+        return tuple(name for name in names if set(self._rooms_meant) & set(self._rooms(name))) or names
 
     def _remember(self, names: tuple[str, ...]) -> None:
         rooms = tuple(sorted({room for name in names for room in self._rooms(name)}))
@@ -171,11 +184,7 @@ class Referents:
         self._container = only if only is not None and self._domain.kind(only).has_door else None
 
     def _rooms(self, name: str) -> tuple[str, ...]:
-        doorway = self._house.doorways.get(name)
-        if doorway is not None:
-            return doorway.rooms
-        room = self.room(name)
-        return (room,) if room is not None else ()
+        return rooms_of(name, self._domain)
 
     def room(self, name: str) -> str | None:
         return self._domain.room_of(name)
