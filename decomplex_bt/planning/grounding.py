@@ -13,7 +13,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
-from decomplex_bt.planning.exclusions import excluded_phrase, without_exclusion
+from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.phrases import read_phrases, read_state, rooms_of
 from decomplex_bt.planning.referents import Referents
@@ -62,7 +62,7 @@ class _Grounder:
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
-        task, left_out = without_exclusion(self.instruction, task)
+        task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
@@ -76,7 +76,14 @@ class _Grounder:
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
-        return grounded if left_out is None else self._less(grounded, task, left_out)
+        if left_out is None:
+            return grounded
+        try:
+            return self._less(grounded, task, left_out.words)
+        except InputError:
+            if not left_out.is_aside:
+                raise
+            return grounded
 
     def mention(self, task: Task) -> GroundTask:
         """A task that speaks of another again and is not executed: without what it says where that is not enough for a
@@ -364,17 +371,24 @@ class _Grounder:
         noun = read_phrases(task.values("object")[0], self.domain)[0].noun
         words = excluded_phrase(left_out, noun, self.domain.lexicon.prepositions)
         phrases = read_phrases(words, self.domain)
-        if any(phrase.wanted or phrase.place for phrase in phrases) and self.referents.may_move(grounded.objects):
+        wanted = {pair: self.domain.kinds.opposite(value) for phrase in phrases for pair, value in phrase.wanted}
+        is_told_by_state = len(wanted) == len(phrases) == 1 and not any(o.is_all for o in grounded.objects)
+        if any(phrase.place for phrase in phrases) and not self.referents.may_move(grounded.objects):
+            wanted = {}
+        elif any(phrase.place for phrase in phrases) or (wanted and not is_told_by_state):
             raise ImpossibleGoalError(
                 f"which ones {left_out!r} leaves out cannot be known beforehand; say them by name"
             )
-        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals)}
-        objects = tuple(self.referents.narrowed(o, lambda name: name not in names) for o in grounded.objects)
-        if None in objects:
-            raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
-        return replace(
-            grounded, objects=tuple(replace(o, is_all=o.is_all and len(o.candidates) > 1) for o in objects if o)
-        )
+        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals) if not wanted}
+        objects = []
+        for referent in grounded.objects:
+            fit = self.referents.narrowed(referent, lambda name: name not in names)
+            if fit is None:
+                raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
+            fit = replace(fit, is_all=fit.is_all and len(fit.candidates) > 1, where=(*fit.where, *wanted.items()))
+            self.referents.settle(referent, fit)
+            objects.append(fit)
+        return replace(grounded, objects=tuple(objects))
 
     def _refuse_everything(self, task: Task, objects: list[Referent], inner: list[Referent]) -> None:
         for referent in objects:

@@ -198,6 +198,11 @@ class Referents:
             return (piece.part_of,)
         return tuple(self._house.floor_of(room) for room in self._rooms(name))
 
+    def settle(self, referent: Referent, meant: Referent) -> None:
+        """What takes up a referent again from now on takes up what has become of it."""
+        self._mentioned.update({key: meant for key, value in self._mentioned.items() if value == referent})
+        self._named.update({words: meant for words, value in self._named.items() if value == referent})
+
     def narrowed(self, referent: Referent, fits: Callable[[str], bool]) -> Referent | None:
         names = tuple(name for name in referent.candidates if fits(name))
         return replace(referent, candidates=names) if names else None
