@@ -15,7 +15,7 @@ from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.phrases import read_phrases, read_state, rooms_of
+from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -58,6 +58,7 @@ class _Grounder:
     def __init__(self, instruction: Instruction, domain: Domain, ask: Ask | None) -> None:
         self.instruction, self.domain, self.ask = instruction, domain, ask
         self.house = domain.house
+        self.mentions = {n.task: [instruction.task(i) for i in n.tasks[1:]] for n, _ in instruction.flow.walk()}
         self.wording, self.referents = Wording(instruction, domain), Referents(instruction.text, domain)
 
     def ground(self, task: Task) -> GroundTask:
@@ -66,6 +67,9 @@ class _Grounder:
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
+        # nothing is put onto itself: "pick up the ball and drop it" does not say where
+        is_circle = [a.type == "goal" and a.span is None and a.value in task.values("object") for a in task.arguments]
+        task = replace(task, arguments=tuple(a for a, c in zip(task.arguments, is_circle, strict=True) if not c))
         sense = self.wording.sense(task)
         state = sense.state if sense is not None and task.type == "change_state" else None
         if sense is not None and sense.goal is not None and task.value("goal") is None:
@@ -169,6 +173,10 @@ class _Grounder:
         words, where = task.value("state"), task.value("location")
         if where is not None and self.wording.is_presence(where):
             where, words = None, words or (None if self.wording.is_state(task) else where)
+        if words is not None and self.wording.has_possession_verb(task) and self._asks_who_has(task, words):
+            raise ImpossibleGoalError(
+                f"who has a thing cannot be asked here ({bare.phrase!r}); ask whether it is with them or somewhere"
+            )
         is_bare = words is None and (where is None or self.wording.is_state(task))
         if is_bare and not self.wording.has_presence_verb(task):
             # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
@@ -200,6 +208,11 @@ class _Grounder:
         if self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text)):
             return all(map(self.referents.is_person, self._named(task)))
         return words is not None and self.wording.is_absence(words) and not self._is_state_of_objects(task, words)
+
+    def _asks_who_has(self, task: Task, words: str) -> bool:
+        people = self._named(task)
+        is_whereabouts = self.wording.is_presence(words) or self.wording.is_absence(words)
+        return bool(people) and all(map(self.referents.is_person, people)) and not is_whereabouts
 
     def _is_state_of_objects(self, task: Task, words: str) -> bool:
         """Whether words that may say presence or absence are a state that an object can be in."""
@@ -259,6 +272,7 @@ class _Grounder:
         task_type = self.domain.ontology.task_types[task.type]
         missing = {m.argument for m in self.instruction.missing if m.task == task.id}
         task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in missing))
+        task = self._with_mentions(task)
         given = {argument.type for argument in task.arguments}
         if task.type in ("bringing", "informing"):
             given.add("recipient")
@@ -273,6 +287,21 @@ class _Grounder:
             if not given & set(group):
                 answer = self._answer(task, group[0], task_type.questions[group[0]])
                 task = replace(task, arguments=(*task.arguments, Argument(group[0], answer)))
+        return task
+
+    def _with_mentions(self, task: Task) -> Task:
+        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …")."""
+        if task.type != "check_state" or not self.wording.is_bare_check(task):
+            return task
+        for mention in self.mentions.get(task.id, ()):
+            word = Argument("state", mention.span.of(self.instruction.text)) if self.wording.is_state(mention) else None
+            state = mention.argument("state") or word
+            if state is not None and task.argument("state", "location") is None:
+                task = replace(task, arguments=(*task.arguments, state))
+            said = mention.argument("object")
+            is_same = said is not None and task.values("object") == (said.value,)
+            if said is not None and is_same and picked_words(said, self.instruction.text, self.domain):
+                task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
         return task
 
     def _answer(self, task: Task, argument: str, question: str) -> str:

@@ -59,6 +59,8 @@ class Handling(Looking):
             return self._done({**found, target: ends})
         lost = [name for name in self._meant(target) if not self._is_located(name)]
         ends = [name for name in (*people, *places) if name not in lost and name not in self.house.things]
+        if all(name in self._floors() for name in ends):
+            ends.sort(key=self._distance)  # one floor is as good as another
         if not ends and lost:
             return self._look_for_people(target, lost)
         if not ends:
@@ -71,6 +73,9 @@ class Handling(Looking):
                 problem = error
         assert problem is not None
         raise problem
+
+    def _floors(self) -> frozenset[str]:
+        return frozenset(self.house.floor_of(room) for room in self.house.rooms)
 
     def _is_end(self, name: str, place: str) -> bool:
         """Whether what lies at a place is at a goal: the place itself, a room it is in, a thing that lies there too."""

@@ -20,6 +20,8 @@ _DESCRIBING = frozenset(("with", "for"))
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
+_AT_LEAST = re.compile(r"\b(?:at least|no fewer than|no less than)\s+")
+_MORE_THAN = re.compile(r"\bmore than (\w+)\b")
 _PICKS = frozenset("some any no none one either neither another".split())
 """Words that pick from what they stand before ("any of the books"): not all of them, and no certain one."""
 _OF_THEM = re.compile(r"\s+of (?:them|these|those)$")
@@ -76,15 +78,22 @@ def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPh
     if said == split_preposition(argument.value, domain)[1]:
         return phrases
     phrases = tuple(replace(p, preposition=p.preposition or preposition, is_pronoun=True) for p in phrases)
-    picked = _OF_THEM.sub("", said).split()
-    number = _number(picked, domain)
-    if not picked or not (number is not None or _PICKS.issuperset(picked)):
+    picked = picked_words(argument, text, domain)
+    if not picked:
         return phrases
+    number = _number(picked, domain)
     if len(phrases) == 1 and (not phrases[0].is_of_several or phrases[0].count == number):
         return phrases
     words = f"{' '.join(picked)} of {argument.value}"
     choices = phrases if len(phrases) > 1 else ()
     return (replace(phrases[0], text=words, is_all=False, is_definite=False, count=number or 1, choices=choices),)
+
+
+def picked_words(argument: Argument, text: str, domain: Domain) -> list[str]:
+    """The words by which a pronoun of a text picks some of what it stands for ("one", "any of them"); else none."""
+    said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)[1]
+    words = _OF_THEM.sub("", said).split()
+    return words if _number(words, domain) is not None or _PICKS.issuperset(words) else []
 
 
 def read_state(text: str, pairs: Iterable[str], domain: Domain) -> tuple[str, str] | None:
@@ -154,6 +163,7 @@ def _normal(text: str) -> str:
 
 
 def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ...]:
+    words = _MORE_THAN.sub(lambda match: _one_more(match[1], domain), _AT_LEAST.sub("", words))
     preposition, rest = split_preposition(words, domain)
     rest, clause = _CLAUSE.sub("", rest), _BEING.search(rest)
     parts = [part.strip() for part in _JOINT.split(rest) if part and part.strip()]
@@ -324,6 +334,12 @@ def _number(words: list[str], domain: Domain) -> int | None:
         if domain.lexicon.measures.get(word, 1) > 1:
             return domain.lexicon.measures[word]
     return None
+
+
+def _one_more(number: str, domain: Domain) -> str:
+    """What "more than one" is at least; the words as they are where it is no number."""
+    count = int(number) if number.isdigit() else domain.lexicon.measures.get(number)
+    return f"more than {number}" if count is None else str(count + 1)
 
 
 def _room_at(words: list[str], start: int, domain: Domain) -> tuple[str | None, int]:

@@ -161,7 +161,7 @@ class Referents:
     def _same(self, referent: Referent) -> Referent:
         """The referent that a definite phrase takes up again ("a pen ... the pen"), or itself."""
         first = self._mentioned.setdefault(_key(referent), referent)
-        return first if first.is_all == referent.is_all else referent
+        return first if (first.is_all, first.count) == (referent.is_all, referent.count) else referent
 
     def _in_rooms(self, names: tuple[str, ...], rooms: frozenset[str], words: str) -> tuple[str, ...]:
         """Of fixed candidates those in the rooms that are said."""

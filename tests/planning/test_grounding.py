@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
+from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.ground_task import HERE
 from decomplex_bt.planning.grounding import GroundInstruction, GroundTask, ground
 
@@ -121,6 +123,46 @@ def test_what_is_fixed_elsewhere_is_refused(text: str) -> None:
 def test_what_tells_one_from_another_is_no_place_it_must_be_in() -> None:
     task = first("[Open](1:change_state) [the cupboard with the bathroom door](1:object)")
     assert "cupboard" in task.objects[0].candidates
+
+
+@pytest.mark.parametrize(
+    ("phrase", "count"),
+    [("at least one pen", 1), ("at least two pens", 2), ("more than one pen", 2), ("either pen", 1)],
+)
+def test_a_quantity_is_read(phrase: str, count: int) -> None:
+    (pens,) = first(f"[Bring](1:bringing) [me](1:recipient) [{phrase}](1:object)").objects
+    assert (pens.candidates, pens.count, pens.is_all) == (PENS, count, False)
+
+
+@pytest.mark.parametrize(
+    "text", ["[Drop](1:placing) [the ball](1:object)", "[Let](1:placing) go [of it](1:object=the ball)"]
+)
+def test_what_is_dropped_lands_on_the_floor(text: str) -> None:
+    task = first(text)
+    assert task.goal is not None
+    assert set(task.goal.candidates) == {DOMAIN.house.floor_of(room) for room in DOMAIN.house.rooms}
+
+
+def test_nothing_is_put_onto_itself() -> None:
+    instruction = read_markup("[Put](1:placing) [the pen](1:object) down", DOMAIN.ontology, flow=[1])
+    circle = replace(instruction.tasks[0], arguments=(*instruction.tasks[0].arguments, Argument("goal", "the pen")))
+    with pytest.raises(MissingArgumentError):
+        ground(replace(instruction, tasks=(circle,)), DOMAIN)
+
+
+def test_a_bare_check_asks_what_its_mention_says() -> None:
+    text = (
+        "[Check](1:check_state) [the windows](1:object). If [any of them](2:object=the windows) "
+        "[is](2:check_state) [open](2:state), [tell](3:informing) [me](3:recipient)."
+    )
+    instruction = read_markup(text, DOMAIN.ontology, flow=[{"if": [1, 2], "then": [3]}])
+    check = ground(instruction, DOMAIN).tasks[0]
+    assert (check.state, check.objects[0].is_any) == ("open", True)
+
+
+def test_who_has_a_thing_cannot_be_asked() -> None:
+    with pytest.raises(ImpossibleGoalError, match="who has a thing cannot be asked"):
+        first("if [Tom](1:object) [has](1:check_state) [the keys](1:state)")
 
 
 def test_alternatives_may_be_one_or_several_of_a_kind() -> None:
