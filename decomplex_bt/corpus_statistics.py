@@ -13,7 +13,7 @@ from typing import Any
 from decomplex_bt.corpus import VOICES_FILE, Example, read_corpus, read_voices
 from decomplex_bt.corpus_structures import COMPLEX, STRUCTURES
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import DataFileError, UnknownWordError
+from decomplex_bt.errors import DataFileError, ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.phrases import read_phrases, split_preposition
 
@@ -207,6 +207,8 @@ class _Words:
             read_phrases(phrase, self._domain)
         except UnknownWordError:
             return False
+        except ImpossibleGoalError:
+            return True  # its words are known, whatever they ask for
         return True
 
     def _heads(self, phrase: str) -> Iterable[str]:

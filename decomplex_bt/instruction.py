@@ -56,6 +56,10 @@ class Task:
         """The value of the first argument of this type, or None."""
         return next(iter(self.values(argument_type)), None)
 
+    def argument(self, *types: str) -> Argument | None:
+        """The first argument of the first of these types that there is, or None."""
+        return next((argument for name in types for argument in self.arguments if argument.type == name), None)
+
 
 @dataclass(frozen=True, slots=True)
 class Missing:

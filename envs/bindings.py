@@ -34,7 +34,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                 and all(truth.state(name, pair) == value for pair, value in referent.where)
             )
             if referent.is_all and referent in task.objects and task.places:
-                wheres = [where for place in task.places for where in place.candidates]
+                wheres = [where for place in task.places for where in candidates(place, bindings)]
                 named[referent] = tuple(
                     name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
                 )

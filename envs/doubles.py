@@ -58,8 +58,10 @@ class HandWorld:
         return place in self.inspected
 
 
-def referent(*candidates: str, phrase: str = "", is_all: bool = False, count: int = 1) -> Referent:
-    return Referent(phrase or "the " + candidates[0], candidates, is_all, count)
+def referent(
+    *candidates: str, phrase: str = "", is_all: bool = False, count: int = 1, is_any: bool = False
+) -> Referent:
+    return Referent(phrase or "the " + candidates[0], candidates, is_all, count, is_any=is_any)
 
 
 def task(
@@ -68,10 +70,11 @@ def task(
     *objects: Named,
     at: Iterable[Named] = (),
     goal: Named | None = None,
-    recipient: Named | None = None,
+    recipient: Named | Iterable[Named] = (),
     state: str | None = None,
 ) -> GroundTask:
     """A grounded task; a plain name stands for a phrase that means this one thing, `at` are the places."""
+    recipients = (recipient,) if isinstance(recipient, (Referent, str)) else recipient
     return GroundTask(
         number,
         kind,
@@ -79,7 +82,7 @@ def task(
         objects=tuple(_referent(name) for name in objects),
         places=tuple(_referent(name) for name in at),
         goal=None if goal is None else _referent(goal),
-        recipient=None if recipient is None else _referent(recipient),
+        recipients=tuple(_referent(name) for name in recipients),
         state=state,
     )
 

@@ -97,9 +97,8 @@ def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
         yield from (("place", place) for place in task.places)
         return
     yield from (("object", referent) for referent in task.objects)
-    if task.recipient is not None:
-        yield "recipient", task.recipient
-    elif task.goal is not None:
+    yield from (("recipient", referent) for referent in task.recipients)
+    if task.goal is not None and not task.recipients:
         yield "goal", task.goal
 
 
@@ -277,8 +276,7 @@ class Assumed:
     def after(self, task: GroundTask, bindings: Bindings) -> Assumed:
         """The world once a task is done with the first of what its phrases mean."""
         things = [name for referent in task.objects for name in candidates(referent, bindings)]
-        target = task.recipient or task.goal
-        where = candidates(target, bindings)[0] if target is not None else None
+        where = candidates(task.target, bindings)[0] if task.target is not None else None
         if task.type == "taking":
             return self._moved(things, ROBOT)
         if task.type in ("placing", "bringing") and where is not None:

@@ -72,7 +72,7 @@ def _names(referents: Iterable[Referent], bindings: Bindings) -> tuple[str, ...]
 
 def _is_goal(target: str, task: GroundTask, bindings: Bindings, domain: Domain) -> bool:
     """Whether a place is where the task wants its things: the goal, or a place in a room that is the goal."""
-    goals = _names([r for r in (task.goal, task.recipient) if r is not None], bindings)
+    goals = _names([*((task.goal,) if task.goal is not None else ()), *task.recipients], bindings)
     return any(goal == target or goal == domain.room_of(target) or goal in domain.house.things for goal in goals)
 
 

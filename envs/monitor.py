@@ -321,7 +321,7 @@ class Monitor:
     def _brought_about(self, task: GroundTask, event: Event, before: Mapping[int, bool]) -> bool:
         if task.type == "informing":
             is_said = event.interaction is Interaction.SAY and event.goal is None
-            return is_said and task.recipient is not None and event.target in task.recipient.candidates
+            return is_said and any(event.target in referent.candidates for referent in task.recipients)
         return self._holds[task.number] and not before[task.number]
 
     def _arrived(self, task: GroundTask, before: Mapping[int, bool]) -> bool:

@@ -16,9 +16,6 @@ from decomplex_bt.envs.evidence import Evidence
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
-INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
-"""First words of a phrase that asks whether there is one, not about a certain one."""
-
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -53,7 +50,7 @@ def goal_holds(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool
 
 
 def _motion(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    target = task.goal or task.recipient
+    target = task.target
     if target is None:
         yield Outcome(True, bindings)
         return
@@ -63,7 +60,7 @@ def _motion(task: GroundTask, bindings: Bindings, evidence: Evidence, is_conditi
     def is_reached(name: str) -> bool:
         return _is_robot_at(evidence, name) or (has_many and evidence.was_visited(name.removesuffix("_floor")))
 
-    yield from _reached(target, bindings, is_reached)
+    yield from _done(_choose((target,), bindings, is_reached))
 
 
 def _taking(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
@@ -72,7 +69,7 @@ def _taking(task: GroundTask, bindings: Bindings, evidence: Evidence, is_conditi
 
 def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
     """Placing and bringing: the things are at the goal, or with the recipient, and no longer on the robot."""
-    target = task.recipient or task.goal
+    target = task.target
     assert target is not None
     places = candidates(target, bindings)
     for place in places:
@@ -106,14 +103,14 @@ def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
 
 
 def _informing(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    if task.recipient is not None:
-        yield from _reached(task.recipient, bindings, evidence.was_told)
+    yield from _done(_choose(task.recipients, bindings, evidence.was_told))
 
 
 def _by_template(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
     """A task type of a domain of one's own: done when the atoms of its goal template hold, for any candidates."""
-    named = {"object": task.objects[0] if task.objects else None, "goal": task.goal, "recipient": task.recipient}
-    referents = {role: referent for role, referent in named.items() if referent is not None}
+    goals = (task.goal,) if task.goal is not None else ()
+    named = {"object": task.objects, "goal": goals, "recipient": task.recipients}
+    referents = {role: group[0] for role, group in named.items() if group}
     options = [candidates(referent, bindings) for referent in referents.values()]
     for choice in product(*options):
         roles = dict(zip(referents, choice, strict=True)) | ({"state": task.state} if task.state else {})
@@ -217,7 +214,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     def is_so(name: str) -> bool:
         return state_holds(evidence, name, task.state)
 
-    asks_any = all(is_indefinite(referent) for referent in task.objects)
+    asks_any = all(referent.is_any for referent in task.objects)
     if task.places and asks_any and not any(_those_there(task, r, bindings, evidence) for r in task.objects):
         yield from _presence(task, bindings, evidence)
         return
@@ -228,7 +225,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
         among = candidates(referent, bindings)
         looked_at = tuple(name for name in among if evidence.was_seen(name))
         failing = tuple(name for name in looked_at if not is_so(name))
-        if referent.is_all or is_indefinite(referent):
+        if referent.is_all or referent.is_any:
             spare = len(among) - needed(referent, among)
             if len(failing) > spare >= 0:
                 yield Outcome(False, bindings)
@@ -264,12 +261,6 @@ def state_holds(evidence: Evidence, name: str, value: str | None) -> bool:
     return evidence.truth.state(name, pair) == value
 
 
-def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, or any so many, not for a certain one."""
-    is_any_number = referent.count > 1 and not referent.is_all
-    return is_any_number or referent.phrase.lower().split(" ", 1)[0] in INDEFINITE
-
-
 def _done(outcome: Outcome | None) -> Iterator[Outcome]:
     if outcome is not None:
         yield outcome
@@ -286,10 +277,6 @@ def _choose(referents: Iterable[Referent], bindings: Bindings, is_ok: Callable[[
         bound[referent] = chosen
         is_final &= len(chosen) == len(among)
     return Outcome(True, bound, is_final)
-
-
-def _reached(target: Referent, bindings: Bindings, is_ok: Callable[[str], bool]) -> Iterator[Outcome]:
-    yield from _done(_choose((target,), bindings, is_ok))
 
 
 def _is_robot_at(evidence: Evidence, name: str) -> bool:

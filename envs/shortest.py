@@ -92,16 +92,18 @@ class ShortestPath:
         if task.type in FINDING_OUT:
             yield from self._finding_out(task, bindings)
             return
-        target = task.recipient or task.goal
         if task.type == "change_state":
             for name in _names(task.objects, bindings):
                 yield from self._change(name, task.state)
             return
         for group in _groups(task.objects, bindings):
             yield from self._fetch(group, task.type)
-        if target is not None and task.type != "taking":
-            yield self._any(candidates(target, bindings), self._arrival if task.type == "motion" else self._use)
-            self._put(task, candidates(target, bindings), bindings)
+        if task.type == "informing":
+            yield from (self._any(candidates(person, bindings), self._use) for person in task.recipients)
+        elif task.target is not None and task.type != "taking":
+            targets = candidates(task.target, bindings)
+            yield self._any(targets, self._arrival if task.type == "motion" else self._use)
+            self._put(task, targets, bindings)
 
     def _finding_out(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
         """To where the things are seen; where they are not, to where the places asked about are seen."""

@@ -125,7 +125,7 @@ def _possibility(task: GroundTask, domain: Domain) -> Iterator[Test]:
             yield PlaceTest(things, ((),))
         if people:
             yield PersonTest(people)
-    for target in (task.recipient, task.goal):
+    for target in (*task.recipients, task.goal):
         if target is not None and (people := tuple(name for name in target.candidates if name in house.people)):
             yield PersonTest(people)
     if task.type == "change_state":

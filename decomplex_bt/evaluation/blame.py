@@ -72,13 +72,12 @@ def _node_meaning(node: Node, instruction: GroundInstruction) -> tuple[Any, ...]
 
 
 def _task_meaning(task: GroundTask) -> tuple[Any, ...]:
-    roles = ((task.goal,) if task.goal else (), (task.recipient,) if task.recipient else ())
-    groups = (task.objects, task.places, *roles)
+    groups = (task.objects, task.places, (task.goal,) if task.goal else (), task.recipients)
     return (task.type, task.state, *(tuple(_referent_meaning(referent) for referent in group) for group in groups))
 
 
 def _referent_meaning(referent: Referent) -> tuple[Any, ...]:
-    return frozenset(referent.candidates), referent.is_all, referent.count, referent.where
+    return frozenset(referent.candidates), referent.is_all, referent.count, referent.where, referent.is_any
 
 
 def _spoken(instruction: Instruction) -> tuple[Any, ...]:

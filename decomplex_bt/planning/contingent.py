@@ -137,7 +137,7 @@ def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: boo
 def _assume_presence(world: AssumedWorld, belief: Belief, task: GroundTask, referent: Referent, holds: bool) -> None:
     house = world.domain.house
     is_person = referent.candidates[0] in house.people
-    wheres = [place for place_of in task.places for place in places_of(place_of, belief, for_people=is_person)]
+    wheres = [where for place in task.places for where in places_of(place.candidates, belief, for_people=is_person)]
     if holds:
         name = referent.candidates[0]
         likely = [place for place, _ in belief.likely_places(name)]

@@ -1,50 +1,86 @@
-"""Exclusions: what of all that a task's objects name is left out ("all the lights except the one in the hall")."""
+"""Exclusions: what a text says behind a task's objects about which of them are meant: those left out ("all the lights
+except the one in the hall", "a mug that is not red"), those that are something ("the windows that are open").
+"""
 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Task
 
 _EXCEPT = re.compile(
     r"[\s,]*\b(?:except(?:ing)?(?: for)?|apart from|other than|save for|"
-    r"but not(?! (?:if|when|before|after|until|unless|yet|while)\b))\s+",
+    r"but not(?! (?:if|when|before|after|until|unless|yet|while)\b)|"
+    r"(?P<aside>(?:and )?not(?= (?:the|a|an|any|my|that|those)\b))|"
+    r"(?P<clause>(?:that|which)(?: (?:is|are)(?:n['\u2019]t| not)|['\u2019](?:s|re) not)(?: yet)?))\s+",
     re.IGNORECASE,
 )
+_BEING = re.compile(r",?\s+(?:that|which)(?:\s+(?:is|are)|['\u2019](?:s|re))(?:\s+still)?\s+(\w+)\b", re.IGNORECASE)
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
 _ENDS_IN_ONE = re.compile(r"\bones?\s*$", re.IGNORECASE)
 _ONE = re.compile(r"\bones?\b", re.IGNORECASE)
 
 
-def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, str | None]:
-    """The task without the words that tell what is left out, and those words; None where it leaves out nothing."""
+@dataclass(frozen=True, slots=True)
+class Exclusion:
+    """The words for what is left out. `is_aside`: they only set it against what is said ("the cup, not the mug"), so
+    that they need not name anything."""
+
+    words: str
+    is_aside: bool = False
+
+
+def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclusion | None]:
+    """The task without the words that tell what is left out, and these; None where it leaves out nothing."""
     said = [argument.span for argument in task.arguments if argument.type == "object" and argument.span is not None]
     if not said:
         return task, None
     text = instruction.text
-    end = min([t.span.start for t in instruction.tasks if t.span.start > said[0].start], default=len(text))
+    end = scope = min([t.span.start for t in instruction.tasks if t.span.start > said[0].start], default=len(text))
     match = _EXCEPT.search(text, said[0].start, end)
     if match is None:
         return task, None
-    before = {a.type for a in task.arguments if a.span is None or a.span.start < match.start()}
+    dropped = {"object", "location", *(("state",) if match["clause"] else ())}
+    dropped |= {a.type for a in task.arguments if a.span is None or a.span.start < match.start()}
+    aside_end = match.end() + _END.search(text[match.end() : scope]).start()  # type: ignore[union-attr]
     kept: list[Argument] = []
     for argument in task.arguments:
         span = argument.span
-        if span is None or span.end <= match.start():
+        is_beyond = span is not None and span.start >= (aside_end if match["aside"] else scope)
+        if span is None or span.end <= match.start() or is_beyond:
             kept.append(argument)
         elif span.start < match.start():
             kept.append(
                 replace(argument, value=text[span.start : match.start()], span=replace(span, end=match.start()))
             )
-        elif argument.type not in ("object", "location", *before) and not (
+        elif argument.type not in dropped and not (
             argument.type == "source" and _ENDS_IN_ONE.search(text[match.end() : span.start])
         ):
             kept.append(argument)
             end = min(end, span.start)
     words = text[match.end() : end]
-    words = words[: _END.search(words).start()]  # type: ignore[union-attr]  # it finds the end at the latest
-    return replace(task, arguments=tuple(kept)), words.strip() or None
+    words = words[: _END.search(words).start()].strip()  # type: ignore[union-attr]  # it finds the end at the latest
+    if match["clause"] and len(words.split()) == 1:
+        words = f"the {words} one"  # "that is not red"
+    return replace(task, arguments=tuple(kept)), Exclusion(words, bool(match["aside"])) if words else None
+
+
+def with_clauses(instruction: Instruction, task: Task) -> Task:
+    """The task with what a clause says its objects are taken into their words ("the windows" that are "open")."""
+    for argument in task.arguments:
+        span = argument.span
+        if argument.type != "object" or span is None:
+            continue
+        match = _BEING.match(instruction.text, span.end)
+        if match is None or any(span.end <= other.span.start < match.end() for other in instruction.tasks):
+            continue
+        others = [a for a in task.arguments if a.span is None or not match.start(1) <= a.span.start < match.end()]
+        inside = [a.span.end for a in task.arguments if a not in others and a.span is not None]
+        if max(inside, default=match.end()) <= match.end():  # else it says where they are
+            longer = replace(argument, value=argument.value + match[0], span=replace(span, end=match.end()))
+            task = replace(task, arguments=tuple(longer if a is argument else a for a in others))
+    return task
 
 
 def excluded_phrase(words: str, noun: str, prepositions: tuple[str, ...]) -> str:

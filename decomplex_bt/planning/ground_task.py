@@ -15,9 +15,11 @@ class Referent:
     """What a phrase may mean, likeliest first: names of entities (for places also rooms).
 
     `is_all`: all candidates are meant ("the lights", "all the cups"), those that are in the house, and where the task
-    names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `where`:
-    state pairs and values by which one is told from another ("the clean mug"). Equal referents of one instruction are
-    one and the same: who binds one binds all.
+    names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `is_any`:
+    whichever they are ("a window", "the tv or the radio"): a check of them is false only when none of them will do,
+    while that of a certain one ("the mug") is settled by the first one seen. `where`: state pairs and values by which
+    one is told from another ("the clean mug"). Equal referents of one instruction are one and the same: who binds one
+    binds all.
     """
 
     phrase: str
@@ -25,6 +27,7 @@ class Referent:
     is_all: bool = False
     count: int = 1
     where: tuple[tuple[str, str], ...] = ()
+    is_any: bool = False
 
     def __str__(self) -> str:
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
@@ -39,7 +42,8 @@ class GroundTask:
     `objects`: what it is about, one referent for each coordinated phrase (empty: searching a place for nothing in
     particular, motion, informing). `places`: where the objects are looked for or taken from (source, location),
     each candidate a place, a room, a thing or a person beside which they are; empty: anywhere. `goal`: where it
-    ends (place, room, person, or thing beside which it ends). `recipient`: who gets or hears it. `state`: the value
+    ends (place, room, person, or thing beside which it ends). `recipients`: who hears it, one referent for each
+    coordinated phrase, or the one who gets it. `state`: the value
     wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
     are *not* there ("if Anna is out"). `message`: what is said. `span`: the verb
     in the text, code points, end exclusive.
@@ -52,21 +56,26 @@ class GroundTask:
     objects: tuple[Referent, ...] = ()
     places: tuple[Referent, ...] = ()
     goal: Referent | None = None
-    recipient: Referent | None = None
+    recipients: tuple[Referent, ...] = ()
     state: str | None = None
     is_denied: bool = False
     message: str | None = None
 
+    @property
+    def target(self) -> Referent | None:
+        """Where a thing ends up: with the one who gets it, else at the goal."""
+        return self.recipients[0] if self.recipients else self.goal
+
     def referents(self) -> tuple[Referent, ...]:
-        """All its referents: objects, places, goal, recipient."""
-        return (*self.objects, *self.places, *(r for r in (self.goal, self.recipient) if r is not None))
+        """All its referents: objects, places, goal, recipients."""
+        return (*self.objects, *self.places, *((self.goal,) if self.goal is not None else ()), *self.recipients)
 
     def __str__(self) -> str:
         parts = [f"{self.number} {self.type}"]
         parts += [f"object {referent}" for referent in self.objects]
         parts += [f"at {referent}" for referent in self.places]
         parts += [f"goal {self.goal}"] if self.goal else []
-        parts += [f"to {self.recipient}"] if self.recipient else []
+        parts += [f"to {referent}" for referent in self.recipients]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
         return "; ".join(parts)

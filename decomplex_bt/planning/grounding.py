@@ -13,9 +13,9 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
-from decomplex_bt.planning.exclusions import excluded_phrase, without_exclusion
+from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.phrases import read_phrases, read_state
+from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -58,14 +58,18 @@ class _Grounder:
     def __init__(self, instruction: Instruction, domain: Domain, ask: Ask | None) -> None:
         self.instruction, self.domain, self.ask = instruction, domain, ask
         self.house = domain.house
-        self.wording, self.referents = Wording(instruction, domain), Referents(domain)
+        self.mentions = {n.task: [instruction.task(i) for i in n.tasks[1:]] for n, _ in instruction.flow.walk()}
+        self.wording, self.referents = Wording(instruction, domain), Referents(instruction.text, domain)
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
-        task, left_out = without_exclusion(self.instruction, task)
+        task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
+        # nothing is put onto itself: "pick up the ball and drop it" does not say where
+        is_circle = [a.type == "goal" and a.span is None and a.value in task.values("object") for a in task.arguments]
+        task = replace(task, arguments=tuple(a for a, c in zip(task.arguments, is_circle, strict=True) if not c))
         sense = self.wording.sense(task)
         state = sense.state if sense is not None and task.type == "change_state" else None
         if sense is not None and sense.goal is not None and task.value("goal") is None:
@@ -76,7 +80,14 @@ class _Grounder:
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
-        return grounded if left_out is None else self._less(grounded, task, left_out)
+        if left_out is None:
+            return grounded
+        try:
+            return self._less(grounded, task, left_out.words)
+        except InputError:
+            if not left_out.is_aside:
+                raise
+            return grounded
 
     def mention(self, task: Task) -> GroundTask:
         """A task that speaks of another again and is not executed: without what it says where that is not enough for a
@@ -95,20 +106,20 @@ class _Grounder:
     # -- one function for each task type ------------------------------------------------------------------------------
 
     def _motion(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        words = task.value("goal") or task.value("recipient") or task.value("path") or self._named_direction(task)
-        if words is not None:
-            return replace(bare, goal=self.referents.place(words, people=True))
-        if (left := task.value("source")) is not None:
+        place = task.argument("goal", "recipient", "path") or self._named_direction(task)
+        if place is not None:
+            return replace(bare, goal=self.referents.place(place, people=True))
+        if (left := task.argument("source")) is not None:
             return replace(bare, goal=self.referents.elsewhere(left))
         raise ImpossibleGoalError(
             f"task {task.id} ({bare.phrase!r}) says how to move but no place to end up; say where to go"
         )
 
-    def _named_direction(self, task: Task) -> str | None:
+    def _named_direction(self, task: Task) -> Argument | None:
         """The direction, where it names a place ("towards the window")."""
-        words = task.value("direction")
+        direction = task.argument("direction")
         try:
-            return words if words is not None and read_phrases(words, self.domain) else None
+            return direction if direction is not None and read_phrases(direction.value, self.domain) else None
         except UnknownWordError:
             return None
 
@@ -127,19 +138,22 @@ class _Grounder:
 
     def _placing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
-        return replace(grounded, goal=self.referents.goal_place(task.value("goal") or ""))
+        goal = task.argument("goal")
+        assert goal is not None
+        return replace(grounded, goal=self.referents.goal_place(goal))
 
     def _bringing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
-        recipient, goal = task.value("recipient"), task.value("goal")
-        if recipient is not None:
-            return replace(grounded, recipient=self.referents.person(recipient, "get a thing"))
-        if goal is None:
-            return replace(grounded, recipient=self._user())
-        where = self.referents.goal_place(goal)
-        if all(name in self.house.people for name in where.candidates):
-            return replace(grounded, recipient=where)
-        return replace(grounded, goal=where)
+        recipient, goal = task.argument("recipient"), task.argument("goal")
+        people = self.referents.people(recipient, "get a thing") if recipient is not None else (self._user(),)
+        if recipient is None and goal is not None:
+            people = (self.referents.goal_place(goal),)
+            if not all(map(self.referents.is_person, people[0].candidates)):
+                return replace(grounded, goal=people[0])
+        if len(people) > 1 or people[0].is_all:
+            who = " and ".join(person.phrase for person in people)
+            raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
+        return replace(grounded, recipients=people)
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
@@ -159,6 +173,10 @@ class _Grounder:
         words, where = task.value("state"), task.value("location")
         if where is not None and self.wording.is_presence(where):
             where, words = None, words or (None if self.wording.is_state(task) else where)
+        if words is not None and self.wording.has_possession_verb(task) and self._asks_who_has(task, words):
+            raise ImpossibleGoalError(
+                f"who has a thing cannot be asked here ({bare.phrase!r}); ask whether it is with them or somewhere"
+            )
         is_bare = words is None and (where is None or self.wording.is_state(task))
         if is_bare and not self.wording.has_presence_verb(task):
             # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
@@ -191,6 +209,11 @@ class _Grounder:
             return all(map(self.referents.is_person, self._named(task)))
         return words is not None and self.wording.is_absence(words) and not self._is_state_of_objects(task, words)
 
+    def _asks_who_has(self, task: Task, words: str) -> bool:
+        people = self._named(task)
+        is_whereabouts = self.wording.is_presence(words) or self.wording.is_absence(words)
+        return bool(people) and all(map(self.referents.is_person, people)) and not is_whereabouts
+
     def _is_state_of_objects(self, task: Task, words: str) -> bool:
         """Whether words that may say presence or absence are a state that an object can be in."""
         return any(read_state(words, self._states(name), self.domain) for name in self._named(task))
@@ -208,35 +231,36 @@ class _Grounder:
         return grounded
 
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        goal = task.value("goal") or task.value("path")
+        goal = task.argument("goal", "path")
         objects, _ = self._objects(task, self.referents.is_person, "be followed")
         return replace(bare, objects=objects, goal=self._whither(goal) if goal is not None else None)
 
-    def _whither(self, words: str) -> Referent:
+    def _whither(self, argument: Argument) -> Referent:
         """Where somebody leads the way to: who leads knows rooms and furniture, not where things lie."""
-        goal = self.referents.place(words)
+        goal = self.referents.place(argument)
         fixed = tuple(name for name in goal.candidates if not self.referents.is_thing(name))
         if not fixed:
+            what = repr(argument.value)
             raise ImpossibleGoalError(
-                f"{words!r} may lie anywhere, so nobody can lead the way to it; say a room or a piece of furniture"
+                f"{what} may lie anywhere, so nobody can lead the way to it; say a room or a piece of furniture"
             )
         return replace(goal, candidates=fixed)
 
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
-        recipient = task.value("recipient")
-        person = self.referents.person(recipient, "be told") if recipient is not None else self._user()
-        return replace(bare, recipient=person, message=task.value("message"))
+        recipient = task.argument("recipient")
+        people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
+        return replace(bare, recipients=people, message=task.value("message"))
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""
         objects, places = self._objects(task, lambda name: True, f"be an object of {task.type}")
-        recipient, goal = task.value("recipient"), task.value("goal")
+        recipient, goal = task.argument("recipient"), task.argument("goal")
         return replace(
             bare,
             objects=objects,
             places=places + self._places(task, "location", "source"),
             goal=self.referents.place(goal, people=True) if goal else None,
-            recipient=self.referents.person(recipient, "be a recipient") if recipient else None,
+            recipients=self.referents.people(recipient, "be a recipient") if recipient else (),
             state=state,
             message=task.value("message"),
         )
@@ -248,6 +272,7 @@ class _Grounder:
         task_type = self.domain.ontology.task_types[task.type]
         missing = {m.argument for m in self.instruction.missing if m.task == task.id}
         task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in missing))
+        task = self._with_mentions(task)
         given = {argument.type for argument in task.arguments}
         if task.type in ("bringing", "informing"):
             given.add("recipient")
@@ -262,6 +287,21 @@ class _Grounder:
             if not given & set(group):
                 answer = self._answer(task, group[0], task_type.questions[group[0]])
                 task = replace(task, arguments=(*task.arguments, Argument(group[0], answer)))
+        return task
+
+    def _with_mentions(self, task: Task) -> Task:
+        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …")."""
+        if task.type != "check_state" or not self.wording.is_bare_check(task):
+            return task
+        for mention in self.mentions.get(task.id, ()):
+            word = Argument("state", mention.span.of(self.instruction.text)) if self.wording.is_state(mention) else None
+            state = mention.argument("state") or word
+            if state is not None and task.argument("state", "location") is None:
+                task = replace(task, arguments=(*task.arguments, state))
+            said = mention.argument("object")
+            is_same = said is not None and task.values("object") == (said.value,)
+            if said is not None and is_same and picked_words(said, self.instruction.text, self.domain):
+                task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
         return task
 
     def _answer(self, task: Task, argument: str, question: str) -> str:
@@ -302,9 +342,7 @@ class _Grounder:
         def has_state(name: str) -> bool:
             return name not in self.house.rooms and bool(pairs & set(self._states(name)))
 
-        rooms = {
-            room for place in places for name in place.candidates if (room := self.referents.room(name)) is not None
-        }
+        rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
         label = f"be {state or words}"
         return self._objects(task, has_state, label, rooms=rooms)
 
@@ -350,13 +388,8 @@ class _Grounder:
         for argument in task.arguments:
             if argument.type != "object":
                 continue
-            said = argument.span.of(self.instruction.text) if argument.span is not None else ""
-            is_pronoun = not rooms and said.lower() != argument.value.lower()
-            for phrase in read_phrases(argument.value, self.domain):
-                referent = self.referents.referent(
-                    phrase, fits, ability, rooms=frozenset(rooms), is_place=False, is_pronoun=is_pronoun
-                )
-                objects.append(referent)
+            for phrase in self.referents.phrases(argument):
+                objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
         self._refuse_everything(task, objects, inner)
@@ -367,17 +400,24 @@ class _Grounder:
         noun = read_phrases(task.values("object")[0], self.domain)[0].noun
         words = excluded_phrase(left_out, noun, self.domain.lexicon.prepositions)
         phrases = read_phrases(words, self.domain)
-        if any(phrase.wanted or phrase.place for phrase in phrases) and self.referents.may_move(grounded.objects):
+        wanted = {pair: self.domain.kinds.opposite(value) for phrase in phrases for pair, value in phrase.wanted}
+        is_told_by_state = len(wanted) == len(phrases) == 1 and not any(o.is_all for o in grounded.objects)
+        if any(phrase.place for phrase in phrases) and not self.referents.may_move(grounded.objects):
+            wanted = {}
+        elif any(phrase.place for phrase in phrases) or (wanted and not is_told_by_state):
             raise ImpossibleGoalError(
                 f"which ones {left_out!r} leaves out cannot be known beforehand; say them by name"
             )
-        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals)}
-        objects = tuple(self.referents.narrowed(o, lambda name: name not in names) for o in grounded.objects)
-        if None in objects:
-            raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
-        return replace(
-            grounded, objects=tuple(replace(o, is_all=o.is_all and len(o.candidates) > 1) for o in objects if o)
-        )
+        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals) if not wanted}
+        objects = []
+        for referent in grounded.objects:
+            fit = self.referents.narrowed(referent, lambda name: name not in names)
+            if fit is None:
+                raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
+            fit = replace(fit, is_all=fit.is_all and len(fit.candidates) > 1, where=(*fit.where, *wanted.items()))
+            self.referents.settle(referent, fit)
+            objects.append(fit)
+        return replace(grounded, objects=tuple(objects))
 
     def _refuse_everything(self, task: Task, objects: list[Referent], inner: list[Referent]) -> None:
         for referent in objects:
@@ -385,11 +425,11 @@ class _Grounder:
             if referent.is_all and len(referent.candidates) == len(self.house.things) and not has_place:
                 raise UnknownWordError(referent.phrase, expected="a thing, or everything at a place")
 
-    def _places(self, task: Task, *arguments: str) -> tuple[Referent, ...]:
+    def _places(self, task: Task, *names: str) -> tuple[Referent, ...]:
         """The referents of the places that these arguments name."""
         found: list[Referent] = []
-        for argument in arguments:
-            for words in task.values(argument):
-                if not self.wording.is_presence(words):
-                    found.extend(self.referents.where(phrase) for phrase in read_phrases(words, self.domain))
+        for name in names:
+            for argument in task.arguments:
+                if argument.type == name and not self.wording.is_presence(argument.value):
+                    found.extend(map(self.referents.where, self.referents.phrases(argument)))
         return tuple(found)

@@ -42,21 +42,25 @@ class Handling(Looking):
 
     def _put(self, task_type: str) -> Pursuit:
         """Placing and bringing: the things end up at the goal, or with the recipient."""
-        target = self.task.recipient or self.task.goal
+        target = self.task.target
         assert target is not None
-        role = "recipient" if self.task.recipient is not None else "goal"
+        role = "recipient" if self.task.recipients else "goal"
         people = [name for name in self._meant(target) if name in self.house.people]
         places = [place for name in self._meant(target) if name not in people for place in self._landing(name)]
 
         def has_arrived(name: str) -> bool:
             place = self.belief.place_of(name)
-            return place is not None and place != ROBOT and self._is_target(place, target)
+            return place is not None and place != ROBOT and any(self._is_end(end, place) for end in self._meant(target))
 
         found = self._found(has_arrived)
         if found is not None:
-            return self._done(found)
+            where = [self.belief.place_of(name) or "" for names in found.values() for name in names]
+            ends = [end for end in self._meant(target) if any(self._is_end(end, place) for place in where)]
+            return self._done({**found, target: ends})
         lost = [name for name in self._meant(target) if not self._is_located(name)]
         ends = [name for name in (*people, *places) if name not in lost and name not in self.house.things]
+        if all(name in self._floors() for name in ends):
+            ends.sort(key=self._distance)  # one floor is as good as another
         if not ends and lost:
             return self._look_for_people(target, lost)
         if not ends:
@@ -70,13 +74,14 @@ class Handling(Looking):
         assert problem is not None
         raise problem
 
-    def _is_target(self, place: str, target: Referent) -> bool:
-        for name in self._meant(target):
-            if place == name or (name in self.house.rooms and self.domain.room_of(place) == name):
-                return True
-            if name in self.house.things and self.belief.place_of(name) == place:
-                return True
-        return False
+    def _floors(self) -> frozenset[str]:
+        return frozenset(self.house.floor_of(room) for room in self.house.rooms)
+
+    def _is_end(self, name: str, place: str) -> bool:
+        """Whether what lies at a place is at a goal: the place itself, a room it is in, a thing that lies there too."""
+        if name in self.house.rooms:
+            return self.domain.room_of(place) == name
+        return place in (name, self.belief.place_of(name) if name in self.house.things else None)
 
     def _landing(self, name: str) -> list[str]:
         """Where a thing is put for a goal: a place itself, in a room a surface that suits, beside a thing its place."""

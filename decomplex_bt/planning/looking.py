@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.problem import fact_name
-from decomplex_bt.planning.standing import NothingLeftError, Pursuit, PursuitStatus, Standing, is_indefinite
+from decomplex_bt.planning.standing import NothingLeftError, Pursuit, PursuitStatus, Standing
 from decomplex_bt.planning.whereabouts import next_place, places_of
 
 
@@ -34,7 +34,7 @@ class Looking(Standing):
         raise NothingLeftError(self._why(f"{failures[0]!r} could not be inspected", self.wheres), truth=None)
 
     def _parts(self, name: str) -> tuple[str, ...]:
-        return places_of(Referent(name, (name,)), self.belief)
+        return places_of((name,), self.belief)
 
     def _look_through(self, *, may_be_partial: bool) -> Pursuit:
         """A search through the places that the task names; false when they were inspected in vain."""
@@ -89,7 +89,6 @@ class Looking(Standing):
             )
             so = [name for name in seen if self.belief.state(name, pair) == value]
             not_so = [name for name in seen if name not in so]
-            is_any = is_indefinite(referent)
             left = [name for name in self._fitting(referent) if name not in seen and self._may_be_seen(name)]
             if self._may_be_there() and not any(self._is_open(place) for place in self.wheres):
                 left = [name for name in left if self._is_there(name)]  # what is elsewhere was not asked about
@@ -99,9 +98,9 @@ class Looking(Standing):
                 settled[referent] = so
             elif not referent.is_all and len(so) >= self._needed(referent):
                 settled[referent] = so[: self._needed(referent)]
-            elif not_so and not is_any:
+            elif not_so and not referent.is_any:
                 return self._false({referent: not_so[:1]})
-            elif not left and is_any and (not_so or self.task.places):
+            elif not left and referent.is_any and (not_so or self.task.places):
                 return self._false({})
             else:
                 return self._look_at(left, pair, referent)
@@ -139,7 +138,7 @@ class Looking(Standing):
 
     def _may_be_seen(self, name: str) -> bool:
         """Whether an entity is known to be somewhere, or may still turn up."""
-        if self.task.places and is_indefinite(self.task.objects[0]) and not self._is_located(name):
+        if self.task.places and self.task.objects[0].is_any and not self._is_located(name):
             return any(self._is_open(place) for place in self.wheres)
         return self._is_located(name) or bool(self._open_for([name]))
 

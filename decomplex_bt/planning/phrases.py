@@ -8,16 +8,24 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import UnknownWordError
+from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
+from decomplex_bt.instruction import Argument
 
-_CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)\s.*$")
+_CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|'re)?\s.*$")
+_BEING = re.compile(r"\s(?:that|which)(?:'s|'re|\s+is|\s+are)(?:\s+still)?\s+(\w+)$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
-_CHOICE = re.compile(r"\s+n?or\s+")
-_EITHER = re.compile(r"^n?either\s+(?!of\b)")
+_CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
+_DESCRIBING = frozenset(("with", "for"))
+"""Prepositions that tell one from another by what it has or is for, and not by where it is."""
 DEFINITE = frozenset("the my our your his her its their these those".split())
 """First words of a phrase that speaks of a certain one."""
 _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
-_HEDGES = frozenset(("some", "any", "no", "more", "other", "another"))
+_AT_LEAST = re.compile(r"\b(?:at least|no fewer than|no less than)\s+")
+_MORE_THAN = re.compile(r"\bmore than (\w+)\b")
+_PICKS = frozenset("some any no none one either neither another".split())
+"""Words that pick from what they stand before ("any of the books"): not all of them, and no certain one."""
+_OF_THEM = re.compile(r"\s+of (?:them|these|those)$")
+_HEDGES = _PICKS | frozenset(("a", "an", "more", "other"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +35,8 @@ class NounPhrase:
     `entities`: what its noun names as it stands, likeliest first; `plurals`: what its noun is a plural of. `is_all`,
     `count`: of how many it speaks; `is_definite`: of known ones ("the", "my"). `wanted`: state pairs and values that
     its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the words of its noun.
+    `choices`: what it chooses among ("the tv or the radio"), any of which will do; it begins with the first.
+    `is_pronoun`: whether it stands for a pronoun, which means what the same words meant before.
     """
 
     text: str
@@ -39,14 +49,51 @@ class NounPhrase:
     wanted: tuple[tuple[str, str], ...] = ()
     place: NounPhrase | None = None
     noun: str = ""
+    choices: tuple[NounPhrase, ...] = ()
+    is_pronoun: bool = False
+
+    @property
+    def is_of_several(self) -> bool:
+        """Whether it speaks of more than one ("both mugs", "the mugs", "two mugs")."""
+        return self.is_all or self.count > 1 or (self.is_definite and bool(self.plurals))
 
 
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
     """The noun phrases of an argument: one for each part of a coordination.
 
-    Raises `UnknownWordError`, naming the part and the nearest known words.
+    Raises `UnknownWordError`, naming the part and the nearest known words, and `ImpossibleGoalError` for what is fixed
+    and is not at the place inside its phrase ("the window in the study").
     """
     return _read_phrases(_normal(text), domain, text)
+
+
+def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPhrase, ...]:
+    """The noun phrases of an argument in a text; a pronoun has its own preposition ("under it") and may pick some of
+    what it stands for ("both mugs ... one").
+
+    Raises what `read_phrases` does.
+    """
+    phrases = read_phrases(argument.value, domain)
+    preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
+    if said == split_preposition(argument.value, domain)[1]:
+        return phrases
+    phrases = tuple(replace(p, preposition=p.preposition or preposition, is_pronoun=True) for p in phrases)
+    picked = picked_words(argument, text, domain)
+    if not picked:
+        return phrases
+    number = _number(picked, domain)
+    if len(phrases) == 1 and (not phrases[0].is_of_several or phrases[0].count == number):
+        return phrases
+    words = f"{' '.join(picked)} of {argument.value}"
+    choices = phrases if len(phrases) > 1 else ()
+    return (replace(phrases[0], text=words, is_all=False, is_definite=False, count=number or 1, choices=choices),)
+
+
+def picked_words(argument: Argument, text: str, domain: Domain) -> list[str]:
+    """The words by which a pronoun of a text picks some of what it stands for ("one", "any of them"); else none."""
+    said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)[1]
+    words = _OF_THEM.sub("", said).split()
+    return words if _number(words, domain) is not None or _PICKS.issuperset(words) else []
 
 
 def read_state(text: str, pairs: Iterable[str], domain: Domain) -> tuple[str, str] | None:
@@ -74,6 +121,24 @@ def split_preposition(text: str, domain: Domain) -> tuple[str, str]:
     return found, words
 
 
+def rooms_of(name: str, domain: Domain) -> tuple[str, ...]:
+    """The rooms of something fixed (a door has two); empty for what can be anywhere."""
+    doorway = domain.house.doorways.get(name)
+    if doorway is not None:
+        return doorway.rooms
+    room = domain.room_of(name)
+    return () if room is None else (room,)
+
+
+def nothing_there(words: str, names: Iterable[str], rooms: Iterable[str], domain: Domain) -> ImpossibleGoalError:
+    """The error for something fixed that is not where it is said to be."""
+    said, known = (
+        " or ".join(sorted(f"the {room.replace('_', ' ')}" for room in group))
+        for group in (rooms, {room for name in names for room in rooms_of(name, domain)})
+    )
+    return ImpossibleGoalError(f"{words!r} names nothing in {said}, only in {known}")
+
+
 @lru_cache(maxsize=32)
 def _state_words(domain: Domain) -> dict[str, dict[str, frozenset[str]]]:
     return {
@@ -98,31 +163,42 @@ def _normal(text: str) -> str:
 
 
 def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ...]:
+    words = _MORE_THAN.sub(lambda match: _one_more(match[1], domain), _AT_LEAST.sub("", words))
     preposition, rest = split_preposition(words, domain)
-    rest = _CLAUSE.sub("", rest)
+    rest, clause = _CLAUSE.sub("", rest), _BEING.search(rest)
     parts = [part.strip() for part in _JOINT.split(rest) if part and part.strip()]
     phrases: list[NounPhrase] = []
     later: NounPhrase | None = None
     for part in reversed(parts or [""]):
         later = _read_choice(part, preposition, domain, later, text)
         phrases.append(later)
+    if clause is not None:
+        phrases = [_described(phrase, clause[1].split(), domain) for phrase in phrases]
     return tuple(reversed(phrases))
+
+
+def _described(phrase: NounPhrase, words: list[str], domain: Domain) -> NounPhrase:
+    """The phrase with colours and states that a clause gives ("that is red"); what else a clause says tells nothing."""
+    states = [read_state(word, domain.kinds.state_pairs, domain) for word in words]
+    colours = {word for word in words if word in domain.lexicon.colours}
+    if not all(state is not None or word in colours for word, state in zip(words, states, strict=True)):
+        return phrase
+    return replace(
+        phrase,
+        entities=tuple(name for name in phrase.entities if _has_colour(name, colours, domain)),
+        plurals=tuple(name for name in phrase.plurals if _has_colour(name, colours, domain)),
+        wanted=tuple(dict.fromkeys((*phrase.wanted, *filter(None, states)))),
+    )
 
 
 def _read_choice(part: str, preposition: str, domain: Domain, later: NounPhrase | None, text: str) -> NounPhrase:
     """One part of a coordination; with "or" whatever any of its alternatives names."""
-    alternatives = [_read_part(choice, preposition, domain, later) for choice in _CHOICE.split(_EITHER.sub("", part))]
-    if None in alternatives:
+    said = [choice for choice in _CHOICE.split(part) if choice]
+    choices = tuple(_read_part(choice, preposition, domain, later) for choice in said or [""])
+    found = tuple(choice for choice in choices if choice is not None)
+    if len(found) < len(choices):
         raise _unknown(part or text, domain)
-    first, *others = [phrase for phrase in alternatives if phrase is not None]
-    for other in others:
-        first = replace(
-            first,
-            text=part,
-            entities=_unique(first.entities + other.entities),
-            plurals=_unique(first.plurals + other.plurals),
-        )
-    return first
+    return found[0] if len(found) == 1 else replace(found[0], text=part, is_all=False, is_definite=False, choices=found)
 
 
 def _read_part(words: str, preposition: str, domain: Domain, later: NounPhrase | None) -> NounPhrase | None:
@@ -151,13 +227,15 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
     """ "X of Y": a measure of Y, a part of Y, or the X that belongs to the place Y."""
     whole = _read_part(rest, preposition, domain, None)
     noun = head[-1]
-    measures = {**domain.lexicon.measures, **dict.fromkeys(("both", *domain.lexicon.all_words), 1)}
+    measures = {**dict.fromkeys(("both", *_PICKS, *domain.lexicon.all_words), 1), **domain.lexicon.measures}
     measure = noun if noun in measures else next((word for word in (noun[:-1], noun[:-2]) if word in measures), None)
     is_part = noun in domain.lexicon.parts and whole is not None and _opens(whole, domain)
     if whole is not None and (measure is not None or is_part):
-        count = _number(head, domain) or (measures[measure] if measure else 1)
+        number = _number(head, domain)
+        count = number or (measures[measure] if measure else 1)
         is_all = any(word in domain.lexicon.all_words or word == "both" for word in head)
-        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all)
+        is_definite = whole.is_definite and number is None and not any(word in _PICKS for word in head)
+        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all, is_definite=is_definite)
     own = _read_simple(" ".join(head), preposition, domain, None)
     return _inside(own, whole, domain) if own is not None and whole is not None else own
 
@@ -205,10 +283,10 @@ def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhra
             wanted.append(state)
         elif room:
             rooms.add(room)
-        elif word not in lexicon.determiners and word not in lexicon.measures and not word.isdigit():
+        elif not (word in _HEDGES or word in lexicon.determiners or word in lexicon.measures or word.isdigit()):
             return None
         i += length
-    is_hedged = any(word in _HEDGES or word in ("a", "an") for word in before)
+    is_hedged = any(word in _HEDGES for word in before)
     is_definite = any(word in DEFINITE for word in before) or not is_hedged
 
     def fits(entity: str) -> bool:
@@ -258,6 +336,12 @@ def _number(words: list[str], domain: Domain) -> int | None:
     return None
 
 
+def _one_more(number: str, domain: Domain) -> str:
+    """What "more than one" is at least; the words as they are where it is no number."""
+    count = int(number) if number.isdigit() else domain.lexicon.measures.get(number)
+    return f"more than {number}" if count is None else str(count + 1)
+
+
 def _room_at(words: list[str], start: int, domain: Domain) -> tuple[str | None, int]:
     """The room that one or two words name, and how many words that are."""
     for length in (2, 1):
@@ -297,26 +381,18 @@ def _inside(head: NounPhrase, place: NounPhrase, domain: Domain) -> NounPhrase:
         name for name in names if _part_of(name, domain) in named or name in {_part_of(n, domain) for n in named}
     )
     if not there:
-        there = frozenset(
-            name for name in names if not rooms or not _rooms(name, domain) or rooms & _rooms(name, domain)
-        )
+        there = frozenset(n for n in names if not rooms or not rooms_of(n, domain) or rooms & {*rooms_of(n, domain)})
+    is_next_door = place.preposition in domain.lexicon.beside and named <= set(domain.house.rooms)
+    if not there and (is_next_door or place.preposition in _DESCRIBING):
+        return head  # "the room next to the kitchen", "the cupboard with the glass door"
     if not there:
-        return head
+        raise nothing_there(head.text, names, rooms, domain)
     return replace(
         head,
         entities=tuple(name for name in head.entities if name in there),
         plurals=tuple(name for name in head.plurals if name in there),
         place=place,
     )
-
-
-def _rooms(name: str, domain: Domain) -> frozenset[str]:
-    """The rooms of something fixed (a door has two); empty for what can be anywhere."""
-    doorway = domain.house.doorways.get(name)
-    if doorway is not None:
-        return frozenset(doorway.rooms)
-    room = domain.room_of(name)
-    return frozenset() if room is None else frozenset((room,))
 
 
 def _part_of(name: str, domain: Domain) -> str | None:

@@ -45,7 +45,7 @@ class _Pursuer(Handling):
     # -- one for each task type ---------------------------------------------------------------------------------------
 
     def _motion(self) -> Pursuit:
-        target = self.task.goal or self.task.recipient
+        target = self.task.target
         assert target is not None
         reached = [name for name in self._meant(target) if self._was_at(name)]
         if len(reached) >= self._needed(target):
@@ -128,19 +128,16 @@ class _Pursuer(Handling):
         return self._with_people(self.task.objects, lambda who: self._goal({"object": who, **roles}), has_come)
 
     def _informing(self) -> Pursuit:
-        assert self.task.recipient is not None
-
         def was_told(person: str) -> bool:
             return self._was_noted("told", person)
 
-        return self._with_people((self.task.recipient,), lambda who: self._goal({"recipient": who}), was_told)
+        return self._with_people(self.task.recipients, lambda who: self._goal({"recipient": who}), was_told)
 
     def _other(self) -> Pursuit:
         """A task type of a domain of one's own: its goal template, with the first candidate of every phrase."""
         roles = {"object": self.task.objects[0]} if self.task.objects else {}
-        roles |= {
-            role: r for role, r in (("goal", self.task.goal), ("recipient", self.task.recipient)) if r is not None
-        }
+        roles |= {"goal": self.task.goal} if self.task.goal is not None else {}
+        roles |= {"recipient": self.task.recipients[0]} if self.task.recipients else {}
         goal = self._goal({role: self._meant(referent)[0] for role, referent in roles.items()})
         if all(self.belief.noted(atom) > self.since for atom in goal):
             return self._done({})

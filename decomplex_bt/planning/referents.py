@@ -10,27 +10,38 @@ from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.ground_task import Referent
-from decomplex_bt.planning.phrases import DEFINITE, NounPhrase, read_phrases, split_preposition
+from decomplex_bt.planning.phrases import (
+    DEFINITE,
+    NounPhrase,
+    nothing_there,
+    read_argument,
+    rooms_of,
+    split_preposition,
+)
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
 Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
 
 
 class Referents:
-    """The referents of phrases in the order of the text: rooms named on the way tell ambiguous places apart, and a
+    """The referents of a text's phrases in their order: rooms named on the way tell ambiguous places apart, and a
     definite phrase takes up an earlier one.
 
     Raises `UnknownWordError` for what names nothing here, `ImpossibleGoalError` for what cannot be what it has to be.
     """
 
-    def __init__(self, domain: Domain) -> None:
-        self._domain, self._house = domain, domain.house
+    def __init__(self, text: str, domain: Domain) -> None:
+        self._text, self._domain, self._house = text, domain, domain.house
         self._rooms_meant: tuple[str, ...] = ()  # of the place named last, where its words leave no doubt
         self._mentioned: dict[Key, Referent] = {}
         self._named: dict[str, Referent] = {}  # by its words, the last one
         self._container: str | None = None  # with a door of its own, where it was named last of all places
+
+    def phrases(self, argument: Argument) -> tuple[NounPhrase, ...]:
+        return read_argument(argument, self._text, self._domain)
 
     def where(self, phrase: NounPhrase) -> Referent:
         """Where something is looked for: on or in a place, beside a thing or with a person."""
@@ -46,9 +57,12 @@ class Referents:
             return referent
         raise ImpossibleGoalError(f"nothing can lie in {phrase.text!r} here")
 
-    def goal_place(self, words: str) -> Referent:
+    def goal_place(self, argument: Argument) -> Referent:
         """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
-        phrase = read_phrases(words, self._domain)[0]
+        words = argument.value
+        phrase, *others = self.phrases(argument)
+        if others:
+            raise ImpossibleGoalError(f"a thing ends up in one place, not {words!r}; say which, or which thing where")
         referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
         fit = self.narrowed(referent, self.can_hold)
         is_near = fit is None and phrase.preposition in TO  # "to the front door": nothing can be put on it
@@ -59,31 +73,37 @@ class Referents:
             raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
         return fit
 
-    def place(self, words: str, *, people: bool = False) -> Referent:
-        """Where the robot goes: a room, a place, a door, a person or what lies there."""
-        phrase = read_phrases(words, self._domain)[0]
-        return self.referent(phrase, lambda name: people or not self.is_person(name), "be gone to", is_place=True)
+    def place(self, argument: Argument, *, people: bool = False) -> Referent:
+        """Where the robot goes: a room, a place, a door, a person or what lies there; to several places one by one."""
 
-    def elsewhere(self, words: str) -> Referent:
+        def fits(name: str) -> bool:
+            return people or not self.is_person(name)
+
+        words, phrases = argument.value, self.phrases(argument)
+        first, *others = [self.referent(phrase, fits, "be gone to", is_place=True) for phrase in phrases]
+        if not others:
+            return first
+        names = tuple(dict.fromkeys(name for referent in (first, *others) for name in referent.candidates))
+        if len(names) > len(phrases) or not all(map(self.is_fixed, names)):
+            raise ImpossibleGoalError(f"{words!r} leaves open where to go; say one place after the other")
+        return Referent(split_preposition(words, self._domain)[1], names, is_all=True)
+
+    def elsewhere(self, argument: Argument) -> Referent:
         """Anywhere but the room that is left, the rooms next to it first.
 
         What there is one of in every room ("the rug") is the likeliest of them.
         """
-        places = self.place(words).candidates
+        places = self.place(argument).candidates
         left = {self.room(name) for name in places}
         if left.issuperset(self._house.rooms):
             left = {self.room(places[0])}
         next_to = [room for d in self._house.doorways.values() if left & set(d.rooms) for room in d.rooms]
         rooms = tuple(room for room in dict.fromkeys([*next_to, *self._house.rooms]) if room not in left)
-        return Referent(f"out of {split_preposition(words, self._domain)[1]}", rooms)
+        return Referent(f"out of {split_preposition(argument.value, self._domain)[1]}", rooms)
 
-    def person(self, words: str, ability: str) -> Referent:
-        phrases = read_phrases(words, self._domain)
-        referents = [self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases]
-        if len(referents) == 1:
-            return referents[0]
-        names = tuple(dict.fromkeys(name for referent in referents for name in referent.candidates))
-        return Referent(" and ".join(referent.phrase for referent in referents), names, is_all=True)
+    def people(self, argument: Argument, ability: str) -> tuple[Referent, ...]:
+        phrases = self.phrases(argument)
+        return tuple(self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases)
 
     def referent(
         self,
@@ -93,21 +113,18 @@ class Referents:
         *,
         rooms: frozenset[str] = frozenset(),
         is_place: bool,
-        is_pronoun: bool = False,
     ) -> Referent:
-        """The referent of a noun phrase: of what it names, what fits. Raises `ImpossibleGoalError` if nothing does.
-
-        `is_pronoun`: whether the phrase stands for a pronoun, which means what the same words meant before, wherever
-        the robot has been sent meanwhile.
+        """The referent of a noun phrase: of what it names, what fits; of a pronoun what the same words meant before,
+        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits.
         """
         words = split_preposition(phrase.text, self._domain)[1]
+        is_pronoun = phrase.is_pronoun and not rooms
         if is_pronoun and (before := self._named.get(words)) is not None and all(map(fits, before.candidates)):
             return before
         if self._container is not None and self._is_bare_part(phrase, words):
             phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
-        entities = tuple(name for name in phrase.entities if fits(name))
-        is_plural = not entities
-        names = entities or tuple(name for name in phrase.plurals if fits(name))
+        is_plural = not any(map(fits, phrase.entities))
+        names = tuple(dict.fromkeys(n for choice in phrase.choices or (phrase,) for n in _named(choice, fits)))
         if not names and phrase.is_all and phrase.plurals == tuple(self._house.things):
             names = tuple(name for name in self._house.places() if fits(name))  # "turn everything off"
         if not names:
@@ -116,14 +133,18 @@ class Referents:
                 f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
             )
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
-        names = self._in_context(names, rooms, is_all)
+        if rooms:
+            names = self._in_rooms(names, rooms, words)
+        elif not is_all:
+            names = self._in_context(names)
         if phrase.count > len(names):
             raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
         if is_place or all(self.is_fixed(name) for name in names):
             self._remember(names)
         # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
         where = () if len(names) == 1 and words.split()[0] in DEFINITE else phrase.wanted
-        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where)
+        is_any = not (is_all or phrase.is_definite)
+        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where, is_any)
         referent = self._same(referent) if phrase.is_definite else self._first(referent)
         self._named[words] = referent
         return referent
@@ -140,17 +161,20 @@ class Referents:
     def _same(self, referent: Referent) -> Referent:
         """The referent that a definite phrase takes up again ("a pen ... the pen"), or itself."""
         first = self._mentioned.setdefault(_key(referent), referent)
-        return first if first.is_all == referent.is_all else referent
+        return first if (first.is_all, first.count) == (referent.is_all, referent.count) else referent
 
-    def _in_context(self, names: tuple[str, ...], rooms: frozenset[str], is_all: bool) -> tuple[str, ...]:
-        """Of fixed candidates those in the rooms that are said, else in the room in question, if there are any."""
-        if len(names) == 1 or not all(self.is_fixed(name) for name in names):
+    def _in_rooms(self, names: tuple[str, ...], rooms: frozenset[str], words: str) -> tuple[str, ...]:
+        """Of fixed candidates those in the rooms that are said."""
+        there = tuple(name for name in names if not self.is_fixed(name) or rooms & {*self._rooms(name)})
+        if not there:
+            raise nothing_there(words, names, rooms, self._domain)
+        return there
+
+    def _in_context(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Of fixed candidates those in the room in question, if there are any."""
+        if not all(map(self.is_fixed, names)):
             return names
-        for wanted in (rooms, () if is_all else self._rooms_meant):
-            there = tuple(name for name in names if set(wanted) & set(self._rooms(name)))
-            if there:
-                return there
-        return names
+        return tuple(name for name in names if set(self._rooms_meant) & set(self._rooms(name))) or names
 
     def _remember(self, names: tuple[str, ...]) -> None:
         rooms = tuple(sorted({room for name in names for room in self._rooms(name)}))
@@ -160,11 +184,7 @@ class Referents:
         self._container = only if only is not None and self._domain.kind(only).has_door else None
 
     def _rooms(self, name: str) -> tuple[str, ...]:
-        doorway = self._house.doorways.get(name)
-        if doorway is not None:
-            return doorway.rooms
-        room = self.room(name)
-        return (room,) if room is not None else ()
+        return rooms_of(name, self._domain)
 
     def room(self, name: str) -> str | None:
         return self._domain.room_of(name)
@@ -177,6 +197,11 @@ class Referents:
         if piece is not None and piece.part_of is not None and holds_things(piece.part_of, self._domain):
             return (piece.part_of,)
         return tuple(self._house.floor_of(room) for room in self._rooms(name))
+
+    def settle(self, referent: Referent, meant: Referent) -> None:
+        """What takes up a referent again from now on takes up what has become of it."""
+        self._mentioned.update({key: meant for key, value in self._mentioned.items() if value == referent})
+        self._named.update({words: meant for words, value in self._named.items() if value == referent})
 
     def narrowed(self, referent: Referent, fits: Callable[[str], bool]) -> Referent | None:
         names = tuple(name for name in referent.candidates if fits(name))
@@ -199,6 +224,11 @@ class Referents:
     def may_move(self, referents: Sequence[Referent]) -> bool:
         """Whether any of what they may mean is a thing or a person, which need not be where it was."""
         return any(not self.is_fixed(name) for referent in referents for name in referent.candidates)
+
+
+def _named(phrase: NounPhrase, fits: Callable[[str], bool]) -> list[str]:
+    """Of what a phrase names, what fits; of what it is a plural of, where it names nothing else."""
+    return list(filter(fits, phrase.entities)) or list(filter(fits, phrase.plurals))
 
 
 def _key(referent: Referent) -> Key:

@@ -61,9 +61,7 @@ class Standing:
         self.task, self.belief, self.bindings, self.since = task, belief, bindings, max(since, 0)
         self.domain = belief.domain
         self.house = belief.domain.house
-        self.wheres = tuple(
-            place for r in task.places for place in places_of(r, belief, for_people=self._asks_people())
-        )
+        self.wheres = self._places_of([self._meant(referent) for referent in task.places])
         lost = self._lost_landmarks() if task.type in _FINDING_OUT else ()
         self.theres = self.wheres if not lost else self._known_wheres(lost)
 
@@ -135,13 +133,16 @@ class Standing:
 
     def _lost_landmarks(self) -> tuple[str, ...]:
         """The things beside which the task looks ("under the pillow") that are not found yet."""
-        names = (name for referent in self.task.places for name in referent.candidates)
+        names = (name for referent in self.task.places for name in self._meant(referent))
         return tuple(name for name in names if name in self.house.things and self.belief.place_of(name) is None)
 
     def _known_wheres(self, lost: Sequence[str]) -> tuple[str, ...]:
         """The places that the task names for sure: what lies where a thing may be need not lie beside it."""
-        known = (Referent(r.phrase, tuple(n for n in r.candidates if n not in lost)) for r in self.task.places)
-        return tuple(place for r in known for place in places_of(r, self.belief, for_people=self._asks_people()))
+        return self._places_of([[n for n in self._meant(r) if n not in lost] for r in self.task.places])
+
+    def _places_of(self, groups: Iterable[Iterable[str]]) -> tuple[str, ...]:
+        is_of_people = self._asks_people()
+        return tuple(place for names in groups for place in places_of(names, self.belief, for_people=is_of_people))
 
     def _was_seen(self, name: str) -> bool:
         if name in self.house.things or name in self.house.people:
@@ -242,12 +243,3 @@ class Standing:
         wanted = set(names)
         phrases = [referent.phrase for referent in self.task.objects if wanted & set(referent.candidates)]
         return " and ".join(phrases) or self._objects_phrase()
-
-
-_INDEFINITE = frozenset(("a", "an", "any", "some", "anything", "something", "anybody", "anyone", "somebody", "someone"))
-
-
-def is_indefinite(referent: Referent) -> bool:
-    """Whether a phrase asks for any one, or any so many, not for a certain one."""
-    is_any_number = referent.count > 1 and not referent.is_all
-    return is_any_number or referent.phrase.lower().split(" ", 1)[0] in _INDEFINITE

@@ -9,7 +9,6 @@ from functools import lru_cache
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import ROBOT, Belief
-from decomplex_bt.planning.ground_task import Referent
 
 HOP_COST = 1.0
 """What a doorway on the way weighs against likelihood: a place two doorways off must be three times as likely."""
@@ -17,13 +16,13 @@ DOOR_COST = 0.3
 """What opening a container weighs, in the same measure."""
 
 
-def places_of(referent: Referent, belief: Belief, *, for_people: bool = False) -> tuple[str, ...]:
-    """The places where things can lie that a referent of a place stands for now.
+def places_of(names: Iterable[str], belief: Belief, *, for_people: bool = False) -> tuple[str, ...]:
+    """The places where things can lie that these names of places stand for now.
 
     A room stands for all its places, the floor included (for people: for its floor alone), a thing for the place it
     lies at, a person for themselves, and what holds nothing for itself.
     """
-    return tuple(dict.fromkeys(p for name in referent.candidates for p in _stands_for(name, belief, for_people)))
+    return tuple(dict.fromkeys(p for name in names for p in _stands_for(name, belief, for_people)))
 
 
 def _stands_for(name: str, belief: Belief, for_people: bool) -> Iterator[str]:

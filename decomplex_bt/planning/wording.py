@@ -11,6 +11,7 @@ from decomplex_bt.domain.verbs import lemmas, sense_of
 from decomplex_bt.instruction import Instruction, Task
 from decomplex_bt.planning.phrases import read_state, split_preposition
 
+_FINDING_OUT = frozenset(("check", "verify", "test", "inspect", "look", "see"))
 _PARTICLES = re.compile(r"[a-z']+")
 
 
@@ -65,6 +66,15 @@ class Wording:
 
     def is_absence(self, words: str) -> bool:
         return words.lower().strip() in self._domain.lexicon.absence_words
+
+    def is_bare_check(self, task: Task) -> bool:
+        """Whether a check's verb asks to find out, and not what ("check the window", but not "has it finished")."""
+        form = task.span.of(self._instruction.text).lower()
+        return any(lemma in _FINDING_OUT for lemma in lemmas(form))
+
+    def has_possession_verb(self, task: Task) -> bool:
+        """Whether a check says by its verb that somebody has something ("if Tom has the keys")."""
+        return "have" in lemmas(task.span.of(self._instruction.text).lower())
 
     def has_absence_verb(self, task: Task) -> bool:
         """Whether a check asks by its verb whether somebody is gone ("if Anna has left")."""

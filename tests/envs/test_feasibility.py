@@ -27,6 +27,7 @@ def course(world, flow, *tasks):
         (HandWorld(), task(1, "check_state", "coffee", state="hot"), "thing nowhere", "coffee"),
         (HandWorld({"keys": "desk"}), task(1, "bringing", "keys", recipient="anna"), "person out", "anna"),
         (HandWorld(), task(1, "informing", recipient="tom"), "person out", "tom"),
+        (HandWorld({"anna": "study"}), task(1, "informing", recipient=["anna", "tom"]), "person out", "tom"),
         (HandWorld(), task(1, "following", "anna", goal="kitchen"), "person out", "anna"),
         (HandWorld(broken={"tv"}), task(1, "change_state", "tv", state="on"), "device broken", "tv"),
         (

@@ -87,12 +87,12 @@ def test_every_type_of_task_can_be_done(seed):
         GroundTask(2, "searching", "look for", objects=(thing,), places=(referent(box),)),
         GroundTask(3, "taking", "take", objects=(thing,)),
         GroundTask(4, "placing", "put", objects=(thing,), goal=referent(surface)),
-        GroundTask(5, "bringing", "bring", objects=(thing,), recipient=user),
+        GroundTask(5, "bringing", "bring", objects=(thing,), recipients=(user,)),
         GroundTask(6, "change_state", "turn on", objects=(referent(device),), state="on"),
         GroundTask(7, "change_state", "heat", objects=(referent(food),), state="hot"),
         GroundTask(8, "check_state", "is", objects=(thing,), places=(referent(box),), state=HERE),
         GroundTask(9, "following", "follow", objects=(referent(*others),), goal=room),
-        GroundTask(10, "informing", "tell", recipient=user),
+        GroundTask(10, "informing", "tell", recipients=(user,)),
     ]
     assert {task.type for task in tasks} == set(DOMAIN.ontology.task_types)
     assert [find_cause(task, {}, domain, truth) for task in tasks] == [None] * len(tasks)

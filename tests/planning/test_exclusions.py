@@ -4,7 +4,7 @@ import pytest
 
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.errors import ImpossibleGoalError, InputError
 from decomplex_bt.planning.grounding import ground
 
 DOMAIN = load_domain("household")
@@ -43,14 +43,59 @@ def test_what_comes_after_an_exclusion_is_still_said() -> None:
     grounded = ground(read_markup(text, DOMAIN.ontology, flow=[1, 2]), DOMAIN).tasks[0]
     assert grounded.objects[0].candidates == ("pen_1",)
     assert not grounded.objects[0].is_all
-    assert grounded.recipient is not None
-    assert grounded.recipient.candidates == ("anna",)
+    assert [person.candidates for person in grounded.recipients] == [("anna",)]
 
 
 @pytest.mark.parametrize("which", ["the dirty ones", "the one on the couch"])
 def test_what_nobody_can_know_beforehand_is_refused(which: str) -> None:
     with pytest.raises(ImpossibleGoalError, match="cannot be known beforehand"):
         candidates(f"[Bring](1:bringing) [me](1:recipient) [all the mugs](1:object) except {which}.")
+
+
+MUG = "[Bring](1:bringing) [me](1:recipient) [a mug](1:object)"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        (MUG + " that is not red.", {"mug_2"}),
+        (MUG + " which isn't the green one.", {"mug_1"}),
+        (MUG + ", not the red one.", {"mug_2"}),
+        (MUG + " that's red.", {"mug_1"}),
+        (CLOSE + "[the window](1:object) that is not [in the kitchen](1:location).", WINDOWS - {"kitchen_window"}),
+        ("[Bring](1:bringing) [me](1:recipient) [the cup](1:object), not the mug.", {"cup_1", "cup_2"}),
+    ],
+)
+def test_what_a_clause_says_about_colours_and_places_is_heeded(text: str, meant: set[str]) -> None:
+    assert candidates(text) == meant
+
+
+def test_what_a_clause_says_about_states_is_heeded() -> None:
+    for clause, value in (("is not dirty", "clean"), ("is dirty", "dirty"), ("is still dirty", "dirty")):
+        text = f"{MUG} that {clause}."
+        assert ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0].objects[0].where == (
+            ("cleanliness", value),
+        )
+    text = CLOSE + "[the windows](1:object) that are [open](1:state)."
+    task = ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0]
+    assert (task.state, task.objects[0].where) == ("closed", (("aperture", "open"),))
+
+
+def test_what_is_left_out_stays_so_for_a_pronoun() -> None:
+    text = "[Take](1:taking) [a pen](1:object) that is not red, and [give](2:bringing) [it](2:object=a pen) to Anna."
+    first, second = ground(read_markup(text, DOMAIN.ontology, flow=[1, 2]), DOMAIN).tasks
+    assert first.objects == second.objects
+
+
+def test_what_is_said_after_an_aside_counts() -> None:
+    text = "[Bring](1:bringing) [me](1:recipient) [the cup](1:object), not the mug, and [the pen](1:object)."
+    assert len(ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0].objects) == 2
+
+
+@pytest.mark.parametrize("clause", ["that is not on the desk", "that isn't Tom's"])
+def test_a_clause_that_nobody_can_heed_is_refused(clause: str) -> None:
+    with pytest.raises(InputError):
+        candidates(f"{MUG} {clause}.")
 
 
 def test_leaving_out_everything_is_refused() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -9,11 +10,13 @@ import pytest
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
+from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.ground_task import HERE
 from decomplex_bt.planning.grounding import GroundInstruction, GroundTask, ground
 
 DOMAIN = load_domain()
 PENS, MUGS, TABLES = ("pen_1", "pen_2"), ("mug_1", "mug_2"), ("kitchen_table", "coffee_table", "hallway_table")
+WINDOWS = ("kitchen_window", "living_room_window", "bedroom_window")
 
 
 def grounded(text: str, count: int = 1, **kwargs: Any) -> GroundInstruction:
@@ -36,6 +39,12 @@ def first(text: str) -> GroundTask:
         ("any mugs", [(MUGS, False, 1)]),
         ("two mugs", [(MUGS, False, 2)]),
         ("both of the mugs", [(MUGS, True, 1)]),
+        ("every one of the mugs", [(MUGS, True, 1)]),
+        ("any of the mugs", [(MUGS, False, 1)]),
+        ("some of the mugs", [(MUGS, False, 1)]),
+        ("one of the mugs", [(MUGS, False, 1)]),
+        ("either of the mugs", [(MUGS, False, 1)]),
+        ("a couple of the mugs", [(MUGS, False, 2)]),
         ("a cup or a mug", [(("cup_1", "cup_2", *MUGS), False, 1)]),
         ("my wife's phone", [(("phone",), False, 1)]),
         ("a slice of bread", [(("bread",), False, 1)]),
@@ -47,6 +56,118 @@ def first(text: str) -> GroundTask:
 def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ...], bool, int]]) -> None:
     task = first(f"[Take](1:taking) [{phrase}](1:object)")
     assert [(r.candidates, r.is_all, r.count) for r in task.objects] == expected
+
+
+@pytest.mark.parametrize(
+    ("phrase", "is_any"),
+    [
+        ("a window", True),
+        ("one window", True),
+        ("any of the windows", True),
+        ("the tv or the radio", True),
+        ("either the tv or the radio", True),
+        ("the tv nor the radio", True),
+        ("the window", False),
+        ("all the windows", False),
+    ],
+)
+def test_a_phrase_asks_for_any_or_for_a_certain_one(phrase: str, is_any: bool) -> None:
+    task = first(f"[Look](1:searching) [at {phrase}](1:location)")
+    assert task.places[0].is_any is is_any
+
+
+@pytest.mark.parametrize(
+    ("said", "meant", "candidates", "count"),
+    [
+        ("one", "all the windows", WINDOWS, 1),
+        ("two of them", "the windows", WINDOWS, 2),
+        ("either of them", "both mugs", MUGS, 1),
+        ("one of them", "the tv and the radio", ("tv", "radio"), 1),
+        ("two", "two pens", PENS, 2),
+        ("one", "a pen", PENS, 1),
+    ],
+)
+def test_a_pronoun_may_pick_some_of_what_it_stands_for(
+    said: str, meant: str, candidates: tuple[str, ...], count: int
+) -> None:
+    task = first(f"[Look](1:searching) [at {said}](1:location={meant})")
+    assert [(r.candidates, r.is_all, r.count) for r in task.places] == [(candidates, False, count)]
+
+
+def test_a_pronoun_keeps_its_own_preposition() -> None:
+    task = first("[Put](1:placing) [the ball](1:object) [under it](1:goal=the couch)")
+    assert task.goal is not None
+    assert task.goal.candidates == ("living_room_floor",)
+
+
+def test_a_pronoun_means_the_place_meant_before_wherever_the_robot_is_sent() -> None:
+    close = "[Close](1:change_state) [the drawer](1:object) [in the kitchen](1:location), "
+    text = close + "[go](2:motion) [to the study](2:goal), [look](3:searching) [into it](3:location=the drawer)"
+    assert grounded(text, 3).tasks[2].places[0].candidates == ("drawer",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Close](1:change_state) [the window](1:object) [in the study](1:location)",
+        "[Close](1:change_state) [the window in the study](1:object)",
+        "[Switch](1:change_state) on [the tv](1:object) [in the kitchen](1:location)",
+        "[Bring](1:bringing) [me](1:recipient) [the cup](1:object) [from the table in the bedroom](1:source)",
+    ],
+)
+def test_what_is_fixed_elsewhere_is_refused(text: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match=r"names nothing in the .*, only in"):
+        first(text)
+
+
+def test_what_tells_one_from_another_is_no_place_it_must_be_in() -> None:
+    task = first("[Open](1:change_state) [the cupboard with the bathroom door](1:object)")
+    assert "cupboard" in task.objects[0].candidates
+
+
+@pytest.mark.parametrize(
+    ("phrase", "count"),
+    [("at least one pen", 1), ("at least two pens", 2), ("more than one pen", 2), ("either pen", 1)],
+)
+def test_a_quantity_is_read(phrase: str, count: int) -> None:
+    (pens,) = first(f"[Bring](1:bringing) [me](1:recipient) [{phrase}](1:object)").objects
+    assert (pens.candidates, pens.count, pens.is_all) == (PENS, count, False)
+
+
+@pytest.mark.parametrize(
+    "text", ["[Drop](1:placing) [the ball](1:object)", "[Let](1:placing) go [of it](1:object=the ball)"]
+)
+def test_what_is_dropped_lands_on_the_floor(text: str) -> None:
+    task = first(text)
+    assert task.goal is not None
+    assert set(task.goal.candidates) == {DOMAIN.house.floor_of(room) for room in DOMAIN.house.rooms}
+
+
+def test_nothing_is_put_onto_itself() -> None:
+    instruction = read_markup("[Put](1:placing) [the pen](1:object) down", DOMAIN.ontology, flow=[1])
+    circle = replace(instruction.tasks[0], arguments=(*instruction.tasks[0].arguments, Argument("goal", "the pen")))
+    with pytest.raises(MissingArgumentError):
+        ground(replace(instruction, tasks=(circle,)), DOMAIN)
+
+
+def test_a_bare_check_asks_what_its_mention_says() -> None:
+    text = (
+        "[Check](1:check_state) [the windows](1:object). If [any of them](2:object=the windows) "
+        "[is](2:check_state) [open](2:state), [tell](3:informing) [me](3:recipient)."
+    )
+    instruction = read_markup(text, DOMAIN.ontology, flow=[{"if": [1, 2], "then": [3]}])
+    check = ground(instruction, DOMAIN).tasks[0]
+    assert (check.state, check.objects[0].is_any) == ("open", True)
+
+
+def test_who_has_a_thing_cannot_be_asked() -> None:
+    with pytest.raises(ImpossibleGoalError, match="who has a thing cannot be asked"):
+        first("if [Tom](1:object) [has](1:check_state) [the keys](1:state)")
+
+
+def test_alternatives_may_be_one_or_several_of_a_kind() -> None:
+    task = first("[Open](1:change_state) [the windows or the front door](1:object)")
+    assert set(task.objects[0].candidates) == {*WINDOWS, "front_door"}
 
 
 @pytest.mark.parametrize(
@@ -82,8 +203,7 @@ def test_state_words_tell_one_from_another() -> None:
     assert task.objects[0].where == (("cleanliness", "clean"),)
     assert task.objects[0].candidates == MUGS
     assert first("[Take](1:taking) [the dirty shirt](1:object)").objects[0].where == ()
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
 
 
 @pytest.mark.parametrize(
@@ -122,7 +242,7 @@ def test_a_change_of_state_has_objects_and_a_value(text: str, expected: tuple[tu
         ("if there [is](1:check_state) [any juice](1:object) [going](1:state)", ("juice",), (), "here"),
         ("if [the tv](1:object) [is](1:check_state) [going](1:state)", ("tv",), (), "on"),
         ("[Oven](1:object) [on](1:check_state)?", ("oven",), (), "on"),
-        ("[Heater](1:object) still [on](1:check_state) [in the bathroom](1:location)?", ("heater",), (), "on"),
+        ("[Heater](1:object) still [on](1:check_state) [in the study](1:location)?", ("heater",), (), "on"),
         ("[heater](1:object) [on](1:check_state) [in here](1:location)", ("heater",), (), "on"),
         (
             "[Check](1:check_state) whether [the window](1:object) [in the kitchen](1:location) is [shut](1:state)",
@@ -230,13 +350,25 @@ def test_a_missing_argument_is_asked_for() -> None:
         first("[Put](1:placing) [the book](1:object) down")
 
 
+@pytest.mark.parametrize("who", ["Anna and Tom", "everyone"])
+def test_one_thing_for_several_people_is_refused(who: str) -> None:
+    for kind in ("recipient", "goal"):
+        with pytest.raises(ImpossibleGoalError, match=r"only one person can have a thing|ends up in one place"):
+            first(f"[Give](1:bringing) [the apple](1:object) [to {who}](1:{kind})")
+
+
+def test_a_thing_for_several_places_and_a_way_to_several_of_many_are_refused() -> None:
+    with pytest.raises(ImpossibleGoalError, match="ends up in one place"):
+        first("[Put](1:placing) [the pen](1:object) [on the desk and the couch](1:goal)")
+    with pytest.raises(ImpossibleGoalError, match="leaves open where to go"):
+        first("[Go](1:motion) [to a window and the kitchen](1:goal)")
+
+
 def test_recipient_and_message_have_defaults() -> None:
     task = first("[Fetch](1:bringing) [a pen](1:object)")
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
     task = first("[Report](1:informing) back")
-    assert task.recipient is not None
-    assert task.recipient.candidates == ("user",)
+    assert [person.candidates for person in task.recipients] == [("user",)]
     assert task.message is None
 
 

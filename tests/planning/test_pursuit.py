@@ -362,3 +362,50 @@ def test_who_was_in_a_room_a_moment_ago_is_there_once_it_was_looked_over(is_reme
         )
     found = pursue(task, belief, {}, since=2)
     assert (found.status, found.truth) == (DONE, is_remembered)
+
+
+def test_a_place_that_was_handled_is_meant_from_then_on() -> None:
+    close = "[Close](1:change_state) [the drawer](1:object) and "
+    text = close + "[bring](2:bringing) [me](2:recipient) [the pen](2:object) [from it](2:source=the drawer)"
+    inside = world({"pen_1": "desk_drawer", "pen_2": "drawer"})
+    closed, brought = run(text, inside)
+    handled = bound(closed)["the drawer"]
+    assert {"desk_drawer": ("pen_1",), "drawer": ("pen_2",)}[handled[0]] == bound(brought)["the pen"]
+
+
+def test_a_place_where_a_thing_was_put_is_meant_from_then_on() -> None:
+    text = "[Put](1:placing) [the cup](1:object) [on the table](1:goal)"
+    (put,) = run(text, world())
+    assert len(bound(put)["the table"]) == 1
+
+
+def test_several_places_are_gone_to_one_by_one() -> None:
+    inside = world()
+    (gone,) = run("[Go](1:motion) [to the kitchen and the bathroom](1:goal)", inside)
+    assert gone.status is DONE
+    assert {room for step in names(inside) for room in ("kitchen", "bathroom") if room in step} == {
+        "kitchen",
+        "bathroom",
+    }
+
+
+def test_each_who_is_named_is_told() -> None:
+    text = "[Tell](1:informing) [Anna and Tom](1:recipient) [that I left](1:message)"
+    inside = world({"anna": "study", "tom": "kitchen"})
+    assert run(text, inside)[0].status is DONE
+    assert {"(say anna)", "(say tom)"} <= {str(step) for step in inside.steps}
+    assert run(text, world({"anna": None, "tom": "kitchen"}))[0].status is FAILED
+
+
+@pytest.mark.parametrize(
+    ("phrase", "values", "truth"),
+    [
+        ("either the tv or the radio", {("radio", "power"): "on"}, True),
+        ("the tv or the radio", {("tv", "power"): "on"}, True),
+        ("neither the tv nor the radio", {}, False),
+    ],
+)
+def test_of_alternatives_any_will_do(phrase: str, values: dict[tuple[str, str], str], truth: bool) -> None:
+    inside = world(values={("tv", "power"): "off", ("radio", "power"): "off", **values})
+    (checked,) = run(f"if [{phrase}](1:object) [is](1:check_state) [on](1:state)", inside)
+    assert checked.truth is truth
