@@ -25,11 +25,8 @@ from decomplex_bt.errors import InputError
 
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
-TV = read_markup(
-    "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
-    ONTOLOGY,
-    flow=[{"if": 1, "then": [2]}],
-)
+TV_SAID = "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off."
+TV = read_markup(TV_SAID, ONTOLOGY, flow=[{"if": 1, "then": [2]}])
 REST = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
 
 
@@ -151,6 +148,25 @@ def test_same_seed_same_world_whatever_instruction_apart_from_what_it_tests():
     assert np.array_equal(one.world.position, other.world.position, equal_nan=True)
     rows = [row for row, name in enumerate(one.entities) if name != "tv"]
     assert np.array_equal(one.world.states[rows], other.world.states[rows])
+
+
+def test_a_seed_answers_each_question_anew_and_the_same_question_alike():
+    env = HouseholdEnv()
+    radio = read_markup(TV_SAID.replace("tv", "radio"), ONTOLOGY, flow=[{"if": 1, "then": [2]}])
+    tell = read_markup(
+        "If [the tv](1:object) [is](1:check_state) [on](1:state), [tell](2:informing) [me](2:recipient).",
+        ONTOLOGY,
+        flow=[{"if": 1, "then": [2]}],
+    )
+
+    def is_on(name, instruction):
+        for seed in range(40):
+            env.reset(seed=seed, instruction=instruction)
+            yield env.truth().state(name, "power") == "on"
+
+    tv, others = list(is_on("tv", TV)), list(is_on("radio", radio))
+    assert 8 <= sum(one == other for one, other in zip(tv, others, strict=True)) <= 32
+    assert list(is_on("tv", tell)) == tv
 
 
 @pytest.mark.parametrize(
