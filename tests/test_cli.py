@@ -144,6 +144,16 @@ def test_run_tells_the_story_and_films_it(tmp_path: Path, capsys: pytest.Capture
         assert picture.n_frames > 2
 
 
+def test_run_says_where_nothing_was_left_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    said = {}
+    for seed in (0, 1):
+        assert main(["run", "Turn on the tv.", "--seed", str(seed)]) == 0
+        last = capsys.readouterr().out.splitlines()[-1]
+        said[" 1 steps" in last] = last
+    assert said[True].startswith("success: nothing was left to do from the first (0.1 s")
+    assert said[False].startswith("success (")
+
+
 def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("decomplex_bt.cli.film.find_spec", lambda name: None)
     assert main(["run", "Go to the kitchen.", "--record", "film.mp4"]) == 2
