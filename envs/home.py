@@ -13,6 +13,7 @@ from decomplex_bt.envs.opening import can_be_asked
 from decomplex_bt.envs.options import read_house
 from decomplex_bt.envs.residence import Residence
 from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.skills import check_skills
 from decomplex_bt.envs.stage import Stage
 from decomplex_bt.errors import InputError
 
@@ -37,6 +38,7 @@ class Home:
     ) -> None:
         path, self.seed = read_house({"house": house, "house_seed": house_seed})
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
+        check_skills(self.base)
         self.house: tuple[str | None, int | None] = path, self.seed
         self._residence = Residence(self.base, path=path, size=size)
         self._settle(self._residence.domain(self.seed))

@@ -9,7 +9,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from decomplex_bt.domain.document import Record
+from decomplex_bt.domain.document import Format, Probability, Record, Weights
 from decomplex_bt.domain.kinds import Kind, Kinds
 
 Side = Literal["north", "east", "south", "west"]
@@ -52,9 +52,9 @@ class Item(Record):
 
     kind: str
     colour: str | None = None
-    places: dict[str, float] = {}
+    places: Weights = {}
     """Overrides the kind's places: names or kinds of places to relative weight."""
-    absent: float | None = None
+    absent: Probability | None = None
 
 
 class Person(Record):
@@ -62,8 +62,8 @@ class Person(Record):
 
     kind: str
     words: tuple[str, ...] = ()
-    home: float = Field(1.0, ge=0, le=1)
-    rooms: dict[str, float] = Field(min_length=1)
+    home: Probability = 1.0
+    rooms: Weights = Field(min_length=1)
 
 
 class House(Record):
@@ -72,16 +72,16 @@ class House(Record):
     The first of `people` is the user. `robot_start`: room to relative weight.
     """
 
-    format: int
+    format: Format
     name: str
     rooms: dict[str, Room]
     doorways: dict[str, Doorway]
     furniture: dict[str, Furniture]
     things: dict[str, Item]
     people: dict[str, Person]
-    robot_start: dict[str, float]
-    grasp_slip: float = Field(0.0, ge=0, le=1)
-    missed_detection: float = Field(0.0, ge=0, le=1)
+    robot_start: Weights = Field(min_length=1)
+    grasp_slip: Probability = 0.0
+    missed_detection: Probability = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> House:

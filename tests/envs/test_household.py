@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -21,7 +22,7 @@ from decomplex_bt.envs.household import HouseholdConfig, HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
 from decomplex_bt.envs.wrappers import InstructionReset
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import DataFileError, InputError
 
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
@@ -387,6 +388,15 @@ def test_what_is_named_is_checked_at_once(tmp_path):
     for arguments in named:
         with pytest.raises(InputError):
             gym.make(HOUSEHOLD, **arguments)
+
+
+def test_an_action_without_a_skill_is_named_at_once(tmp_path):
+    for path in load_domain("household").folder.glob("*.*"):
+        shutil.copy(path, tmp_path)
+    text = (tmp_path / "domain.pddl").read_text(encoding="utf-8")
+    (tmp_path / "domain.pddl").write_text(text.replace("(:action stow", "(:action juggle"), encoding="utf-8")
+    with pytest.raises(DataFileError, match=r"domain\.pddl: action juggle: the robot has no skill for it; it has move"):
+        gym.make(HOUSEHOLD, domain=tmp_path)
 
 
 def test_one_that_was_never_reset_survives_pickling():
