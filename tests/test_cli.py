@@ -99,6 +99,14 @@ def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None
 
 
 @pytest.mark.parametrize("command", ["plan", "tree", "run"])
+def test_no_control_character_is_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([command, "Tell me \x1b[31m that\nthe \x07 tea is ready."]) == 0
+    out, _ = capsys.readouterr()
+    assert all(line.isprintable() for line in out.split("\n"))
+    assert command == "plan" or r"Tell me \x1b[31m that\nthe \x07 tea is ready." in out
+
+
+@pytest.mark.parametrize("command", ["plan", "tree", "run"])
 @pytest.mark.parametrize("options", [[], ["--json"]], ids=["text", "json"])
 def test_what_the_reading_warns_of_reaches_the_user(
     command: str, options: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
