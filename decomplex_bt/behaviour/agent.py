@@ -147,7 +147,7 @@ class TreeAgent:
         limit, a violation, or a judge who was content with less.
         """
         self._conclude()
-        return self.tree.root.status
+        return Status.INVALID if self._session is None else self.tree.root.status
 
     @property
     def failures(self) -> tuple[Failure, ...]:
