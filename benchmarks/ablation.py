@@ -25,6 +25,7 @@ from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.evaluation.proportion import Proportion
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding import arguments, dependencies, tasks
+from decomplex_bt.understanding.damage import ENCODER_FOLDER
 from decomplex_bt.understanding.disturbances import with_fillers
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.encoder.flows import EncoderFlows, FlowNetworkModel
@@ -32,7 +33,7 @@ from decomplex_bt.understanding.encoder.model import PIECES_FILE
 from decomplex_bt.understanding.encoder.pieces import Pieces
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.interpreter import ENCODER_FOLDER, has_encoder
+from decomplex_bt.understanding.interpreter import has_encoder
 from decomplex_bt.understanding.noise import edited, without_punctuation
 from decomplex_bt.understanding.training import EDITS, observe
 

@@ -23,7 +23,8 @@ from decomplex_bt.corpus import VOICES_FILE, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.evaluation.metrics import LanguageScores, score
 from decomplex_bt.evaluation.proportion import Proportion
-from decomplex_bt.understanding.interpreter import ENCODER_FOLDER, Interpreter
+from decomplex_bt.understanding.damage import ENCODER_FOLDER
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.training import train
 
 Rows = dict[str, dict[str, Any]]

@@ -156,7 +156,7 @@ class Instruction:
 
     def describe(self, flow: Flow) -> str:
         """A control flow of these tasks in lines, each task with its type and its words."""
-        return flow.describe({task.id: f"{task.type}: {self.phrase(task.id)}" for task in self.tasks})
+        return flow.describe({task.id: escaped(f"{task.type}: {self.phrase(task.id)}") for task in self.tasks})
 
     def __str__(self) -> str:
         return self.describe(self.flow)
@@ -182,3 +182,10 @@ class Instruction:
                 for argument in task.arguments
             ],
         }
+
+
+def escaped(text: str) -> str:
+    """The text on one line, with line breaks and what no terminal should get raw written out, as in `\\n`."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)

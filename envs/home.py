@@ -14,6 +14,7 @@ from decomplex_bt.envs.options import read_house
 from decomplex_bt.envs.reach import check_access
 from decomplex_bt.envs.residence import Residence
 from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.skills import check_skills
 from decomplex_bt.envs.stage import Stage
 from decomplex_bt.errors import InputError
 
@@ -38,6 +39,7 @@ class Home:
     ) -> None:
         path, self.seed = read_house({"house": house, "house_seed": house_seed})
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
+        check_skills(self.base)
         self.house: tuple[str | None, int | None] = path, self.seed
         if isinstance(
             domain, Path

@@ -16,8 +16,6 @@ from decomplex_bt.envs.stream import Stream
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from decomplex_bt.envs.balance import Test
     from decomplex_bt.envs.randomness import Generators
 
@@ -59,16 +57,17 @@ def draw_asked(base: Domain, setting: Setting, rng: Generator) -> tuple[Request,
 
 
 def draw_start(
-    setting: Setting, options: Options, tests: Sequence[Test], balance: float, generators: Generators
+    setting: Setting, options: Options, tests: tuple[Test, ...], balance: float, generators: Generators
 ) -> Start:
     """How the world begins: drawn, mixed towards the tests, and as the options want it."""
     draw = Draw(setting.prior, setting.spots)
-    chance, mixing = Stream(generators.base), generators.mixing
+    chance = Stream(generators.base)
     if options.chance:
         draw.everything(chance)
-        mix(draw, tests, balance if options.balance is None else options.balance, mixing)
+        balance = balance if options.balance is None else options.balance
+        mix(draw, tests, balance, generators.mixing(tests))
     else:
         draw.likeliest()
-    apply_options(options, draw, mixing)
+    apply_options(options, draw, generators.changing)
     draw.robot(chance if options.chance else None)
     return draw.start

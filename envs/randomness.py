@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Hashable
+from functools import cached_property, lru_cache
+from hashlib import blake2b
 from typing import Any
 
 import numpy as np
@@ -38,22 +40,35 @@ def _generator(number: int) -> cached_property[Generator]:
 
 
 class Generators:
-    """`base`: how the world begins. `mixing`: what the balance and the options change of it. `asking`: which
-    instruction. `noise`: slips and misses. `whims`: where people go who may go wherever they like. `meddling`: what
-    somebody else moves. Each is made when it is first asked for: most episodes need three."""
+    """`base`: how the world begins. `changing`: what the options change of it. `asking`: which instruction. `noise`:
+    slips and misses. `whims`: where people go who may go wherever they like. `meddling`: what somebody else moves. Each
+    is made when it is first asked for: most episodes need three."""
 
     def __init__(self, words: NDArray[np.uint64]) -> None:
         self._words = words
 
     base = _generator(0)
-    mixing = _generator(1)
+    changing = _generator(1)
     asking = _generator(2)
     noise = _generator(3)
     whims = _generator(4)
     meddling = _generator(5)
+
+    def mixing(self, tests: Hashable) -> Generator:
+        """What the balance changes of it, by what a flow tests (values with a text of their own).
+
+        By the seed alone, the first condition of every instruction would come out alike.
+        """
+        return Generator(PCG64(_Words(self._words[1] ^ _digest(tests))))  # type: ignore[arg-type]
 
 
 def draw_generators(rng: Generator) -> Generators:
     """Those of the next episode of an environment, whose own generator `rng` is."""
     # what `integers` gives, six times as fast
     return Generators(rng.bit_generator.random_raw(COUNT * WORDS).reshape(COUNT, WORDS))
+
+
+@lru_cache(maxsize=64)
+def _digest(value: Hashable) -> NDArray[np.uint64]:
+    """The words that a value's text comes to, in any process the same."""
+    return np.frombuffer(blake2b(repr(value).encode(), digest_size=8 * WORDS).digest(), dtype="<u8").astype(np.uint64)

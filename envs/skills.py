@@ -9,12 +9,15 @@ from collections.abc import Callable
 from typing import Any
 
 from decomplex_bt.behaviour.embodiment import Skill, SkillStatus, SkillTick
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.pddl import pddl_actions
 from decomplex_bt.envs.approach import Script, SkillError, move, pass_doorway
 from decomplex_bt.envs.embodiment import Action, HouseholdEmbodiment
 from decomplex_bt.envs.following import follow, tag_along
 from decomplex_bt.envs.handling import at_place, close_up, give, pick, place, receive, say, set_running, stow, unstow
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.looking import inspect, sense, sense_carried, sense_given, sense_place
+from decomplex_bt.errors import DataFileError
 from decomplex_bt.planning.pddl import GroundAction
 
 
@@ -75,3 +78,10 @@ SKILLS: dict[str, Callable[..., Script]] = {
     "tag-along": tag_along,
 }
 """By the name of the PDDL action; called with the body and the action's objects in order."""
+
+
+def check_skills(domain: Domain) -> None:
+    """Raises `DataFileError` where an action of the domain has no skill."""
+    if unknown := [name for name in pddl_actions(domain.domain_pddl) if name not in SKILLS]:
+        problem = f"action {unknown[0]}: the robot has no skill for it; it has {', '.join(SKILLS)}"
+        raise DataFileError(domain.folder / "domain.pddl", problem)

@@ -2,10 +2,10 @@
 
 Output:
 
+    world 0: success True, branches [{'task': 1, 'truth': False, 'taken': 'else'}]
+    world 1: success True, branches [{'task': 1, 'truth': True, 'taken': None}]
+    world 2: success True, branches [{'task': 1, 'truth': False, 'taken': 'else'}]
     world 3: success True, branches [{'task': 1, 'truth': True, 'taken': None}]
-    world 4: success True, branches [{'task': 1, 'truth': True, 'taken': None}]
-    world 5: success True, branches [{'task': 1, 'truth': False, 'taken': 'else'}]
-    world 6: success True, branches [{'task': 1, 'truth': False, 'taken': 'else'}]
 """
 
 import gymnasium as gym
@@ -15,7 +15,7 @@ import decomplex_bt
 env = gym.make("decomplex_bt/Household-v0")
 agent = decomplex_bt.TreeAgent(env)  # knows the house's map, nothing of the episode
 
-for seed in range(3, 7):
+for seed in range(4):
     observation, info = env.reset(seed=seed, instruction="Turn on the tv. If you cannot, bring me the remote.")
     agent.reset(observation, info)  # understands the instruction, compiles the tree
     while True:

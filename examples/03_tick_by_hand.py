@@ -28,7 +28,7 @@ import decomplex_bt
 from decomplex_bt.behaviour.export import to_text
 
 env = gym.make("decomplex_bt/Household-v0")
-observation, info = env.reset(seed=2, instruction="If the tv is on, turn it off. Either way tell me.")
+observation, info = env.reset(seed=8, instruction="If the tv is on, turn it off. Either way tell me.")
 agent = decomplex_bt.TreeAgent(env)
 agent.reset(observation, info)
 print(to_text(agent.tree.root))

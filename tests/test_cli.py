@@ -99,6 +99,14 @@ def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None
 
 
 @pytest.mark.parametrize("command", ["plan", "tree", "run"])
+def test_no_control_character_is_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([command, "Tell me \x1b[31m that\nthe \x07 tea is ready."]) == 0
+    out, _ = capsys.readouterr()
+    assert all(line.isprintable() for line in out.split("\n"))
+    assert command == "plan" or r"Tell me \x1b[31m that\nthe \x07 tea is ready." in out
+
+
+@pytest.mark.parametrize("command", ["plan", "tree", "run"])
 @pytest.mark.parametrize("options", [[], ["--json"]], ids=["text", "json"])
 def test_what_the_reading_warns_of_reaches_the_user(
     command: str, options: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -142,6 +150,16 @@ def test_run_tells_the_story_and_films_it(tmp_path: Path, capsys: pytest.Capture
         assert part in out
     with Image.open(film) as picture:
         assert picture.n_frames > 2
+
+
+def test_run_says_where_nothing_was_left_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    said = {}
+    for seed in (0, 1):
+        assert main(["run", "Turn on the tv.", "--seed", str(seed)]) == 0
+        last = capsys.readouterr().out.splitlines()[-1]
+        said[" 1 steps" in last] = last
+    assert said[True].startswith("success: nothing was left to do from the first (0.1 s")
+    assert said[False].startswith("success (")
 
 
 def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

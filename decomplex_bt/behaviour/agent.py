@@ -147,7 +147,7 @@ class TreeAgent:
         limit, a violation, or a judge who was content with less.
         """
         self._conclude()
-        return self.tree.root.status
+        return Status.INVALID if self._session is None else self.tree.root.status
 
     @property
     def failures(self) -> tuple[Failure, ...]:
@@ -162,7 +162,7 @@ class TreeAgent:
         for _, node in sorted(self.compiled.nodes.items()):
             if isinstance(node, IfThenElse) and node.condition.status in (Status.SUCCESS, Status.FAILURE):
                 assert isinstance(node.condition, PlannedTask)
-                judged.append((node.condition.task_number, node.truth, node.taken))
+                judged.append((node.condition.task.number, node.truth, node.taken))
         return tuple(judged)
 
     def record(self) -> TraceRecorder:

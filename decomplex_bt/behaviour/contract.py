@@ -17,7 +17,7 @@ import gc
 from typing import Any
 
 from decomplex_bt.behaviour.embodiment import Embodiment, SkillStatus, SkillTick
-from decomplex_bt.domain.goals import pddl_sections
+from decomplex_bt.domain.pddl import pddl_actions
 from decomplex_bt.planning.pddl import GroundAction
 
 MAX_TICKS = 1500
@@ -39,8 +39,8 @@ class EmbodimentContract:
 
     def test_there_is_a_skill_for_every_action_of_the_domain(self) -> None:
         _, body = self.make()
-        names = {str(section[0]) for section in pddl_sections(body.domain.domain_pddl)[":action"]}
-        assert names <= {step.name for step in self.steps(body)}, "steps() leaves actions out"
+        names = pddl_actions(body.domain.domain_pddl)
+        assert set(names) <= {step.name for step in self.steps(body)}, "steps() leaves actions out"
         for step in self.steps(body):
             body.skill(step)
 

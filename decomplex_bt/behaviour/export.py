@@ -13,6 +13,8 @@ from py_trees.visitors import VisitorBase
 
 from decomplex_bt.behaviour.compiler import CompiledTree
 from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.instruction import escaped
+from decomplex_bt.planning.ground_task import GroundTask
 
 ASCII = {
     Status.SUCCESS: "[x]", Status.FAILURE: "[!]", Status.RUNNING: "[*]", Status.INVALID: "[ ]",
@@ -22,6 +24,19 @@ UNICODE = {
     Status.SUCCESS: "✓", Status.FAILURE: "✗", Status.RUNNING: "●", Status.INVALID: "○",
     "sequence": "→", "condition": "?", "leaf": "·",
 }  # fmt: skip
+_CHOICE = "names in the house: candidates between |, several phrases between ;, 'all of' or '2 of' before them"
+PORTS = {
+    "task": "number of the task in the instruction",
+    "type": "type of the task",
+    "condition": "true where the task is judged, and fails where it is false; false where it is to be done",
+    "object": f"what it is about; {_CHOICE}",
+    "location": f"where that is looked for or taken from; {_CHOICE}",
+    "goal": f"where it ends; {_CHOICE}",
+    "recipient": f"who gets or hears it; {_CHOICE}",
+    "state": "the value wanted or checked; here and not here: whether it is there",
+    "message": "what is said",
+}
+"""Of the action `PlannedTask`, with their meanings; a task has those of its arguments that it has."""
 _COLOURS = {Status.SUCCESS: "#c8e6c9", Status.FAILURE: "#ffcdd2", Status.RUNNING: "#bbdefb", Status.INVALID: "#ffffff"}
 
 
@@ -36,7 +51,7 @@ def to_dot(root: Behaviour) -> str:
     numbers = {id(node): number for number, (node, _) in enumerate(_walk(root))}
     for node, _ in _walk(root):
         shape = {"sequence": "box", "condition": "diamond", "leaf": "ellipse"}[_family(node)]
-        label = node.name.replace("\\", "\\\\").replace('"', '\\"')
+        label = escaped(node.name).replace("\\", "\\\\").replace('"', '\\"')
         lines.append(f'  n{numbers[id(node)]} [label="{label}", shape={shape}, fillcolor="{_COLOURS[node.status]}"];')
     for node, _ in _walk(root):
         for child, role in _children(node):
@@ -46,7 +61,8 @@ def to_dot(root: Behaviour) -> str:
 
 
 def to_json(root: Behaviour) -> dict[str, Any]:
-    """A snapshot: for each node its type, name, role under an if-then-else, status, feedback and children."""
+    """A snapshot: for each node its type, name, role under an if-then-else, status, feedback and children; for a leaf
+    its task with the arguments, and whether it stands as a condition."""
     return _snapshot(root, "")
 
 
@@ -62,7 +78,7 @@ def to_behaviortree_cpp(root: Behaviour) -> str:
     _append_xml(tree, root)
     models = ElementTree.SubElement(document, "TreeNodesModel")
     model = ElementTree.SubElement(models, "Action", ID="PlannedTask")
-    for port, meaning in (("task", "number of the task in the instruction"), ("type", "type of the task")):
+    for port, meaning in PORTS.items():
         ElementTree.SubElement(model, "input_port", name=port).text = meaning
     ElementTree.indent(document)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(document, encoding="unicode") + "\n"
@@ -128,6 +144,12 @@ def _children(node: Behaviour) -> Iterator[tuple[Behaviour, str]]:
         yield child, roles.get(id(child), "")
 
 
+def _task_of(node: Behaviour) -> GroundTask | None:
+    """The task of a leaf; None for other nodes."""
+    task = getattr(node, "task", None)
+    return task if isinstance(task, GroundTask) else None
+
+
 def _walk(node: Behaviour, role: str = "") -> Iterator[tuple[Behaviour, str]]:
     yield node, role
     for child, child_role in _children(node):
@@ -137,10 +159,10 @@ def _walk(node: Behaviour, role: str = "") -> Iterator[tuple[Behaviour, str]]:
 def _lines(node: Behaviour, role: str, depth: int, signs: dict[Any, str], show_status: bool) -> Iterator[str]:
     parts = ["  " * depth + signs[_family(node)]]
     parts += [f"{role}:"] if role else []
-    parts.append(node.name)
+    parts.append(escaped(node.name))
     if show_status:
         parts.append(signs[node.status])
-        parts += [f"({node.feedback_message})"] if node.feedback_message and not node.children else []
+        parts += [f"({escaped(node.feedback_message)})"] if node.feedback_message and not node.children else []
     yield " ".join(parts)
     for child, child_role in _children(node):
         yield from _lines(child, child_role, depth + 1, signs, show_status)
@@ -150,8 +172,12 @@ def _snapshot(node: Behaviour, role: str) -> dict[str, Any]:
     value: dict[str, Any] = {"type": type(node).__name__, "name": node.name}
     if role:
         value["role"] = role
-    if hasattr(node, "task_number"):
-        value["task"] = node.task_number
+    if task := _task_of(node):
+        value |= {"task": task.number, "task_type": task.type, "condition": bool(getattr(node, "is_condition", False))}
+        value["arguments"] = {
+            name: said if isinstance(said, str) else [referent.to_json() for referent in said]
+            for name, said in task.arguments().items()
+        }
     if isinstance(node, IfThenElse):
         value["truth"] = node.truth
     value |= {"status": node.status.value.lower(), "feedback": node.feedback_message}
@@ -177,8 +203,12 @@ def _append_xml(parent: ElementTree.Element, node: Behaviour) -> None:
             ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
     else:
         attributes = {"ID": "PlannedTask", "name": _printable(node.name)}
-        if hasattr(node, "task_number"):
-            attributes |= {"task": str(node.task_number), "type": getattr(node, "task_type", "")}
+        if task := _task_of(node):
+            is_condition = getattr(node, "is_condition", False)
+            attributes |= {"task": str(task.number), "type": task.type, "condition": str(is_condition).lower()}
+            for name, said in task.arguments().items():
+                text = said if isinstance(said, str) else ";".join(referent.choice for referent in said)
+                attributes[name] = _printable(text)
         ElementTree.SubElement(parent, "Action", attributes)
 
 

@@ -40,8 +40,6 @@ class PlannedTask(Behaviour):
     def __init__(self, name: str, task: GroundTask, *, is_condition: bool = False) -> None:
         super().__init__(name)
         self.task = task
-        self.task_number = task.number
-        self.task_type = task.type
         self.is_condition = is_condition
         self._session: Session | None = None
         self._outcome: Status | None = None

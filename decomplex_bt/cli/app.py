@@ -12,6 +12,7 @@ import typer
 from decomplex_bt import __version__
 from decomplex_bt.cli import corpus, evaluate, parse, plan, reproduce, run, train, tree
 from decomplex_bt.errors import DecomplexError
+from decomplex_bt.instruction import escaped
 
 OK, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 """Exit statuses: done; the task failed or was infeasible; the input cannot be used; interrupted by the user."""
@@ -90,4 +91,4 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _complain(message: str) -> None:
-    print(f"decomplex-bt: {' '.join(message.split())}", file=sys.stderr)
+    print(f"decomplex-bt: {escaped(' '.join(message.split()))}", file=sys.stderr)

@@ -200,6 +200,7 @@ def convert(
     source: Annotated[Path, typer.Argument(metavar="IN", help="A file of annotated instructions, or a folder.")],
     target: Annotated[Path, typer.Argument(metavar="OUT", help="The file to write; for a folder, a folder.")],
     to: Annotated[str, typer.Option("--to", help="jsonl, conll, brat or yaml.")],
+    force: Annotated[bool, typer.Option("--force", help="Replace files that exist already.")] = False,
     form: Annotated[
         str | None,
         typer.Option("--from", help="yaml, jsonl, conll, brat or huric.", show_default="what the names show"),
@@ -208,7 +209,8 @@ def convert(
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
-    """Write annotated instructions in another format; nothing is written unless all of them could be.
+    """Write annotated instructions in another format; nothing is written unless all of them could be, and no file is
+    replaced without --force.
 
     yaml, jsonl, conll and brat read back as they were; huric (2.1) is only read, and brought to our conventions.
     """
@@ -216,7 +218,7 @@ def convert(
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.formats import conversion
 
-    done = conversion.convert(source, target, load_domain(domain_of(domain)), to=to, form=form)
+    done = conversion.convert(source, target, load_domain(domain_of(domain)), to=to, form=form, force=force)
     if chosen(format, json) is Format.json:
         print_json({"instructions": done.instructions, "files": [str(path) for path in done.files]})
         return 0

@@ -12,6 +12,7 @@ from py_trees.common import Status
 
 from decomplex_bt.behaviour.conditional import IfThenElse
 from decomplex_bt.behaviour.export import to_text
+from decomplex_bt.instruction import escaped
 
 if TYPE_CHECKING:
     from rich.console import Console, Group, RenderableType
@@ -64,7 +65,7 @@ class PlainLines:
 
     def begin(self, episode: Episode) -> None:
         instruction = episode.reading.instruction
-        print(f"instruction: {instruction.text}\n\ncontrol flow:")
+        print(f"instruction: {escaped(instruction.text)}\n\ncontrol flow:")
         print(_indented(str(instruction).splitlines()))
         print("\nbehaviour tree:")
         print(_indented(to_text(episode.agent.tree.root).splitlines()))
@@ -77,7 +78,7 @@ class PlainLines:
     def end(self, episode: Episode) -> None:
         print("\nbehaviour tree at the end:")
         print(_indented(to_text(episode.agent.tree.root, show_status=True).splitlines()))
-        print(f"\n{episode.verdict}", flush=True)
+        print(f"\n{escaped(episode.verdict)}", flush=True)
 
     def close(self) -> None:
         """Nothing to give back."""
@@ -99,7 +100,9 @@ class LiveDisplay:
         from rich.text import Text
 
         instruction = episode.reading.instruction
-        self._console.print(Panel(Text(instruction.text, style="bold"), title="instruction", title_align="left"))
+        self._console.print(
+            Panel(Text(escaped(instruction.text), style="bold"), title="instruction", title_align="left")
+        )
         self._console.print(Panel(Text(str(instruction)), title="control flow", title_align="left"))
         self._live.start()
         self._started = time.monotonic()
@@ -116,7 +119,7 @@ class LiveDisplay:
 
         self._live.stop()
         self._console.print(self._picture(episode))
-        self._console.print(Text(episode.verdict, style=OUTCOME_COLOURS[episode.outcome]))
+        self._console.print(Text(escaped(episode.verdict), style=OUTCOME_COLOURS[episode.outcome]))
 
     def close(self) -> None:
         self._live.stop()
@@ -136,6 +139,10 @@ class LiveDisplay:
 
 def happenings(episode: Episode, moment: Moment) -> Iterator[str]:
     """A line for each task that begins or ends, each step of a plan, each condition with what was observed there."""
+    return map(escaped, _happenings(episode, moment))
+
+
+def _happenings(episode: Episode, moment: Moment) -> Iterator[str]:
     judged = {id(node.condition): node for node in moment.judged}
     for entry in moment.entries:
         leaf = episode.leaf_at(entry["node"])
@@ -167,10 +174,10 @@ def _rich_tree(node: Behaviour, role: str) -> Tree:
 
     colour = COLOURS[node.status]
     label = Text.assemble(
-        (f"{SIGNS[node.status]} ", colour), (f"{role}: " if role else "", "italic"), (node.name, colour)
+        (f"{SIGNS[node.status]} ", colour), (f"{role}: " if role else "", "italic"), (escaped(node.name), colour)
     )
     if node.feedback_message and not node.children:
-        label.append(f"  {node.feedback_message}", style="dim")
+        label.append(f"  {escaped(node.feedback_message)}", style="dim")
     tree = Tree(label, guide_style="dim")
     roles = {}
     if isinstance(node, IfThenElse):

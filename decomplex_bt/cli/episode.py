@@ -42,6 +42,7 @@ class Episode:
         instruction = reading.instruction
         options = {"instruction": instruction.text, "gold": instruction}
         self._observation, self.info = env.reset(seed=seed, options=options)
+        self._was_met = bool(self.info["is_success"])
         self.agent: TreeAgent = TreeAgent(env, flow=instruction)
         self.agent.reset(self._observation, self.info)
         self._trace = self.agent.record()
@@ -83,7 +84,7 @@ class Episode:
         if self.outcome == "infeasible":
             return f"infeasible in this world: {self.info['infeasible_cause']} ({spent}; {basis})"
         if self.outcome == "success":
-            return f"success ({spent}; {basis})"
+            return f"success{': nothing was left to do from the first' if self._was_met else ''} ({spent}; {basis})"
         reasons = [*self.info.get("violations", ()), *map(str, self.agent.failures)]
         return f"failure: {'; '.join(reasons) or 'time ran out'} ({spent}; {basis})"
 

@@ -137,9 +137,10 @@ def _print(summaries: Sequence[Summary]) -> None:
         print(f"\n{conditions}\n")
     for summary in summaries:
         if count := dict(summary.outcomes)["ungroundable"]:
-            print(f"{count} of {summary.episodes} episodes ask for what this house does not have: outside the rate")
+            asking = f"{summary.agent}: {count} of {summary.episodes} episodes ask"
+            print(f"{asking} for what this house does not have: outside the rate")
         for warning in summary.warnings:
-            remark(f"warning: {warning}")
+            remark(f"warning: {summary.agent}: {warning}")
 
 
 def _print_failures(rows: Sequence[Row]) -> None:

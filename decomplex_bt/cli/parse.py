@@ -13,6 +13,7 @@ import typer
 from decomplex_bt.cli.options import DomainOption, EncoderOption, Format, JobsOption, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, track, use_utf8
 from decomplex_bt.errors import InputError
+from decomplex_bt.instruction import escaped
 
 if TYPE_CHECKING:
     from decomplex_bt.instruction import Instruction
@@ -134,11 +135,11 @@ def _print(instruction: Instruction, format: Format, alternatives: int | None, *
         print_json(instruction.to_json(alternatives=alternatives))
         return
     lines = [] if is_first else [""]
-    lines += [instruction.text, *(f"  {line}" for line in str(instruction).splitlines())]
+    lines += [escaped(instruction.text), *(f"  {line}" for line in str(instruction).splitlines())]
     if alternatives is not None:
         lines += [f"  {line}" for line in _certainty(instruction, alternatives)]
     lines += [f"  missing: task {m.task} lacks its {m.argument}: {m.question}" for m in instruction.missing]
-    lines += [f"  warning: {warning}" for warning in instruction.warnings]
+    lines += [f"  warning: {escaped(warning)}" for warning in instruction.warnings]
     print("\n".join(lines), flush=True)
 
 

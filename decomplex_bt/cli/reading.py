@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from decomplex_bt.cli.output import remark
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing
+from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing, escaped
 
 if TYPE_CHECKING:
     from decomplex_bt.domain.loader import Domain
@@ -56,7 +56,7 @@ def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | Non
 
     grounded = ground(instruction, loaded, ask=ask if may_ask else None)
     for warning in instruction.warnings:
-        remark(f"warning: {warning}")
+        remark(f"warning: {escaped(warning)}")
     return Reading(loaded, _completed(instruction, answers), grounded)
 
 

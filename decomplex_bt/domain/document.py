@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import yaml
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from decomplex_bt.errors import DataFileError
 
@@ -19,7 +19,18 @@ class Record(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
 
 
+def _check_weights(weights: dict[str, float]) -> dict[str, float]:
+    if weights and not any(weights.values()):
+        raise ValueError("all weights are 0; one at least must be greater")
+    return weights
+
+
 Model = TypeVar("Model", bound=BaseModel)
+Format = Literal[1]
+"""The version of a domain's files that this version of the package reads."""
+Probability = Annotated[float, Field(ge=0, le=1)]
+Weights = Annotated[dict[str, Annotated[float, Field(ge=0, allow_inf_nan=False)]], AfterValidator(_check_weights)]
+"""Relative weights by name."""
 
 
 if TYPE_CHECKING:
@@ -92,9 +103,10 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
         if first["type"] == "value_error" and not first["loc"]:  # which names its keys itself
             raise DataFileError(path, str(first["ctx"]["error"]), line=line) from None
         key = ".".join(str(part) for part in first["loc"]) or "the whole"
+        said = first["msg"].removeprefix("Value error, ")
         got = repr(first["input"])
         got = got if len(got) <= 60 else got[:57] + "..."
-        raise DataFileError(path, f"{key}: {first['msg']} (got {got})", line=line) from None
+        raise DataFileError(path, f"{key}: {said} (got {got})", line=line) from None
 
 
 def _first_line(error: Exception) -> str:

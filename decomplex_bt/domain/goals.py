@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import lru_cache
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
-from decomplex_bt.domain.document import Record
-from decomplex_bt.domain.sexpr import Sexpr, read_sexpr, typed_list
+from decomplex_bt.domain.document import Format, Record
 
 Filled = tuple[str, ...]
 """A filled atom: predicate and objects."""
+STATE = "state"
+"""The role that takes a state value; it is no object, and as a predicate it stands for the value's fluent."""
+FACT = "fact"
+"""The role, beside the arguments of a task, of what a check wants to know."""
+_ATOM = re.compile(r"\((?:[\w-]+|\{state\})(?: \{\w+\})*\)")
 
 
 class GoalTemplate(Record):
@@ -20,6 +24,14 @@ class GoalTemplate(Record):
 
     of: dict[str, str] = Field(min_length=1)
     atoms: tuple[str, ...] = Field(min_length=1)
+
+    @field_validator("atoms")
+    @classmethod
+    def _check_atoms(cls, atoms: tuple[str, ...]) -> tuple[str, ...]:
+        for atom in atoms:
+            if not _ATOM.fullmatch(atom):
+                raise ValueError(f"{atom!r} is no atom; expected one as in '(lies {{object}} {{goal}})'")
+        return atoms
 
     def parts(self) -> Iterator[Filled]:
         """The atoms as written, split into predicate and terms."""
@@ -29,7 +41,7 @@ class GoalTemplate(Record):
 class Goals(Record):
     """`goals.yaml`. `fluents`: the fluent of a state value, where it is not named by the value itself."""
 
-    format: int
+    format: Format
     fluents: dict[str, str] = {}
     goals: dict[str, tuple[GoalTemplate, ...]]
 
@@ -46,10 +58,8 @@ class Goals(Record):
         Raises `KeyError` where no template of the task type fits.
         """
         for template in self.goals[task_type]:
-            if all(
-                role in roles and (role == "state" or has_type(roles[role], of)) for role, of in template.of.items()
-            ):
-                return _filled(template.atoms, *roles.items(), ("state", self.fluent(roles.get("state", ""))))
+            if all(role in roles and (role == STATE or has_type(roles[role], of)) for role, of in template.of.items()):
+                return _filled(template.atoms, *roles.items(), (STATE, self.fluent(roles.get(STATE, ""))))
         raise KeyError(f"no goal of {task_type} takes {dict(roles)}")
 
 
@@ -61,40 +71,42 @@ def _filled(atoms: tuple[str, ...], *words: tuple[str, str]) -> tuple[Filled, ..
 
 
 def _parts(atom: str) -> Filled:
-    return tuple(re.sub(r"[()]", " ", atom).split())
+    return tuple(atom.strip("()").split())
 
 
-def check_goals(goals: Goals, predicates: Mapping[str, int], values: tuple[str, ...]) -> None:
-    """Raises `ValueError` where a template or a state value has no fluent, or one with another number of objects."""
+def check_goals(
+    goals: Goals,
+    predicates: Mapping[str, int],
+    types: Collection[str],
+    values: Collection[str],
+    arguments: Collection[str],
+) -> None:
+    """Raises `ValueError` where a template or a state value has no fluent, or one with another number of objects, and
+    where a role or its type is unknown. `arguments`: the argument types, which are roles."""
+    if unknown := [value for value in goals.fluents if value not in values]:
+        raise ValueError(f"fluents: {unknown[0]!r} is no state value of kinds.yaml")
     for value in values:
         if predicates.get(goals.fluent(value)) != 1:
             raise ValueError(f"the state {value!r} has no fluent ({goals.fluent(value)} ?object) in domain.pddl")
     for task_type, templates in goals.goals.items():
         for template in templates:
-            for predicate, *terms in template.parts():
-                if unknown := [term for term in terms if term.strip("{}") not in template.of]:
-                    raise ValueError(
-                        f"goals.{task_type}: {unknown[0]} stands for none of the roles {sorted(template.of)}"
-                    )
-                if predicate != "{state}" and predicates.get(predicate) != len(terms):
-                    raise ValueError(f"goals.{task_type}: domain.pddl has no ({predicate} ...) of {len(terms)} objects")
+            _check_template(f"goals.{task_type}", template, predicates, types, arguments)
 
 
-def pddl_sections(text: str) -> dict[str, list[tuple[Sexpr, ...]]]:
-    """The sections of a PDDL domain by keyword (":types", ":predicates", ":action"). Raises `ValueError`."""
-    sections: dict[str, list[tuple[Sexpr, ...]]] = {}
-    whole = read_sexpr(text)
-    for section in whole[1:] if isinstance(whole, tuple) else ():
-        if isinstance(section, tuple) and section:
-            sections.setdefault(str(section[0]), []).append(section[1:])
-    return sections
-
-
-def pddl_predicates(text: str) -> dict[str, int]:
-    """The predicates of a PDDL domain with their numbers of objects. Raises `ValueError`."""
-    return {
-        str(predicate[0]): len(list(typed_list(predicate[1:])))
-        for section in pddl_sections(text).get(":predicates", [])
-        for predicate in section
-        if isinstance(predicate, tuple)
-    }
+def _check_template(
+    where: str,
+    template: GoalTemplate,
+    predicates: Mapping[str, int],
+    types: Collection[str],
+    arguments: Collection[str],
+) -> None:
+    for role, of in template.of.items():
+        if role not in (*arguments, FACT):
+            raise ValueError(f"{where}: the role {role!r} is neither an argument type of ontology.yaml nor {FACT!r}")
+        if role != STATE and of not in types:
+            raise ValueError(f"{where}: {role} is of the type {of!r}, which domain.pddl does not have")
+    for predicate, *terms in template.parts():
+        if unknown := [term for term in terms if term.strip("{}") not in template.of]:
+            raise ValueError(f"{where}: {unknown[0]} stands for none of the roles {sorted(template.of)}")
+        if predicate != f"{{{STATE}}}" and predicates.get(predicate) != len(terms):
+            raise ValueError(f"{where}: domain.pddl has no ({predicate} ...) of {len(terms)} objects")

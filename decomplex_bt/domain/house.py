@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, model_validator
 
-from decomplex_bt.domain.document import Record
+from decomplex_bt.domain.document import Format, Probability, Record, Weights
 from decomplex_bt.domain.kinds import Kind, Kinds
 
 ROBOT = "robot"
@@ -24,15 +24,6 @@ def _check_rect(rect: Rect) -> Rect:
     if x0 >= x1 or y0 >= y1:
         raise ValueError("expected x0, y0, x1, y1 with x0 < x1 and y0 < y1")
     return rect
-
-
-def _check_weights(weights: dict[str, float]) -> dict[str, float]:
-    if weights and (min(weights.values()) < 0 or not any(weights.values())):
-        raise ValueError("expected weights from 0 on, one of them above 0")
-    return weights
-
-
-Weights = Annotated[dict[str, float], AfterValidator(_check_weights)]
 
 
 class Room(Record):
@@ -79,7 +70,7 @@ class Item(Record):
     colour: str | None = None
     places: Weights = {}
     """Overrides the kind's places: names or kinds of places to relative weight."""
-    absent: float | None = Field(None, ge=0, le=1)
+    absent: Probability | None = None
 
 
 class Person(Record):
@@ -87,7 +78,7 @@ class Person(Record):
 
     kind: str
     words: tuple[str, ...] = ()
-    home: float = Field(1.0, ge=0, le=1)
+    home: Probability = 1.0
     rooms: Weights = Field(min_length=1)
 
 
@@ -97,7 +88,7 @@ class House(Record):
     The first of `people` is the user. `robot_start`: room to relative weight.
     """
 
-    format: int
+    format: Format
     name: str
     rooms: dict[str, Room] = Field(min_length=1)
     doorways: dict[str, Doorway]
@@ -105,8 +96,8 @@ class House(Record):
     things: dict[str, Item]
     people: dict[str, Person] = Field(min_length=1)
     robot_start: Weights = Field(min_length=1)
-    grasp_slip: float = Field(0.0, ge=0, le=1)
-    missed_detection: float = Field(0.0, ge=0, le=1)
+    grasp_slip: Probability = 0.0
+    missed_detection: Probability = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> House:

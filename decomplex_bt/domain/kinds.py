@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from decomplex_bt.domain.document import Record
+from decomplex_bt.domain.document import Format, Probability, Record, Weights
 
 Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
 """`furniture`: fixed, with devices and containers; `fixture`: doors, windows, curtains, opened and closed, fixed."""
@@ -50,10 +50,10 @@ class Kind(Record):
     mass: float = Field(0.3, gt=0)
     shape: str = "disc"
     """How a thing is drawn; the renderer lists the shapes it knows."""
-    places: dict[str, float] = {}
-    absent: float = Field(0.0, ge=0, le=1)
-    chance: dict[str, float] = {}
-    broken: float = Field(0.0, ge=0, le=1)
+    places: Weights = {}
+    absent: Probability = 0.0
+    chance: dict[str, Probability] = {}
+    broken: Probability = 0.0
 
     @property
     def is_container(self) -> bool:
@@ -71,7 +71,7 @@ class Kind(Record):
 class Kinds(Record):
     """`kinds.yaml`: the state pairs and the kinds of a domain, by name."""
 
-    format: int
+    format: Format
     state_pairs: dict[str, StatePair]
     kinds: dict[str, Kind]
 

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from pydantic import Field, model_validator
 
-from decomplex_bt.domain.document import Record
+from decomplex_bt.domain.document import Format, Record
 
 
 class VerbSense(Record):
@@ -34,7 +34,7 @@ class Lexicon(Record):
     bread"); `parts` stand for the whole ("the fridge door").
     """
 
-    format: int
+    format: Format
     groups: tuple[VerbGroup, ...]
     colours: tuple[str, ...]
     user_words: tuple[str, ...]

@@ -10,12 +10,13 @@ from importlib.resources import files
 from pathlib import Path
 
 from decomplex_bt.domain.document import Model, check_record, load_yaml, read_text
-from decomplex_bt.domain.goals import Goals, check_goals, pddl_predicates
+from decomplex_bt.domain.goals import Goals, check_goals
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kind, Kinds
 from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.domain.ontology import Ontology
+from decomplex_bt.domain.pddl import check_pddl, pddl_predicates, pddl_types
 from decomplex_bt.domain.survey import check_house
 from decomplex_bt.errors import DataFileError, InputError
 
@@ -118,10 +119,13 @@ def _load(folder: Path, texts: tuple[str, ...]) -> Domain:
         check_house(house, kinds)
     with _blame(folder / "words.yaml"):
         _check_words(lexicon, ontology, kinds)
+    with _blame(folder / "domain.pddl"):
+        check_pddl(domain_pddl)
     with _blame(folder / "goals.yaml"):
         _check_task_types(goals, ontology)
         values = tuple(value for pair in kinds.state_pairs.values() for value in pair.values)
-        check_goals(goals, pddl_predicates(domain_pddl), values)
+        predicates, types = pddl_predicates(domain_pddl), pddl_types(domain_pddl)
+        check_goals(goals, predicates, types, values, ontology.argument_types)
     nouns = Nouns.of(house, kinds)
     return Domain(folder.name, folder, ontology, kinds, house, lexicon, goals, domain_pddl, nouns)
 

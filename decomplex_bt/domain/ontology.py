@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 from pydantic import model_validator
 
-from decomplex_bt.domain.document import Record
+from decomplex_bt.domain.document import Format, Record
 
 
 class TaskType(Record):
@@ -26,7 +28,7 @@ class TaskType(Record):
 class Ontology(Record):
     """`ontology.yaml`: the task types and argument types of a domain, by name."""
 
-    format: int
+    format: Format
     argument_types: dict[str, str]
     task_types: dict[str, TaskType]
 
@@ -36,6 +38,14 @@ class Ontology(Record):
             for argument in task_type.arguments:
                 if argument not in self.argument_types:
                     raise ValueError(f"task type {name!r} takes the unknown argument type {argument!r}")
+            for word in task_type.says.split():
+                match = re.fullmatch(r"\{(\w+)\}", word)
+                if re.search("[{}]", word) and (match is None or match[1] not in task_type.arguments):
+                    raise ValueError(
+                        f"task type {name!r} says {word!r}; expected one of its arguments in braces, a word of its own"
+                    )
+            if unknown := [argument for argument in task_type.questions if argument not in task_type.arguments]:
+                raise ValueError(f"task type {name!r} asks for {unknown[0]!r}, which is none of its arguments")
             for group in task_type.required:
                 for argument in group:
                     if argument not in task_type.arguments:

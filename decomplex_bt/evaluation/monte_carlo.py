@@ -11,7 +11,7 @@ import gc
 import logging
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -215,16 +215,17 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
         observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
     except InputError as error:
         return _row(episode, "ungroundable", cause=("grounding", str(error)))
+    ended = partial(_ended, episode, met_at_start=bool(info["is_success"]))
     misread = _misreading(episode, setup)
     if episode.reading is None:
-        return _ended(episode, info, misread)
+        return ended(info, misread)
     make_policy = env.get_wrapper_attr("policy")
     policy = make_policy(episode.agent, reading=episode.reading, planner=planner, seed=episode.seed)
     steps, is_over, truncated = 0, False, False
     try:
         policy.reset(observation, info)
     except InputError as error:
-        return _ended(episode, info, misread or ("grounding", str(error)))
+        return ended(info, misread or ("grounding", str(error)))
     try:
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
@@ -233,13 +234,13 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     except Exception as error:  # one broken episode must not lose the others
         logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
         broke: Blame = ("execution", f"broke off: {type(error).__name__}: {error}")
-        return _ended(episode, info, broke, steps=steps, understood=misread is None)
+        return ended(info, broke, steps=steps, understood=misread is None)
     failures = tuple(failure.to_json() for failure in policy.failures)
     found = None
     if not info["is_success"]:
         found = misread or blame_run(failures, info["violations"], is_truncated=truncated)
     counts = {"plans": policy.plans, "replans": policy.replans, "understood": misread is None}
-    return _ended(episode, info, found, steps=steps, failures=failures, **counts)
+    return ended(info, found, steps=steps, failures=failures, **counts)
 
 
 def _misreading(episode: Episode, setup: Setup) -> Blame | None:

@@ -26,9 +26,10 @@ class Row:
     it went wrong, None for a success. `steps`: of control. `sim_seconds`, `path_length`: simulated seconds, metres
     driven. `understood`: whether the agent's reading comes to what the gold one does in this house, None for an agent
     that reads nothing; a wrong reading may still succeed where what it gets wrong never comes due. `goals_met`,
-    `goals_total`: tasks and conditions due. `branches`: one mapping (task, truth, taken) for each condition reached, in
-    order. `moved_by_others`: things that somebody else has moved. `failures`: those the agent knows of, as `run --json`
-    prints them.
+    `goals_total`: tasks and conditions due. `met_at_start`: nothing was left to do, as where what is to be turned on is
+    on; a success as well. `branches`: one mapping (task, truth, taken) for each condition reached, in order.
+    `moved_by_others`: things that somebody else has moved. `failures`: those the agent knows of, as `run --json` prints
+    them.
     """
 
     example: str
@@ -48,6 +49,7 @@ class Row:
     understood: bool | None = None
     goals_met: int = 0
     goals_total: int = 0
+    met_at_start: bool = False
     branches: tuple[Mapping[str, Any], ...] = ()
     violations: tuple[str, ...] = ()
     moved_by_others: int = 0

@@ -11,6 +11,9 @@ from typing import Any
 from decomplex_bt.evaluation.proportion import Proportion
 from decomplex_bt.evaluation.row import OUTCOMES, STAGES, Row
 
+_HEADER = (
+    "agent", "instruction", "success over feasible", "met at start", "understood", "infeasible", "steps", "failures",
+)  # fmt: skip
 INFEASIBLE_WARNING = 0.4
 """Share of infeasible episodes of an instruction above which there is a warning."""
 
@@ -33,7 +36,8 @@ class Summary:
     """What rows come to: those of one agent, or of one instruction under one agent (`example`).
 
     `success` is over the feasible episodes, `infeasible` over those that ground. `understood`: readings that come to
-    what the gold ones do, over the episodes of an agent that reads; `lucky`: successes of the others. `steps`,
+    what the gold ones do, over the episodes of an agent that reads; `lucky`: successes of the others. `met_at_start`:
+    nothing was left to do from the first, which is success as well, over the feasible episodes. `steps`,
     `sim_seconds`, `replans`: medians over the successes, None where there are none. `branches`: of one instruction.
     `instructions`: one summary for each.
     """
@@ -45,6 +49,7 @@ class Summary:
     infeasible: Proportion
     understood: Proportion
     lucky: int
+    met_at_start: Proportion
     stages: tuple[tuple[str, int], ...]
     steps: float | None
     sim_seconds: float | None
@@ -81,6 +86,7 @@ class Summary:
             "failures_by_stage": dict(self.stages),
             "understood": self.understood.to_json(),
             "lucky_successes": self.lucky,
+            "met_at_start": self.met_at_start.to_json(),
             "median_steps": self.steps,
             "median_sim_seconds": self.sim_seconds,
             "median_replans": self.replans,
@@ -102,28 +108,25 @@ def summarise(rows: Iterable[Row]) -> tuple[Summary, ...]:
 
 def tabulate(summaries: Sequence[Summary]) -> str:
     """The summaries as a plain table, a line for each agent and instruction, the agents' totals first."""
-    header = ("agent", "instruction", "success over feasible", "understood", "infeasible", "steps", "failures")
-    lines = [header, *(_cells(summary) for summary in summaries)]
+    lines = [_HEADER, *(_cells(summary) for summary in summaries)]
     lines += [_cells(part) for summary in summaries for part in summary.instructions]
     return _aligned(lines)
 
 
 def tabulate_conditions(summaries: Sequence[Summary]) -> str:
-    """How often each condition came out true and false, a line for each, those of all agents together; "" for none."""
-    counts: dict[tuple[str, int], Counter[str]] = {}
+    """How often each condition came out true and false, a line for each agent and condition; "" for none."""
+    lines: list[tuple[str, ...]] = [("agent", "condition", "true", "false", "undecided", "true of decided")]
+    ends = []
     for summary in summaries:
-        for part in summary.instructions:
-            for branch in part.branches:
-                count = counts.setdefault((part.example or "", branch.task), Counter())
-                count.update({"true": branch.true, "false": branch.false, "undecided": branch.undecided})
-    if not counts:
-        return ""
-    both = sum(bool(count["true"] and count["false"]) for count in counts.values())
-    lines: list[tuple[str, ...]] = [("condition", "true", "false", "undecided", "true of decided")]
-    for (example, task), count in counts.items():
-        share = Proportion(count["true"], count["true"] + count["false"])
-        lines.append((f"{example}, task {task}", *(str(count[k]) for k in ("true", "false", "undecided")), str(share)))
-    return f"{_aligned(lines)}\nboth branches occurred for {both} of {len(counts)} conditions"
+        counts = [(part.example, branch) for part in summary.instructions for branch in part.branches]
+        for example, branch in counts:
+            share = Proportion(branch.true, branch.true + branch.false)
+            numbers = map(str, (branch.true, branch.false, branch.undecided, share))
+            lines.append((summary.agent, f"{example}, task {branch.task}", *numbers))
+        if counts:
+            both = sum(bool(branch.true and branch.false) for _, branch in counts)
+            ends.append(f"{summary.agent}: both branches occurred for {both} of {len(counts)} conditions")
+    return "\n".join((_aligned(lines), *ends)) if ends else ""
 
 
 def _of_agent(agent: str, rows: Sequence[Row]) -> Summary:
@@ -154,6 +157,7 @@ def _summary(
         replans=_median([row.replans for row in successes]),
         understood=Proportion(sum(readings), len(readings)),
         lucky=sum(row.understood is False for row in successes),
+        met_at_start=Proportion(sum(row.met_at_start for row in rows if row.is_feasible), feasible),
         example=example,
         branches=_branches(rows) if example is not None else (),
         instructions=instructions,
@@ -174,6 +178,7 @@ def _cells(summary: Summary) -> tuple[str, ...]:
         summary.agent,
         summary.example or "all",
         str(summary.success),
+        _percent(summary.met_at_start),
         _percent(summary.understood),
         _percent(summary.infeasible),
         "-" if summary.steps is None else f"{summary.steps:.0f}",

@@ -73,11 +73,13 @@ def read_examples(path: Path, domain: Domain, form: str | None = None) -> tuple[
     return tuple(examples)
 
 
-def convert(source: Path, target: Path, domain: Domain, *, to: str, form: str | None = None) -> Conversion:
+def convert(
+    source: Path, target: Path, domain: Domain, *, to: str, form: str | None = None, force: bool = False
+) -> Conversion:
     """Reads `source` (a file, or a folder with a file a voice) and writes it to `target` in the format `to`.
 
-    A folder becomes a folder, a file a file; for BRAT two files of one name. Files of the same names are replaced,
-    others are left alone. Nothing is written unless all could be read and said. Raises `InputError`.
+    A folder becomes a folder, a file a file; for BRAT two files of one name. Files of the same names are replaced only
+    with `force`, others are left alone. Nothing is written unless all could be read and said. Raises `InputError`.
     """
     wanted = _format(to)
     if wanted.write is None:
@@ -100,6 +102,8 @@ def convert(source: Path, target: Path, domain: Domain, *, to: str, form: str | 
             raise InputError(f"{target} is a folder; name the file to write, as in {target / source.stem}")
         written = wanted.write(examples)
         texts = {target.with_suffix(suffix) if len(written) > 1 else target: text for suffix, text in written.items()}
+    if not force and (there := next((path for path in texts if path.exists()), None)):
+        raise InputError(f"{there} exists already; name another place, or replace it with --force")
     _write(texts, target if source.is_dir() else target.parent)
     return Conversion(len(examples), tuple(texts))
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from decomplex_bt.flow import If, Node
+from decomplex_bt.instruction import escaped
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
@@ -190,7 +191,7 @@ def _lines(nodes: Sequence[PlanNode], pad: str) -> Iterator[str]:
 
 def _task_lines(plan: TaskPlan, pad: str, word: str) -> Iterator[str]:
     note = f"   ; {plan.reason}" if plan.reason else ""
-    yield f"{pad}{word}[{plan.task}] {plan.phrase} ({plan.type}){note}"
+    yield pad + escaped(f"{word}[{plan.task}] {plan.phrase} ({plan.type}){note}")
     yield from (f"{pad}  {step}" for step in plan.steps)
     if not plan.steps and not plan.reason:
         yield f"{pad}  ; already so, nothing to do"

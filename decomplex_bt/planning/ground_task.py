@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from decomplex_bt.flow import Flow
 
@@ -29,10 +30,25 @@ class Referent:
     where: tuple[tuple[str, str], ...] = ()
     is_any: bool = False
 
-    def __str__(self) -> str:
+    @property
+    def choice(self) -> str:
+        """Which of what is meant, as in "2 of cup_1 | cup_2 | cup_3 (clean)"."""
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
         told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""
-        return f"{self.phrase!r}: {quantity}{' | '.join(self.candidates)}{told_by}"
+        return f"{quantity}{' | '.join(self.candidates)}{told_by}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values, keys in this order."""
+        return {
+            "phrase": self.phrase,
+            "candidates": list(self.candidates),
+            "all": self.is_all,
+            "count": self.count,
+            "where": dict(self.where),
+        }
+
+    def __str__(self) -> str:
+        return f"{self.phrase!r}: {self.choice}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +85,18 @@ class GroundTask:
     def referents(self) -> tuple[Referent, ...]:
         """All its referents: objects, places, goal, recipients."""
         return (*self.objects, *self.places, *((self.goal,) if self.goal is not None else ()), *self.recipients)
+
+    def arguments(self) -> dict[str, tuple[Referent, ...] | str]:
+        """What it has of object, location (its places), goal, recipient, state ("not here" where denied), message."""
+        named: dict[str, tuple[Referent, ...] | str] = {
+            "object": self.objects,
+            "location": self.places,
+            "goal": (self.goal,) if self.goal else (),
+            "recipient": (self.recipient,) if self.recipient else (),
+            "state": f"{'not ' if self.is_denied else ''}{self.state}" if self.state else "",
+            "message": self.message or "",
+        }
+        return {name: value for name, value in named.items() if value}
 
     def __str__(self) -> str:
         parts = [f"{self.number} {self.type}"]

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
-from decomplex_bt.domain.goals import pddl_sections
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.pddl import conjuncts, pddl_sections
 from decomplex_bt.domain.sexpr import Sexpr, typed_list
 from decomplex_bt.planning.pddl import Atom, GroundAction
 
@@ -36,10 +36,10 @@ def read_schemas(domain_pddl: str) -> Mapping[str, Schema]:
     schemas: dict[str, Schema] = {}
     for section in pddl_sections(domain_pddl)[":action"]:
         parts = {str(key): value for key, value in zip(section[1::2], section[2::2], strict=True)}
-        parameters = [name for name, _ in typed_list(_as_tuple(parts.get(":parameters", ())))]
-        effects = list(_conjuncts(parts.get(":effect", ())))
+        parameters = [name for name, _ in typed_list(_as_tuple(parts[":parameters"]))]
+        effects = list(conjuncts(parts[":effect"]))
         schemas[str(section[0])] = Schema(
-            tuple(_lift(atom, parameters) for atom in _conjuncts(parts.get(":precondition", ()))),
+            tuple(_lift(atom, parameters) for atom in conjuncts(parts[":precondition"])),
             tuple(_lift(atom, parameters) for atom in effects if atom[0] != "not"),
             tuple(_lift(_as_tuple(atom[1]), parameters) for atom in effects if atom[0] == "not"),
         )
@@ -63,14 +63,6 @@ def _values_of_fluents(domain: Domain) -> dict[str, tuple[str, str]]:
     """State pair and value of every fluent that says a state."""
     pairs = domain.kinds.state_pairs.items()
     return {domain.goals.fluent(value): (name, value) for name, pair in pairs for value in pair.values}
-
-
-def _conjuncts(expression: Sexpr) -> Iterator[tuple[Sexpr, ...]]:
-    items = _as_tuple(expression)
-    if items and items[0] == "and":
-        yield from (_as_tuple(item) for item in items[1:])
-    elif items:
-        yield items
 
 
 def _lift(atom: tuple[Sexpr, ...], parameters: Sequence[str]) -> Lifted:

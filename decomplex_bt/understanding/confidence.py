@@ -12,9 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.readings import Reading
 
 KINDS = ("task", "argument", "dependency", "flow")
@@ -89,7 +89,7 @@ class Calibration:
             stored = json.loads(path.read_text(encoding="utf-8"))
             self._curves = {kind: (float(stored[kind][0]), float(stored[kind][1])) for kind in KINDS}
         except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-            raise DataFileError(path, f"no calibration ({type(error).__name__}); run `decomplex-bt train`") from None
+            raise ModelError(path, f"no calibration ({type(error).__name__})") from None
 
     def of(self, kind: str, chance: float) -> float:
         """The chance that what is believed this much is right."""

@@ -15,9 +15,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Context, Option, options_of
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
@@ -44,9 +44,7 @@ class ReferenceModel:
             stored = json.loads(path.read_text(encoding="utf-8"))
             self._weights = {str(name): float(weight) for name, weight in stored.items()}
         except (OSError, ValueError, AttributeError, TypeError) as error:
-            raise DataFileError(
-                path, f"no weights of references ({type(error).__name__}); run `decomplex-bt train`"
-            ) from None
+            raise ModelError(path, f"no weights of references ({type(error).__name__})") from None
         self._ontology = ontology
 
     def resolve(

@@ -16,6 +16,7 @@ from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, Hints, ReferenceModel
+from decomplex_bt.understanding.damage import ENCODER_FOLDER
 from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
@@ -30,8 +31,6 @@ from decomplex_bt.understanding.tasks import FoundTask
 
 MAX_CHARACTERS = 2000
 """The longest instruction that is read [code points]."""
-
-ENCODER_FOLDER = "encoder"
 
 LIKELY = 0.5
 """The confidence from which on an argument stands beside a surer one of its type."""

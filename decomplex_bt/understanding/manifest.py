@@ -9,8 +9,8 @@ from pathlib import Path
 
 from decomplex_bt.domain.document import Record, check_record
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.crf import Crf
+from decomplex_bt.understanding.damage import ModelError
 
 MANIFEST_FILE = "manifest.json"
 FEATURES_VERSION = 3
@@ -82,13 +82,13 @@ def read_manifest(folder: Path) -> Manifest:
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise DataFileError(path, f"cannot be read ({error}); train the models with `decomplex-bt train`") from None
+        raise ModelError(path, f"cannot be read ({error})") from None
     try:
         import json
 
         value = json.loads(text)
     except ValueError as error:
-        raise DataFileError(path, f"not valid JSON: {error}") from None
+        raise ModelError(path, f"not valid JSON ({error})") from None
     return check_record(value, Manifest, path)
 
 
@@ -102,15 +102,11 @@ def check_models(
     manifest = read_manifest(folder)
     path = folder / MANIFEST_FILE
     if manifest.features_version != FEATURES_VERSION:
-        raise DataFileError(
-            path, f"features_version {manifest.features_version}, expected {FEATURES_VERSION}; run `decomplex-bt train`"
-        )
+        raise ModelError(path, f"features_version {manifest.features_version}, expected {FEATURES_VERSION}")
     _check_files(folder, manifest, models, files)
     unknown = set(manifest.models["tasks"].labels if "tasks" in models else ()) - {"O", *domain.ontology.task_types}
     if unknown:
-        raise DataFileError(
-            path, f"the task model knows {sorted(unknown)}, the ontology does not; run `decomplex-bt train`"
-        )
+        raise ModelError(path, f"the task model knows {sorted(unknown)}, the ontology does not")
     return manifest
 
 
@@ -118,9 +114,7 @@ def check_language(folder: Path, language_model: str) -> None:
     """Makes sure that the models fit spaCy's. Raises `DataFileError` where they were made with another version."""
     made_with = read_manifest(folder).language_model
     if language_model.rpartition("-")[2].split(".")[:2] != made_with.rpartition("-")[2].split(".")[:2]:
-        raise DataFileError(
-            folder / MANIFEST_FILE, f"made with {made_with}, found {language_model}; run `decomplex-bt train`"
-        )
+        raise ModelError(folder / MANIFEST_FILE, f"made with {made_with}, found {language_model}")
 
 
 def _check_files(folder: Path, manifest: Manifest, models: Sequence[str], files: Sequence[str]) -> None:
@@ -128,9 +122,9 @@ def _check_files(folder: Path, manifest: Manifest, models: Sequence[str], files:
     for name in (*(f"{model}.crf" for model in models), *files):
         path = folder / name
         if name not in known or not path.is_file():
-            raise DataFileError(path, "the model is missing; run `decomplex-bt train`")
+            raise ModelError(path, "the model is missing")
         if _sha256(path) != known[name]:
-            raise DataFileError(path, "the model is not the one in the manifest (damaged?); run `decomplex-bt train`")
+            raise ModelError(path, "the model is not the one in the manifest (damaged?)")
 
 
 def corpus_hash(files: Mapping[str, bytes]) -> str:

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Protocol
 
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.understanding.arguments import ArgumentModel, FoundArgument, FoundArguments
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Option
@@ -99,8 +99,7 @@ class ReadingModel:
             stored = json.loads(path.read_text(encoding="utf-8"))
             self._weights = tuple(float(stored[name]) for name in FEATURES)
         except (OSError, ValueError, KeyError, TypeError) as error:
-            problem = f"no weights of readings ({type(error).__name__}); run `decomplex-bt train`"
-            raise DataFileError(path, problem) from None
+            raise ModelError(path, f"no weights of readings ({type(error).__name__})") from None
 
     def ranked(self, readings: Sequence[Reading]) -> list[tuple[Reading, float]]:
         """The readings (at least one) with their probabilities, likeliest first."""

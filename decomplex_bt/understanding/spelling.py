@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import cached_property
 from pathlib import Path
 
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.document import ENDS, Document
 
 WORDS_FILE = "words.json"
@@ -46,9 +46,7 @@ class Speller:
                 str(w): int(n) for w, n in json.loads(path.read_text(encoding="utf-8")).items()
             }
         except (OSError, ValueError, AttributeError, TypeError) as error:
-            raise DataFileError(
-                path, f"no counts of words ({type(error).__name__}); run `decomplex-bt train`"
-            ) from None
+            raise ModelError(path, f"no counts of words ({type(error).__name__})") from None
 
     def meant(self, words: Sequence[str], lemmas: Lemmas) -> list[str] | None:
         """The words as they were meant, one for one; None where none is mistyped. A name is a word with a capital that

@@ -17,12 +17,12 @@ from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, ReferenceModel, train_references
+from decomplex_bt.understanding.damage import ENCODER_FOLDER
 from decomplex_bt.understanding.dependencies import FlowModel, marked_tasks, train_flow
 from decomplex_bt.understanding.disturbances import DISTURBANCES, with_fillers
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.interpreter import ENCODER_FOLDER
 from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.readings import (

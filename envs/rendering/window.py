@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import pygame
 
@@ -52,12 +54,26 @@ def check_screen() -> None:
     For whoever asks for a window alone: an environment renders for "human" anywhere, as Gymnasium's checker wants it.
     """
     try:
-        pygame.display.init()
+        with _quietly():
+            pygame.display.init()
     except pygame.error as error:
         raise _no_window(str(error)) from None
     if pygame.display.get_driver() in UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
         pygame.display.quit()
         raise _no_window("there is no display")
+
+
+@contextmanager
+def _quietly() -> Iterator[None]:
+    """Without what the libraries behind SDL write to the process' standard error, past Python."""
+    saved, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 2)
+        yield
+    finally:
+        os.dup2(saved, 2)
+        os.close(saved)
+        os.close(nowhere)
 
 
 def _no_window(why: str) -> InputError:

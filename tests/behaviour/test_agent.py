@@ -48,6 +48,11 @@ def run(env, instruction, seed, *, agent=None, **options):
             return agent, info, actions
 
 
+def test_before_a_reset_an_agent_has_no_status():
+    agent = decomplex_bt.TreeAgent(make_env())
+    assert (agent.status, agent.done) == (Status.INVALID, False)
+
+
 def markup(text, flow):
     return read_markup(text, DOMAIN.ontology, flow=flow)
 

@@ -8,6 +8,7 @@ from py_trees.common import Status
 from decomplex_bt.behaviour.compiler import compile_flow
 from decomplex_bt.behaviour.export import TraceRecorder, to_behaviortree_cpp, to_dot, to_json, to_text
 from decomplex_bt.flow import Flow
+from decomplex_bt.planning.ground_task import GroundTask, Referent
 
 NAMES = {1: "look for a pen", 2: 'say "<pen> & {co}"', 3: "go home", 4: "wait"}
 
@@ -17,7 +18,9 @@ def compiled(flow=({"if": 1, "else": [2, 3]}, 4), queues=None):
         def __init__(self, name, number, is_condition):
             queue = (queues or {}).get(number, [Status.SUCCESS])
             super().__init__(name, queue, eventually=queue[-1])
-            self.task_number, self.task_type = number, "searching"
+            pen = Referent("a pen", ("pen_1", "pen_2"), where=(("cleanliness", "clean"),))
+            self.task = GroundTask(number, "searching", name, objects=(pen, Referent("a mug", ("mug",))), state="here")
+            self.is_condition = is_condition
 
     return compile_flow(Flow.from_json(list(flow)), NAMES, Leaf, title="what was said")
 
@@ -39,7 +42,13 @@ def test_xml_writes_the_missing_branch_out_and_keeps_the_text():
     condition = root.find("./BehaviorTree/Sequence/IfThenElse")
     assert [child.tag for child in condition] == ["Action", "AlwaysSuccess", "Sequence"]
     assert condition[2][0].get("name") == NAMES[2]
-    assert condition[0].get("task") == "1"
+    assert dict(condition[0].items()) == {
+        "ID": "PlannedTask", "name": "look for a pen", "task": "1", "type": "searching", "condition": "true",
+        "object": "pen_1 | pen_2 (clean);mug", "state": "here",
+    }  # fmt: skip
+    assert condition[2][0].get("condition") == "false"
+    ports = {port.get("name") for port in root.findall("./TreeNodesModel/Action/input_port")}
+    assert set(condition[0].keys()) - {"ID", "name"} <= ports
     assert root.get("BTCPP_format") == "4"
 
 
@@ -47,6 +56,15 @@ def test_xml_stands_characters_that_xml_cannot_hold():
     tree = compiled([1])
     tree.root.children[0].name = "a\x00b\ud800c"
     assert 'name="a?b?c"' in to_behaviortree_cpp(tree.root)
+
+
+def test_control_characters_are_written_out():
+    tree = compiled([1])
+    tree.root.name = tree.root.children[0].name = "a\nb\x1b[31m \u2028\\"
+    assert to_text(tree.root, is_ascii=True).splitlines() == [
+        r"-> a\nb\x1b[31m \u2028\\"[:-1], r"  - a\nb\x1b[31m \u2028\\"[:-1],
+    ]  # fmt: skip
+    assert r'[label="a\\nb\\x1b[31m \\u2028\\"' in to_dot(tree.root)
 
 
 def test_dot_has_every_node_and_labels_the_branches():
@@ -65,7 +83,13 @@ def test_json_snapshot_says_how_things_stand():
     assert condition["truth"] is False
     assert [child["role"] for child in condition["children"]] == ["if", "else"]
     assert condition["children"][1]["children"][0]["status"] == "running"
-    assert (last["status"], last["task"]) == ("invalid", 4)
+    assert (last["status"], last["task"], last["task_type"], last["condition"]) == ("invalid", 4, "searching", False)
+    assert condition["children"][0]["condition"] is True
+    assert last["arguments"]["state"] == "here"
+    assert last["arguments"]["object"][0] == {
+        "phrase": "a pen", "candidates": ["pen_1", "pen_2"], "all": False, "count": 1,
+        "where": {"cleanliness": "clean"},
+    }  # fmt: skip
 
 
 def test_trace_holds_changes_only():

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.domain.goals import pddl_predicates, pddl_sections
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.domain.pddl import pddl_predicates, pddl_sections
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.schemas import read_schemas, values_after
 

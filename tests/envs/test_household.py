@@ -7,6 +7,7 @@ import gc
 import json
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -28,15 +29,12 @@ from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, register_envs
 from decomplex_bt.envs.vector import HouseholdVectorEnv
 from decomplex_bt.envs.wrappers import InstructionReset
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import DataFileError, InputError
 
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
-TV = read_markup(
-    "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off.",
-    ONTOLOGY,
-    flow=[{"if": 1, "then": [2]}],
-)
+TV_SAID = "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off."
+TV = read_markup(TV_SAID, ONTOLOGY, flow=[{"if": 1, "then": [2]}])
 REST = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
 
 
@@ -262,6 +260,25 @@ def test_same_seed_same_world_whatever_instruction_apart_from_what_it_tests():
     assert np.array_equal(one.world.position, other.world.position, equal_nan=True)
     rows = [row for row, name in enumerate(one.entities) if name != "tv"]
     assert np.array_equal(one.world.states[rows], other.world.states[rows])
+
+
+def test_a_seed_answers_each_question_anew_and_the_same_question_alike():
+    env = HouseholdEnv()
+    radio = read_markup(TV_SAID.replace("tv", "radio"), ONTOLOGY, flow=[{"if": 1, "then": [2]}])
+    tell = read_markup(
+        "If [the tv](1:object) [is](1:check_state) [on](1:state), [tell](2:informing) [me](2:recipient).",
+        ONTOLOGY,
+        flow=[{"if": 1, "then": [2]}],
+    )
+
+    def is_on(name, instruction):
+        for seed in range(40):
+            env.reset(seed=seed, instruction=instruction)
+            yield env.truth().state(name, "power") == "on"
+
+    tv, others = list(is_on("tv", TV)), list(is_on("radio", radio))
+    assert 8 <= sum(one == other for one, other in zip(tv, others, strict=True)) <= 32
+    assert list(is_on("tv", tell)) == tv
 
 
 @pytest.mark.parametrize(
@@ -626,6 +643,15 @@ def test_what_is_named_is_checked_at_once(tmp_path):
     for arguments in named:
         with pytest.raises(InputError):
             gym.make(HOUSEHOLD, **arguments)
+
+
+def test_an_action_without_a_skill_is_named_at_once(tmp_path):
+    for path in load_domain("household").folder.glob("*.*"):
+        shutil.copy(path, tmp_path)
+    text = (tmp_path / "domain.pddl").read_text(encoding="utf-8")
+    (tmp_path / "domain.pddl").write_text(text.replace("(:action stow", "(:action juggle"), encoding="utf-8")
+    with pytest.raises(DataFileError, match=r"domain\.pddl: action juggle: the robot has no skill for it; it has move"):
+        gym.make(HOUSEHOLD, domain=tmp_path)
 
 
 def test_one_that_was_never_reset_survives_pickling():

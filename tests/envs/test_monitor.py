@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
+
 from decomplex_bt.envs.doubles import DOMAIN, Episode, HandWorld, referent, task
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.planning.ground_task import HERE, Referent

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import os
 import time
 
 import numpy as np
@@ -174,6 +175,15 @@ def test_a_window_nobody_can_see_is_refused_to_who_asks_for_one(monkeypatch: pyt
     monkeypatch.setattr("decomplex_bt.envs.rendering.window.os.environ", {})
     with pytest.raises(InputError, match="no display"):
         check_screen()
+
+
+def test_what_the_libraries_behind_a_window_print_stays_unseen(monkeypatch: pytest.MonkeyPatch, capfd) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    monkeypatch.setattr("pygame.display.init", lambda: os.write(2, b"error: XDG_RUNTIME_DIR"))
+    monkeypatch.setattr("pygame.display.get_driver", lambda: "dummy")
+    check_screen()
+    os.write(2, b"heard again")
+    assert capfd.readouterr().err == "heard again"
 
 
 def test_captions_survive_any_text() -> None:

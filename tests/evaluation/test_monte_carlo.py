@@ -44,6 +44,13 @@ def test_every_episode_gives_a_row_in_the_order_planned(rows):
     assert all("dragon" in row.cause for row in rows if row.example == "dragon")
 
 
+def test_a_row_says_whether_anything_was_left_to_do():
+    turn_on = "- {id: tv, text: '[Turn](1:change_state) [the tv](1:object) [on](1:state).', flow: [1]}"
+    rows = evaluate(parse_corpus(turn_on, DOMAIN.ontology), episodes=8, reading="gold", setup=SETUP)
+    assert {row.met_at_start for row in rows} == {True, False}
+    assert all(row.met_at_start == (row.steps == 1) for row in rows)
+
+
 def test_infeasible_episodes_name_their_cause(rows):
     tea = {row.seed: row for row in evaluate([EXAMPLES[1]], episodes=20, agent="idle", setup=SETUP)}
     infeasible = [row for row in tea.values() if row.outcome == "infeasible"]

@@ -48,15 +48,31 @@ def test_both_sides_of_each_condition_are_counted_in_feasible_episodes():
     ]
 
 
-def test_conditions_are_tabulated_over_all_agents():
-    rows = [row(branches=(branch(True),)), row(agent="oracle", branches=(branch(False), branch(True, task=3)))]
-    lines = tabulate_conditions(summarise(rows)).splitlines()
-    assert [line.split()[:5] for line in lines[1:3]] == [
-        ["one,", "task", "1", "1", "1"],
-        ["one,", "task", "3", "1", "0"],
+def test_conditions_are_tabulated_for_each_agent():
+    rows = [
+        row(branches=(branch(True),)),
+        row(branches=(branch(False),)),
+        row(agent="oracle", branches=(branch(False), branch(True, task=3))),
+        row(agent="idle"),
     ]
-    assert lines[-1] == "both branches occurred for 1 of 2 conditions"
+    lines = tabulate_conditions(summarise(rows)).splitlines()
+    assert [line.split()[:6] for line in lines[1:4]] == [
+        ["tree", "one,", "task", "1", "1", "1"],
+        ["oracle", "one,", "task", "1", "0", "1"],
+        ["oracle", "one,", "task", "3", "1", "0"],
+    ]
+    assert lines[4:] == [
+        "tree: both branches occurred for 1 of 1 conditions",
+        "oracle: both branches occurred for 0 of 2 conditions",
+    ]
     assert tabulate_conditions(summarise([row()])) == ""
+
+
+def test_what_was_met_at_the_start_is_counted_over_feasible_episodes():
+    rows = [row(met_at_start=True), row(), row("failure"), row("infeasible"), row(met_at_start=True, example="two")]
+    (summary,) = summarise(rows)
+    assert summary.met_at_start == Proportion(2, 4)
+    assert "50%" in tabulate(summarise(rows)).splitlines()[1]
 
 
 def test_warnings_name_the_instruction():

@@ -142,6 +142,19 @@ def test_a_folder_with_files_of_several_formats_needs_from(domain: Domain, tmp_p
         read_examples(tmp_path, domain)
 
 
+@pytest.mark.parametrize("out", ["in.yaml", "other.yaml", "x.ann"])
+def test_convert_replaces_nothing_unasked(out: str, tmp_path: Path, capsys) -> None:
+    kept = {"in.yaml": ODD, "other.yaml": "mine", "x.txt": "mine"}
+    for name, text in kept.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    form = "brat" if out == "x.ann" else "yaml"
+    arguments = ["corpus", "convert", str(tmp_path / "in.yaml"), str(tmp_path / out), "--to", form]
+    assert main(arguments) == 2
+    assert "exists already; name another place, or replace it with --force" in capsys.readouterr().err
+    assert {path.name: path.read_text(encoding="utf-8") for path in tmp_path.iterdir()} == kept
+    assert main([*arguments, "--force"]) == 0
+
+
 def test_convert_replaces_only_what_it_writes(domain: Domain, tmp_path: Path, capsys) -> None:
     (tmp_path / "in.yaml").write_text(ODD, encoding="utf-8")
     (tmp_path / "keep.txt").write_text("mine", encoding="utf-8")

@@ -10,6 +10,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter, without_rivals
 
 PEN = "Bring me a pen if you can find one on the desk, otherwise look in the drawer."
@@ -181,5 +182,20 @@ def test_damaged_models_are_refused_by_name(tmp_path):
         file.write(b"x")
     with pytest.raises(DataFileError, match=r"tasks\.crf: the model is not the one in the manifest"):
         Interpreter.load(domain, models=tmp_path / "models")
-    with pytest.raises(DataFileError, match="decomplex-bt train"):
+    with pytest.raises(DataFileError, match=f"run `decomplex-bt train --output {tmp_path}`"):
         Interpreter.load(domain, models=tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("path", "command"),
+    [
+        ("models/tasks.crf", "decomplex-bt train --domain {}"),
+        ("models/encoder/heads.npz", "decomplex-bt train --domain {} --encoder"),
+        ("other/tasks.crf", "decomplex-bt train --output {}/other"),
+    ],
+)
+def test_the_advice_is_to_train_where_the_model_is(path, command, tmp_path):
+    (tmp_path / "ontology.yaml").write_text("")
+    assert f"gone; run `{command.format(tmp_path)}`" in str(ModelError(tmp_path / path, "gone"))
+    shipped = load_domain("household").folder / "models" / "tasks.crf"
+    assert "run `decomplex-bt train --domain household`" in str(ModelError(shipped, "gone"))

@@ -12,7 +12,6 @@ from typing import Literal
 import numpy as np
 
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.understanding.control_flow.arcs import Arc
 from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
@@ -20,6 +19,7 @@ from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
 from decomplex_bt.understanding.crf import Crf, Features
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.dependencies import (
     FlowModel,
     FoundFlow,
@@ -65,8 +65,7 @@ class FlowNetworkModel:
                 tuple(map(str, stored[name])) for name in ("roles", "attachments", "orders")
             )
         except (OSError, ValueError, KeyError, TypeError) as error:
-            problem = f"no labels of flows ({type(error).__name__}); run `decomplex-bt train --encoder`"
-            raise DataFileError(path, problem) from None
+            raise ModelError(path, f"no labels of flows ({type(error).__name__})") from None
 
     def read(self, document: Document, tasks: Sequence[MarkedTask]) -> Array | None:
         """The vectors of tasks, (1, tasks, size); None where the text is too long."""

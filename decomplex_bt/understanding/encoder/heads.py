@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.understanding.damage import ModelError
 
 Array = np.ndarray
 FARTHEST = 10
@@ -28,8 +28,7 @@ class Heads:
             with np.load(path, allow_pickle=False) as stored:
                 self._weights = {name: stored[name].astype(np.float32) for name in stored.files}
         except (OSError, ValueError) as error:
-            problem = f"no weights of the encoder ({error}); run `decomplex-bt train --encoder`"
-            raise DataFileError(path, problem) from None
+            raise ModelError(path, f"no weights of the encoder ({error})") from None
 
     def tasks(self, vectors: Array) -> Array:
         """(tokens, task labels)."""

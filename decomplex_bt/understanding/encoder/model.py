@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from decomplex_bt.errors import DataFileError, DecomplexError
+from decomplex_bt.errors import DecomplexError
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.encoder.heads import Heads
 from decomplex_bt.understanding.encoder.pieces import Pieces
@@ -51,7 +52,7 @@ def open_session(path: Path) -> Any:
     try:
         return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
     except Exception as error:  # the library raises its own exceptions, one for each kind of damage
-        raise DataFileError(path, f"no encoder ({error}); run `decomplex-bt train --encoder`") from None
+        raise ModelError(path, f"no encoder ({error})") from None
 
 
 def partial_run() -> Any:

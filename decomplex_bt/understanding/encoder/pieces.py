@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.understanding.damage import ModelError
 
 START, END, UNKNOWN = "[CLS]", "[SEP]", "[UNK]"
 MAX_PIECES = 512
@@ -30,7 +30,7 @@ class Pieces:
         try:
             self._tokenizer = Tokenizer.from_str(path.read_text(encoding="utf-8"))
         except Exception as error:  # the library raises plain exceptions for whatever it cannot read
-            raise DataFileError(path, f"no word pieces ({error})") from None
+            raise ModelError(path, f"no word pieces ({error})") from None
         self._tokenizer.no_truncation()
         self._tokenizer.no_padding()
         self._start, self._end, self._unknown = (self._id(name, path) for name in (START, END, UNKNOWN))
@@ -38,7 +38,7 @@ class Pieces:
     def _id(self, piece: str, path: Path) -> int:
         number = self._tokenizer.token_to_id(piece)
         if number is None:
-            raise DataFileError(path, f"the word piece {piece} is missing; run `decomplex-bt train --encoder`")
+            raise ModelError(path, f"the word piece {piece} is missing")
         return int(number)
 
     def mark(self, number: int) -> int:

@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DataFileError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.coreference import ReferenceModel, choices_of
+from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.heads import log_softmax
 from decomplex_bt.understanding.encoder.labels import task_labels
@@ -57,8 +57,7 @@ def load_references(folder: Path, model: EncoderModel, ontology: Ontology) -> En
     try:
         share = float(json.loads(path.read_text(encoding="utf-8"))["references"])
     except (OSError, ValueError, KeyError, TypeError) as error:
-        problem = f"no share of the encoder ({type(error).__name__}); run `decomplex-bt train --encoder`"
-        raise DataFileError(path, problem) from None
+        raise ModelError(path, f"no share of the encoder ({type(error).__name__})") from None
     return EncoderReferences(model, ontology, share)
 
 
