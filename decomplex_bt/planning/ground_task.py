@@ -92,7 +92,7 @@ class GroundTask:
             "object": self.objects,
             "location": self.places,
             "goal": (self.goal,) if self.goal else (),
-            "recipient": (self.recipient,) if self.recipient else (),
+            "recipient": self.recipients,
             "state": f"{'not ' if self.is_denied else ''}{self.state}" if self.state else "",
             "message": self.message or "",
         }
