@@ -136,7 +136,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | key | meaning |
     |---|---|
     | `instruction` | the exact text |
-    | `is_success` | everything due was done, at most one step late; after reset: nothing is left to do |
+    | `is_success` | everything due was done, at most one step late; true after reset: nothing was left to do |
     | `goal_conditions_met`, `goal_conditions_total` | tasks and conditions settled, and all that are due |
     | `branches` | of each condition reached: `task`, `truth` (None: undecided), `taken` ("then", "else", None) |
     | `violations` | what was brought about that was not due, in words; one ends the episode |

@@ -137,14 +137,14 @@ def test_all_of_a_kind_need_all_that_are_in_the_house():
 
 
 def test_two_of_a_kind_need_two_different_ones():
-    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2, is_any=True)
     episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "desk"}), [1], task(1, "taking", pens))
     assert not episode.take("pen_1").is_success
     assert episode.take("pen_2").is_success
 
 
 def test_one_that_there_is_does_not_do_for_two():
-    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2, is_any=True)
     episode = Episode(HandWorld({"pen_1": "user"}), [1], task(1, "bringing", pens, recipient="user"))
     assert not episode.step().is_success
     tasks = task(1, "bringing", pens, recipient="user"), task(2, "informing", recipient="user")
@@ -155,7 +155,7 @@ def test_one_that_there_is_does_not_do_for_two():
 
 @pytest.mark.parametrize(("second", "is_there"), [("desk", True), ("couch", False), (None, False)])
 def test_two_of_a_kind_are_there_only_both(second, is_there):
-    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2, is_any=True)
     tasks = task(1, "check_state", pens, at=["desk"], state=HERE), task(2, "informing", recipient="user")
     episode = Episode(HandWorld({"pen_1": "desk", "pen_2": second}), [{"if": 1, "then": [2]}], *tasks)
     episode.world.seen = {"pen_1", "pen_2"} if is_there else {"pen_1"}
@@ -164,7 +164,7 @@ def test_two_of_a_kind_are_there_only_both(second, is_there):
 
 
 def test_two_that_are_not_both_in_the_house_are_not_here():
-    pens = referent("pen_1", "pen_2", phrase="two pens", count=2)
+    pens = referent("pen_1", "pen_2", phrase="two pens", count=2, is_any=True)
     episode = Episode(
         HandWorld({"pen_1": "desk"}),
         [{"if": 1, "then": [2]}],
@@ -175,7 +175,7 @@ def test_two_that_are_not_both_in_the_house_are_not_here():
 
 
 def test_two_are_not_so_when_one_is_not_and_both_are_meant_from_there_on():
-    cups = referent("cup_1", "cup_2", phrase="two cups", count=2)
+    cups = referent("cup_1", "cup_2", phrase="two cups", count=2, is_any=True)
     tasks = task(1, "check_state", cups, state="clean"), task(2, "taking", cups)
     world = HandWorld({"cup_1": "desk", "cup_2": "couch"}, {("cup_1", "cleanliness"): "clean"})
     episode = Episode(world, [{"if": 1, "else": [2]}], *tasks)

@@ -126,7 +126,7 @@ def test_broken_labels_are_named(domain: Domain, tmp_path: Path) -> None:
         (tmp_path / file.name).symlink_to(file)
     (tmp_path / LABELS_FILE).unlink()
     (tmp_path / LABELS_FILE).write_text('{"roles": []}', encoding="utf-8")
-    with pytest.raises(DataFileError, match="train --encoder"):
+    with pytest.raises(DataFileError, match="decomplex-bt train"):
         FlowNetworkModel(tmp_path, Pieces(folder / PIECES_FILE), domain.ontology)
 
 
