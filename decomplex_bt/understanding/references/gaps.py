@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import (
     PRONOUNS,
@@ -34,6 +34,7 @@ _DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
+_DENYING = frozenset(("not", "n't", "n\u2019t"))
 _BEING = frozenset(("be", "look", "seem", "feel"))
 _AIR = frozenset("hot cold warm freezing chilly cool icy stuffy humid late early noisy quiet bright light".split())
 """States of the day or the room, of which "is cold" may say what it names nothing for."""
@@ -152,7 +153,16 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
-        yield Gap(task, PREDICATE, position, "")
+        yield Gap(task, PREDICATE, position, "", is_certain=_is_bare_being(document, position))
+
+
+def _is_bare_being(document: Document, verb: int) -> bool:
+    """Whether a pronoun is said to be, or not to be, and no more: "if it is", "if they aren't"."""
+    tokens = document.tokens
+    if tokens[verb].lemma not in ("be", "'s") or verb == 0 or tokens[verb - 1].lower not in PRONOUNS - {"there"}:
+        return False
+    behind = next((token for token in tokens[verb + 1 :] if token.lower not in _DENYING), None)
+    return behind is None or behind.text in MARKS
 
 
 def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
