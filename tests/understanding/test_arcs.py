@@ -195,3 +195,11 @@ def test_what_is_done_between_two_mentions_is_done_in_any_case_but_not_where_wor
 def test_what_is_done_behind_all_mentions_is_done_after_the_condition():
     flow = flow_of((CHECK, MENTION, Arc("task", "<1+"), BETWEEN), [PLAIN] * 4)
     assert flow.to_json() == [{"if": [1, 2], "then": [3]}, 4]
+
+
+def test_that_doing_it_fails_is_the_opposite_whatever_state_it_names():
+    switched, fails = Wording(state="on"), Wording(state="on", is_contrary=True)
+    assert fails.contradicts(switched)
+    assert not fails.contradicts(fails)
+    assert not switched.contradicts(switched)
+    assert Wording(state="off").contradicts(switched)

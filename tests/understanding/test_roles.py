@@ -274,6 +274,16 @@ def test_an_answer_of_somebody_whose_whereabouts_were_asked_is_left_to_the_model
     assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == "mention"
 
 
+def test_a_search_of_a_place_asks_after_nobody() -> None:
+    found = clauses(
+        "[Look](1:searching) [in the van](1:location), and if [it](2:object) [is](2:check_state)n't [there](2:location), "
+        "[ask](3:informing) [Ann](3:recipient) [if she has it](3:message), and if [she](4:object) [does](4:check_state), "
+        "[close](5:change_state) [the door](5:object)."
+    )
+    roles = ("condition", "mention", "task", "mention", "task")
+    assert stated_roles(found, roles) == ("condition", "mention", "task", "condition", "task")
+
+
 def test_an_order_said_again_to_put_something_ahead_of_it_is_carried_out_once() -> None:
     found = clauses(
         "[Bring](1:bringing) [me](1:recipient) [the cup](1:object), and if [it](2:object) [is](2:check_state) "

@@ -63,8 +63,8 @@ class Wording:
     def contradicts(self, first: Wording) -> bool:
         """Whether a mention, its negation aside, says the opposite of what it mentions: another state of the same
         thing (else why say it), or that it failed."""
-        if self.state is not None and first.state is not None:
-            return self.state != first.state
+        if self.state is not None and first.state is not None and self.state != first.state:
+            return True
         return self.is_contrary and not first.is_contrary
 
 

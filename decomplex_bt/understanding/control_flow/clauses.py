@@ -120,8 +120,13 @@ class Clause:
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
         does, ..."), where the `others`, the conditions so far, are of things."""
-        is_of_things = all(other.number and not other.is_of_somebody for other in others)
-        return before.asks_whether and self.says_only_whether and self.is_of_person and is_of_things
+        is_answer = before.asks_whether and self.says_only_whether and self.is_of_person
+        return is_answer and not any(other.is_of_somebody or other.may_be_of_person for other in others)
+
+    @property
+    def may_be_of_person(self) -> bool:
+        """Whether it names somebody, or something that may be a person's name."""
+        return not self.number and any(kind == "object" for kind, _ in self.task.arguments)
 
     def repeats(self, before: Clause) -> bool:
         """Whether it only says again what is ordered before, to put something ahead of it: "before you bring it"."""
