@@ -253,6 +253,8 @@ ASKING = "If [the lamp](1:object) [is](1:check_state) [off](1:state), [ask](2:in
     [
         ("[whether she's reading](2:message)", "[she](3:object) [is](3:check_state)", "condition"),
         ("[if she wants tea](2:message)", "[she](3:object) [does](3:check_state)n't", "condition"),
+        ("[if she wants tea](2:message)", "[she](3:object) [has](3:check_state)n't", "mention"),
+        ("[if she's been told](2:message)", "[she](3:object) [has](3:check_state)n't", "condition"),
         ("[for a bulb](2:message)", "[she](3:object) [is](3:check_state)", "mention"),
         ("[whether she's reading](2:message)", "[it](3:object) [is](3:check_state)", "mention"),
         ("[if she wants tea](2:message)", "[she](3:object) [is](3:check_state) [out](3:state)", "mention"),
@@ -276,9 +278,9 @@ def test_an_answer_of_somebody_whose_whereabouts_were_asked_is_left_to_the_model
 
 def test_a_search_of_a_place_asks_after_nobody() -> None:
     found = clauses(
-        "[Look](1:searching) [in the van](1:location), and if [it](2:object) [is](2:check_state)n't [there](2:location), "
-        "[ask](3:informing) [Ann](3:recipient) [if she has it](3:message), and if [she](4:object) [does](4:check_state), "
-        "[close](5:change_state) [the door](5:object)."
+        "[Look](1:searching) [in the van](1:location). If [it](2:object) [is](2:check_state)n't [there](2:location), "
+        "[ask](3:informing) [Ann](3:recipient) [if she has it](3:message), and if [she](4:object) "
+        "[does](4:check_state), [close](5:change_state) [the door](5:object)."
     )
     roles = ("condition", "mention", "task", "mention", "task")
     assert stated_roles(found, roles) == ("condition", "mention", "task", "condition", "task")

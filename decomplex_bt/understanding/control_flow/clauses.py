@@ -81,8 +81,8 @@ class Clause:
     """The same of something that it names ("if the trunk won't open")."""
     says_only_whether: bool
     """Whether it says no more than that somebody or something is so, or is not: "if she does", "if he isn't"."""
-    asks_whether: bool
-    """Whether it asks somebody a question that is answered by yes or no."""
+    question: frozenset[str]
+    """The words and lemmas of what it asks somebody, where yes or no answers it ("ask Lea if she wants soap")."""
     verb: str
     """The lemma of its verb."""
     is_excepted: bool = False
@@ -120,7 +120,8 @@ class Clause:
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
         does, ..."), where the `others`, the conditions so far, are of things."""
-        is_answer = before.asks_whether and self.says_only_whether and self.is_of_person
+        is_answer = self.says_only_whether and self.is_of_person and bool(before.question)
+        is_answer = is_answer and (self.verb == "do" or not before.question.isdisjoint((self.verb, "'s", "\u2019s")))
         return is_answer and not any(other.is_of_somebody or other.may_be_of_person for other in others)
 
     @property
@@ -206,8 +207,8 @@ class Clause:
 
     def asks_for_what_had_state(self, first: Clause) -> bool:
         """Whether it asks if something is missing, where the other tests another state of it."""
-        state = first.wording.state
-        return self.wording.state in _MISSING and state is not None and state not in _PRESENT
+        is_of_state = any(kind == "state" for kind, _ in first.task.arguments)
+        return self.wording.state in _MISSING and is_of_state and first.wording.state not in _PRESENT
 
     def is_of_another(self, first: Clause) -> bool:
         """Whether its words say that it is no mention of an earlier condition: it asks the same of another thing ("if
@@ -418,7 +419,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_undone=_says_undone(observed, task, previous, own_last, near),
         says_named_undone=_says_undone(observed, task, previous, own_last, near, is_named=True),
         says_only_whether=_is_bare(document, task, own_last, _ECHOING | _DENYING),
-        asks_whether=_asks_whether(document, task),
+        question=_question(document, task),
         verb=document.tokens[token].lemma,
     )
 
@@ -576,10 +577,11 @@ def _is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[s
     )
 
 
-def _asks_whether(document: Document, task: MarkedTask) -> bool:
-    """Whether somebody is asked if something is so ("ask Lea if she wants soap")."""
+def _question(document: Document, task: MarkedTask) -> frozenset[str]:
     messages = [indices for kind, indices in task.arguments if kind == "message" and len(indices)]
-    return task.type == "informing" and any(document.tokens[m.start].lower in _WHETHER for m in messages)
+    if task.type != "informing" or not messages or document.tokens[messages[0].start].lower not in _WHETHER:
+        return frozenset()
+    return frozenset(word for j in messages[0] for word in (document.tokens[j].lemma, document.tokens[j].lower))
 
 
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:

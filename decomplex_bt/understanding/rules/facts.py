@@ -31,7 +31,8 @@ _NOT_BROUGHT_ABOUT = frozenset(
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
 _HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
 _HAVING = frozenset("has have had 've \u2019ve".split())
-_PAST = frozenset(("VBN", "VBD", "VB", "VBP"))
+_PAST = frozenset(("VBN", "VBD"))
+_SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether"))
 _SPEAKING = frozenset(("you", "i", "we", "to"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
@@ -177,12 +178,22 @@ def _passive(document: Document, at: int) -> int | None:
 
 
 def _perfect(document: Document, have: int) -> int | None:
-    """The participle of "has put", told from the "has"; None where nothing is done."""
+    """The participle of "has put", told from the "has"; None where nothing is done.
+
+    Where the form may be an order as well, a mark must end its clause: "if he has put the kettle on" may mean "if he
+    has, put the kettle on".
+    """
     tokens = document.tokens
     if tokens[have].lower not in _HAVING:
         return None
     participle = next((token for token in tokens[have + 1 :] if token.lower not in _BETWEEN), None)
-    return participle.i if participle is not None and participle.tag in _PAST else None
+    if participle is None or participle.tag not in _PAST:
+        return None
+    if participle.lower != participle.lemma:
+        return participle.i
+    behind = tokens[participle.i + 1 :]
+    end = next((token for token in behind if token.lower in MARKS or token.tag in ("VB", "VBP")), None)
+    return participle.i if end is not None and end.lower in MARKS and participle.lower in _SAME_FORMS else None
 
 
 def _is_done_by_others(document: Document, at: int) -> bool:
