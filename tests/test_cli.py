@@ -100,10 +100,10 @@ def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None
 
 @pytest.mark.parametrize("command", ["plan", "tree", "run"])
 def test_no_control_character_is_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([command, "Tell me \x1b[31m that\nthe \x07 tea is ready."]) == 0
+    assert main([command, "Tell me that \x1b[31m\x07\nthe tea is ready."]) == 0
     out, _ = capsys.readouterr()
     assert all(line.isprintable() for line in out.split("\n"))
-    assert command == "plan" or r"Tell me \x1b[31m that\nthe \x07 tea is ready." in out
+    assert command == "plan" or r"Tell me that \x1b[31m\x07\nthe tea is ready." in out
 
 
 @pytest.mark.parametrize("command", ["plan", "tree", "run"])

@@ -16,7 +16,8 @@ WEATHER = frozenset(
 _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
 _THERE = re.compile(
-    r"\bthere('s|\u2019s|s| is| are| be| was| were)\b|^\W*(is|are|was|were)(n't|n\u2019t)? there (?=\w)", re.IGNORECASE
+    r"\bthere('s|\u2019s|s| is| are| be| was| were)(n't|n\u2019t)?\b|^\W*(is|are|was|were)(n't|n\u2019t)? there (?=\w)",
+    re.IGNORECASE,
 )
 
 

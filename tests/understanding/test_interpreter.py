@@ -126,6 +126,7 @@ def test_what_is_put_is_not_where_it_is_put(interpreter):
     [
         ("Give the dog water.", "the dog", "water"),
         ("Bring the guests towels.", "the guests", "towels"),
+        ("Bring the plumber coffee.", "the plumber", "coffee"),
         ("Bring the baby bottle.", None, "the baby bottle"),
         ("Give the dog bowl to Anna.", "to Anna", "the dog bowl"),
     ],

@@ -296,10 +296,11 @@ def test_an_order_said_again_to_put_something_ahead_of_it_is_carried_out_once() 
     assert stated_sides(found, roles, ("top", "top", "<1+", "<1+"))[3] == "<2"
 
 
-def test_an_order_of_another_thing_is_no_repeat() -> None:
+@pytest.mark.parametrize("other", ["the plate", "the other one", "the blue one"])
+def test_an_order_of_another_thing_is_no_repeat(other: str) -> None:
     found = clauses(
         "[Bring](1:bringing) [me](1:recipient) [the cup](1:object), but [wash](2:change_state) [it](2:object) before "
-        "you [bring](3:bringing) [the plate](3:object)."
+        f"you [bring](3:bringing) [{other}](3:object)."
     )
     assert stated_roles(found, ("task", "task", "task"))[2] == "task"
 

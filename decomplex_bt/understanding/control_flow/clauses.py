@@ -83,6 +83,8 @@ class Clause:
     """Whether it says no more than that somebody or something is so, or is not: "if she does", "if he isn't"."""
     question: frozenset[str]
     """The words and lemmas of what it asks somebody, where yes or no answers it ("ask Lea if she wants soap")."""
+    is_of_it: bool
+    """Whether its object is a pronoun and no more: "it", not "the other one"."""
     verb: str
     """The lemma of its verb."""
     is_excepted: bool = False
@@ -120,9 +122,11 @@ class Clause:
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
         does, ..."), where the `others`, the conditions so far, are of things."""
-        is_answer = self.says_only_whether and self.is_of_person and bool(before.question)
-        is_answer = is_answer and (self.verb == "do" or not before.question.isdisjoint((self.verb, "'s", "\u2019s")))
-        return is_answer and not any(other.is_of_somebody or other.may_be_of_person for other in others)
+        is_fitting = self.verb == "do" or not before.question.isdisjoint((self.verb, "'s", "\u2019s"))
+        is_of_them = self.is_of_somebody and not any(other.number == "many" for other in others)
+        is_answer = self.says_only_whether and bool(before.question) and is_fitting
+        is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
+        return is_answer and is_of_things and (self.is_of_person or is_of_them)
 
     @property
     def may_be_of_person(self) -> bool:
@@ -132,7 +136,7 @@ class Clause:
     def repeats(self, before: Clause) -> bool:
         """Whether it only says again what is ordered before, to put something ahead of it: "before you bring it"."""
         is_same = self.verb == before.verb and self.task.type == before.task.type
-        is_of_it = self.has_pronoun or bool(set(self.objects) & set(before.objects))
+        is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
         return is_same and is_of_it and "before" in self.near
 
     def is_opposite_of(self, first: Clause) -> bool:
@@ -237,6 +241,7 @@ _IFS = frozenset(("if", "unless", "only_if"))
 _HANDING = frozenset(("bringing", "informing"))
 _MISSING = frozenset(("missing", "gone", "lost"))
 _NO_THINGS = frozenset("none one some any drop".split())
+_ITS = frozenset("it them 'em em him her this that these those".split())
 _PERSONS = frozenset(("he", "she", "they"))
 _GONE = frozenset(("out", "away", "gone"))
 _AROUND = frozenset("in home there here around about back".split())
@@ -420,6 +425,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_named_undone=_says_undone(observed, task, previous, own_last, near, is_named=True),
         says_only_whether=_is_bare(document, task, own_last, _ECHOING | _DENYING),
         question=_question(document, task),
+        is_of_it=_is_of_somebody(document, task, _ITS),
         verb=document.tokens[token].lemma,
     )
 

@@ -37,6 +37,8 @@ _BEFORE_WEATHER = frozenset(
 """What may stand between the verb of a check and the word for the weather or the day."""
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
+_OWNING = frozenset("baby child kid dad mum mom".split())
+"""Persons by whom things are called: "bring the baby bottle"."""
 _ANIMALS = frozenset(
     "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
     "gerbil mouse rat sheep cow donkey".split()
@@ -144,16 +146,18 @@ def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: i
     both = own.get("object")
     if both is None or both.tokens.start != bringing + 1 or {"recipient", "goal"} & own.keys():
         return list(arguments)
-    nouns = [j for j in both.tokens if document.tokens[j].pos in ("NOUN", "PROPN")]
-    if len(nouns) != 2 or nouns[1] != nouns[0] + 1 or nouns[1] != both.tokens.stop - 1:
+    nouns = [document.tokens[j] for j in both.tokens if document.tokens[j].pos in ("NOUN", "PROPN")]
+    if len(nouns) < 2 or nouns[-1].i != both.tokens.stop - 1 or nouns[0].i + len(nouns) != both.tokens.stop:
         return list(arguments)
-    whom, verb = document.tokens[nouns[0]], document.tokens[bringing].lemma
-    is_living = whom.lemma in PERSON_NOUNS | _ANIMALS or whom.tag == "NNP"
-    if not (verb in _HANDING and is_living) and not (verb in _CARRYING and whom.tag == "NNS"):
+    whom, verb = nouns[-2], document.tokens[bringing].lemma
+    is_name = nouns[0].i == both.tokens.start and all(noun.tag == "NNP" for noun in nouns[:-1])
+    is_living = is_name or whom.lemma in PERSON_NOUNS | _ANIMALS
+    is_whom = (verb in _HANDING and is_living) or is_name or whom.tag == "NNS" or whom.lemma in PERSON_NOUNS - _OWNING
+    if (len(nouns) > 2 and not is_name) or verb not in _CARRYING or not is_whom:
         return list(arguments)
     others = [a for a in arguments if a is not both]
-    recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[1]))
-    return [*others, recipient, replace(both, tokens=range(nouns[1], nouns[1] + 1))]
+    recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[-1].i))
+    return [*others, recipient, replace(both, tokens=range(nouns[-1].i, both.tokens.stop))]
 
 
 def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:
