@@ -41,9 +41,7 @@ class Home:
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
         check_skills(self.base)
         self.house: tuple[str | None, int | None] = path, self.seed
-        if isinstance(
-            domain, Path
-        ):  # a shipped one is known to be in order, and the first episode need not wait for it
+        if isinstance(domain, Path):  # a shipped one is in order, as a test knows: no first episode waits for this
             check_access(self.base, self.base.folder / "house.yaml")
         self._residence = Residence(self.base, path=path, size=size)
         self._settle(self._residence.domain(self.seed))
