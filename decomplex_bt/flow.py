@@ -114,6 +114,10 @@ class Flow:
                 labels.setdefault(number, label)
         return labels
 
+    def renumbered(self, numbers: Mapping[int, int]) -> Flow:
+        """The same flow with `numbers` giving the new number of each task."""
+        return Flow(in_reading_order(_renumbered(self.nodes, numbers)))
+
     def describe(self, names: Mapping[int, str]) -> str:
         """The tree as indented lines, with `names` giving a phrase for each task number."""
         return "\n".join(_describe(self.nodes, names, 0))
@@ -167,6 +171,16 @@ def _ordered(nodes: Sequence[Node], wholes: Mapping[int, Do], seen: set[int]) ->
             then, orelse = _ordered(node.then, wholes, seen), _ordered(node.orelse, wholes, seen)
             found.append(If(node.tasks, then, orelse) if then or orelse else Do(node.tasks))
     return tuple(found)
+
+
+def _renumbered(nodes: Sequence[Node], numbers: Mapping[int, int]) -> tuple[Node, ...]:
+    def of(node: Node) -> Node:
+        tasks = tuple(sorted(numbers[number] for number in node.tasks))
+        if isinstance(node, Do):
+            return Do(tasks, node.is_repeat)
+        return If(tasks, _renumbered(node.then, numbers), _renumbered(node.orelse, numbers))
+
+    return tuple(map(of, nodes))
 
 
 def _check_complete(placed: set[int], task_count: int) -> None:

@@ -39,6 +39,8 @@ class Task:
 
     `id` numbers the tasks of an instruction from 1 in order of appearance; `span` is the one token that carries it.
     `confidence` is that of its type, `dependency_confidence` that of its place in the flow, both from 0 to 1.
+    `repeats`: the number of the task whose verb it has, where it leaves its own unsaid ("bring me tea, or *coffee* if
+    there is none"); else 0.
     """
 
     id: int
@@ -47,6 +49,7 @@ class Task:
     arguments: tuple[Argument, ...] = ()
     confidence: float = 1.0
     dependency_confidence: float = 1.0
+    repeats: int = 0
 
     def values(self, argument_type: str) -> tuple[str, ...]:
         """The values of all arguments of this type, in order; empty if there is none."""
@@ -119,13 +122,17 @@ class Instruction:
                 return task
         raise KeyError(number)
 
+    def verb_of(self, task: Task) -> Task:
+        """The task that says this one's verb: itself, or the one whose verb it repeats without saying it."""
+        return self.task(task.repeats) if task.repeats else task
+
     def surface(self, span: Span | None) -> str | None:
         return None if span is None else span.of(self.text)
 
     def phrase(self, number: int) -> str:
         """The task in a few words: its verb with its arguments' values, as in "find a pen on the table"."""
         task = self.task(number)
-        return " ".join([task.span.of(self.text), *(argument.value for argument in task.arguments)])
+        return " ".join([self.verb_of(task).span.of(self.text), *(argument.value for argument in task.arguments)])
 
     def to_json(self, *, alternatives: int | None = None) -> dict[str, Any]:
         """The object that `decomplex-bt parse --format json` prints; keys in that order.
@@ -168,6 +175,7 @@ class Instruction:
             "start": task.span.start,
             "end": task.span.end,
             "surface": task.span.of(self.text),
+            **({"repeats": task.repeats} if task.repeats else {}),
             "dependency": dependency,
             "confidence": round(task.confidence, 4),
             "arguments": [

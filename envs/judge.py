@@ -29,9 +29,10 @@ class Judge:
 
     def __init__(self, reading: Instruction, domain: Domain, *, judged_by: str) -> None:
         from decomplex_bt.envs.tested import tests_of
+        from decomplex_bt.planning.distribution import distributed
         from decomplex_bt.planning.grounding import ground
 
-        self.reading = reading
+        self.reading = distributed(reading)
         self.domain = domain
         self.judged_by = judged_by
         if not reading.tasks:

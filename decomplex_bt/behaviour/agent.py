@@ -21,6 +21,7 @@ from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Doubt, Instruction, Missing
 from decomplex_bt.planning.belief import Belief
+from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
@@ -193,7 +194,7 @@ def compile_instruction(instruction: Instruction, grounded: GroundInstruction, d
     prepositions = domain.lexicon.prepositions
     names = {
         task.id: say_task(task, domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions)
-        for task in instruction.tasks
+        for task in distributed(instruction).tasks
     }
     return compile_flow(
         grounded.flow,

@@ -13,6 +13,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
+from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
@@ -34,6 +35,7 @@ def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) 
     Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer;
     all are `InputError`s that carry the task's number. A later mention of a task is not executed, and raises nothing.
     """
+    instruction = distributed(instruction)
     grounder = _Grounder(instruction, domain, ask)
     mentions = instruction.flow.mentions()
     tasks = []

@@ -23,12 +23,13 @@ class Wording:
 
     def sense(self, task: Task) -> VerbSense | None:
         """What the verb, with its particle, implies ("turn … on", "heat", "throw … away"), as a verb of this type."""
-        sense = sense_of(task.span.of(self._instruction.text), self._particles(task), self._domain.lexicon)
+        verb = self._instruction.verb_of(task)
+        sense = sense_of(verb.span.of(self._instruction.text), self._particles(verb), self._domain.lexicon)
         return None if sense is None or task.type not in sense.tasks else sense
 
     def says_out(self, task: Task) -> bool:
         """Whether a thing is only to go out, wherever that is ("take the trash out")."""
-        return "out" in self._particles(task) or task.value("goal") in ("out", "outside")
+        return "out" in self._particles(self._instruction.verb_of(task)) or task.value("goal") in ("out", "outside")
 
     def is_of_nobody(self, task: Task) -> bool:
         """Whether a check is of nobody's being there: of anybody's, with its branches changed over by the flow."""

@@ -67,8 +67,10 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         yield NO_TASK
         return
     starts = {task.span.start for task in tasks}
-    for words in alternatives(observed, [document.indices(task.span).start for task in tasks]):
-        phrase = document.span(words.start, words.stop - 1).of(document.text)
+    for other in alternatives(observed, {document.indices(task.span).start: task.type for task in tasks}):
+        if other.is_verbal:
+            continue
+        phrase = document.span(other.tokens.start, other.tokens.stop - 1).of(document.text)
         yield f"{phrase!r} is no task, for it has no verb: say what to do with it"
     said: set[str] = set()
     for i, token in enumerate(document.tokens):

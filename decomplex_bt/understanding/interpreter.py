@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
@@ -10,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.domain.verbs import sense_of
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
@@ -24,6 +27,7 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.remainder import restored, without
+from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
@@ -126,11 +130,35 @@ class Interpreter:
                 break
             rest = without(left, cut)
             left, places = self._parser.parse(rest.text, self._spelling), [places[place] for place in rest.places]
-        found = self._read(left)
-        return found if left is document else restored(found, document.text, places)
+        observed = Observed(left, self._gazetteer)
+        found = self._told_in_full(observed, self._read(observed))
+        return found if left is document else restored(found, document.text, places, places)
 
-    def _read(self, document: Document) -> Instruction:
-        observed = Observed(document, self._gazetteer)
+    def _told_in_full(self, observed: Observed, found: Instruction) -> Instruction:
+        """As found, or as its retelling is read where that has all the orders that it tells."""
+        full = retold(observed, found)
+        if full is None:
+            return found
+        again = self._read(Observed(self._parser.parse(full.told.text, self._spelling), self._gazetteer))
+        if len(again.tasks) < len(found.tasks) + len(full.verbs):
+            return found
+        whole = restored(again, observed.document.text, full.told.places, full.told.turns, full.verbs)
+        numbers = {task.span.start: task.id for task in whole.tasks}
+        said = {carrier: numbers.get(verb, 0) for carrier, verb in full.verbs.items()}
+        tasks = (replace(task, repeats=said.get(task.span.start, 0)) for task in whole.tasks)
+        return replace(whole, tasks=tuple(self._with_state(whole, task) for task in tasks))
+
+    def _with_state(self, instruction: Instruction, task: Task) -> Task:
+        """A task that leaves its verb unsaid, with the state that the verb would have told ("open")."""
+        if not task.repeats or task.type != "change_state" or task.value("state") is not None:
+            return task
+        sense = sense_of(instruction.verb_of(task).span.of(instruction.text), (), self.domain.lexicon)
+        if sense is None or sense.state is None:
+            return task
+        return replace(task, arguments=(*task.arguments, Argument("state", sense.state, None, task.confidence)))
+
+    def _read(self, observed: Observed) -> Instruction:
+        document = observed.document
         ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
         reading, belief = ranked[0][0], belief_of(ranked)
         tasks = self._references.resolve(
@@ -201,7 +229,11 @@ def _argument(document: Document, argument: FoundArgument, confidence: float, ta
 
 def without_rivals(arguments: Sequence[Argument]) -> tuple[Argument, ...]:
     """The arguments of a task, of which it keeps two of one type only where both are likely: "the cup, and the plate,
-    too" happens, but where one of the two is doubtful it is a misreading."""
+    too" happens, but where one of the two is doubtful it is a misreading. Two each of two types ("the pan in the oven
+    and the lid on the stove") are no rivals."""
+    counts = Counter(argument.type for argument in arguments)
+    if sum(count > 1 for count in counts.values()) > 1:
+        return tuple(arguments)
     surest = {argument.type: argument for argument in sorted(arguments, key=lambda a: a.confidence)}
     return tuple(a for a in arguments if a.confidence >= LIKELY or a is surest[a.type])
 

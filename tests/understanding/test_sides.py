@@ -220,3 +220,51 @@ def test_a_mention_is_of_what_it_names(thing: str, mention: str) -> None:
         "[tell](4:informing) me."
     )
     assert stated_sides(found, ("condition", "condition", "mention", "task"), ("top", "<1+", "<1", "<1+"))[2] == mention
+
+
+@pytest.mark.parametrize(
+    ("markup", "attachments", "expected"),
+    [
+        # within a list
+        (
+            "[Go](1:motion) [out](1:goal), [feed](2:change_state) [the cat](2:object) if [she](3:object) "
+            "[is](3:check_state) [there](3:location), and [lock](4:change_state) [the door](4:object).",
+            (">1+", ">1+", "top", "<1+"),
+            ("top", ">1+", "top", "top"),
+        ),
+        # what follows may as well hang on it
+        (
+            "[Feed](1:change_state) [the cat](1:object) if [she](2:object) [is](2:check_state) [there](2:location), "
+            "and [lock](3:change_state) [the door](3:object).",
+            (">1+", "top", "<1+"),
+            (">1+", "top", "<1+"),
+        ),
+        # asks whether it is needed
+        (
+            "[Wash](1:change_state) [the mug](1:object) if [it](2:object)['s](2:check_state) [dirty](2:state) and "
+            "[bring](3:bringing) [it](3:object) here.",
+            (">1+", "top", "<1+"),
+            (">1+", "top", "top"),
+        ),
+        (
+            "[Fill](1:change_state) [the jug](1:object), unless [it](2:object) [is](2:check_state) [full](2:state), "
+            "and [bring](3:bringing) [it](3:object) here.",
+            (">1+", "top", "<1+"),
+            (">1+", "top", "top"),
+        ),
+        # in the case of another condition
+        (
+            "If [Tom](1:object) [is](1:check_state) [in](1:state), [wash](2:change_state) [the mug](2:object) if "
+            "[it](3:object)['s](3:check_state) [dirty](3:state), and [take](4:bringing) [it](4:object) "
+            "[to him](4:recipient).",
+            ("top", "<1+", "<1-", "<1+"),
+            ("top", ">1+", "<1+", "<2+"),
+        ),
+    ],
+)
+def test_a_condition_within_a_list_or_of_need_is_of_one_order(
+    markup: str, attachments: tuple[str, ...], expected: tuple[str, ...]
+) -> None:
+    found = clauses(markup)
+    roles = ["condition" if clause.task.type == "check_state" else "task" for clause in found]
+    assert stated_sides(found, roles, attachments) == expected

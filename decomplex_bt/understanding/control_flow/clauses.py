@@ -119,6 +119,15 @@ class Clause:
         is_of_it = self.says_undone or (self.says_named_undone and self.names_same(named))
         return is_change and is_of_it and "unless" not in self.near
 
+    def is_guard_of(self, before: Clause) -> bool:
+        """Whether it asks no more than whether the change before it is needed: "wash it if it's dirty", "fill it unless
+        it's full", "turn the tv off if it's on"."""
+        if before.task.type != "change_state" or not self.is_check or self.wording.state is None:
+            return False
+        goals, needs = _NEEDED.get(before.wording.state or before.verb, (_NEVER, _NEVER))
+        is_needed = self.wording.state in (goals if self.wording.is_negated else needs)
+        return is_needed and (self.names_same(before) or (self.has_pronoun and not self.objects))
+
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
         does, ..."), where the `others`, the conditions so far, are of things."""
@@ -237,6 +246,26 @@ class Clause:
         return is_of_others or (first.asks_where and "location" not in own)
 
 
+_NEVER: frozenset[str] = frozenset()
+_NEEDED = {
+    verb: (frozenset(goals.split()), frozenset(needs.split()))
+    for verbs, goals, needs in (
+        ("on", "on running lit", "off out"), ("off", "off out", "on running lit"),
+        ("open", "open ajar", "closed shut"), ("close shut", "closed shut", "open ajar"),
+        ("lock bolt", "locked bolted", "unlocked open"), ("unlock unbolt", "unlocked open", "locked bolted shut"),
+        ("heat warm reheat microwave", "hot warm", "cold cool lukewarm tepid chilly"),
+        ("cool chill", "cold cool chilled", "warm hot lukewarm"),
+        ("clean wash rinse wipe scrub mop sweep vacuum hoover dust polish", "clean washed spotless",
+         "dirty filthy muddy dusty sticky stained grubby greasy unwashed"),
+        ("fill refill", "full", "empty low"), ("empty", "empty", "full overflowing"), ("dry", "dry", "wet damp soaked"),
+        ("iron press", "ironed smooth", "wrinkled creased crumpled"),
+        ("charge recharge", "charged full", "flat low dead empty"), ("water", "wet moist damp", "dry thirsty"),
+        ("cover", "covered", "uncovered bare"), ("light", "lit", "unlit out"),
+        ("make", "made", "unmade"), ("plug", "plugged", "unplugged"), ("fold", "folded", "unfolded crumpled"),
+    )
+    for verb in verbs.split()
+}  # fmt: skip
+"""What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _IFS = frozenset(("if", "unless", "only_if"))
 _HANDING = frozenset(("bringing", "informing"))
 _MISSING = frozenset(("missing", "gone", "lost"))

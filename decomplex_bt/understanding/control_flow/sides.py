@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
 from decomplex_bt.understanding.control_flow.clauses import Clause, last_named
@@ -13,6 +14,7 @@ _HOLDS, _FAILS = "<1+", "<1-"
 """In the branch of the condition before: where that holds as it is stated, and where it does not (`arcs`)."""
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
+_OPENING = frozenset(("if", "only_if", "unless", "when"))
 _MOVING = frozenset(("placing", "bringing"))
 _FILLED = frozenset("full packed crammed overflowing".split())
 _OBSTRUCTED = frozenset(
@@ -43,6 +45,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _obstruct,
             _fall_back,
             _follow,
+            _list,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -242,6 +245,37 @@ def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         and sides[k - 1] in ("top", _HOLDS, _FAILS)
     ):
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def _list(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
+    wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
+    here")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_guard = clause.is_guard_of(order) and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
+    if not is_behind or _OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
+        return
+    if is_guard and sides[k - 1] in (_HOLDS, _FAILS):
+        sides[k - 1], sides[k] = ">1+", sides[k - 1]
+    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != ">1":
+        return
+    ahead = [j for j in range(k - 1) if clauses[j].sentence == clause.sentence and roles[j] == "task"]
+    is_listed = bool(ahead) and ahead[-1] == k - 2 and order.boundary == ","
+    later = list(takewhile(lambda j: _goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))))
+    if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")):
+        return
+    if is_listed:
+        for j in ahead:
+            sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
+    for j in later:
+        sides[j] = f"<2{sides[k][2:]}" if sides[k] in (_HOLDS, _FAILS) else "top"
+
+
+def _goes_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
+    """Whether a task goes on with what hangs on the condition before it, in this sentence."""
+    is_plain = roles[k] == "task" and sides[k] in (_HOLDS, _FAILS)
+    return is_plain and clauses[k].sentence == sentence and _TURNING.isdisjoint({*clauses[k].far, *clauses[k].near})
 
 
 def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

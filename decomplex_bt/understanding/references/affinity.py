@@ -229,7 +229,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     thing itself, and "the black one" no grey hoodie."""
     tokens = observed.document.tokens
     worded = list(spellings(observed.document, gap, candidate))
-    if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
+    is_further = any(tokens[i].lower == "another" for i in gap.tokens[:1])
+    if tokens[candidate.tokens.start].lower in _LACKING or is_further:  # what there is none of: "no paper? Bring some"
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
     is_measure = (  # "a glass of it" is no bottle

@@ -194,11 +194,12 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         yield f"{own} {noun_of(document, candidate, is_plural=None)}", "own"
         yield text, "same"
         return
-    if gap.form == "count" or gap.word == "ones" or gap.word in ("some", "any", "another"):
+    is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])
+    if gap.form == "count" or gap.word in ("ones", "some", "any") or is_further:
         words = _text(document, range(gap.tokens.start, _last_modifier(document, gap) + 1))
         if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
             words += " of" if gap.word in ("couple", "pair") else ""
-        is_plural = False if gap.word == "another" else True if gap.form == "count" else None
+        is_plural = False if is_further else True if gap.form == "count" else None
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "counted"
         yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
     modifiers = range(gap.tokens.start, head_of(document, gap.tokens)) if gap.tokens else range(0)
@@ -218,7 +219,7 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     if gap.word in ("one", "another", "that", "it") and gap.form in ("one", "pronoun"):
         bare = bare_of(document, candidate, is_plural=False)
         article = "an" if bare[:1].lower() in "aeiou" else "a"
-        if gap.word in ("one", "another") or text.lower().startswith("one "):
+        if gap.word == "one" or text.lower().startswith("one "):
             yield f"{article} {bare}", "a"
         if gap.word == "one":
             yield f"one {bare}", "one"

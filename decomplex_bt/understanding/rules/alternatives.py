@@ -1,41 +1,222 @@
-"""Alternatives: what is named without a verb as what to take instead ("otherwise *an apple*"): no task has it."""
+"""Alternatives: what is to be taken or done instead, told without its verb ("otherwise *an apple*") or ahead of its
+condition ("bring a pen, or *a pencil* if there is none", "close it if it's dark, *open it* if not")."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 
-_MARKS = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—"))
-_ENDS = frozenset((".", ";", "!"))
+_OPENING = frozenset(("if", "only_if", "unless"))
+_TURNING = frozenset(("else", "fail"))
+_JOINING = frozenset("and but or so then just maybe perhaps please".split())
+_CLOSING = frozenset("please instead then though thanks too also well as".split())
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
 _NAMING = frozenset(("NOUN", "PROPN"))
 _ONE = frozenset(("one", "ones"))
+_WHOLE = ("thing", "body", "one", "where", "who", "what")
+_IDLE = frozenset("case course mind time day thank bother worry love".split())
+"""What ends phrases that name nothing: "in which case", "of course", "any time"."""
+_NO_PARTS = frozenset(("VERB", "AUX", "SCONJ", "INTJ"))
+_POINTING = frozenset(("that", "those"))
+_DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
+_SUBJECTS = frozenset("it he she they there that this i you we".split())
+_LEFT = frozenset("any one some it that them yet already there".split())
 
 
-def alternatives(observed: Observed, tasks: Container[int]) -> Iterator[range]:
-    """The tokens of each, in text order; `tasks`: the tokens that are tasks.
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """Tokens of an instruction.
 
-    It stands at the end of a sentence, right behind an "otherwise" or the like, or behind a condition and a mark ("if
-    there is none, a beer").
+    `tokens`: what is named or ordered instead; `condition`: when, with its "if", where that is told behind; else empty;
+    `is_verbal`: whether it has a verb of its own, that is a task.
     """
-    tokens = observed.document.tokens
-    turns = {cue.first: cue.last for cue in observed.cues if cue.name in ("else", "fail")}
-    openings = {cue.first for cue in observed.cues if cue.name in ("if", "unless")}
-    first, is_conditional = 0, False
-    for i, token in enumerate(tokens):
-        if i in turns and i not in tasks:
-            first, is_conditional = turns[i] + 1, True
-        is_mark = token.text in _MARKS
-        if not is_mark and i + 1 < len(tokens):
+
+    tokens: range
+    condition: range
+    is_verbal: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A part of a sentence between two marks or words of `lead`; `opening`: the tokens of that word."""
+
+    lead: str
+    opening: range
+    body: range
+    is_last: bool
+
+
+def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alternative]:
+    """The alternatives of a document, in text order; `tasks` maps token indices to task types.
+
+    One stands right behind an "otherwise" or the like; at the end of a sentence behind a condition and a mark ("if
+    there is none, a beer"); between an "or" and an "if"; or between a condition and an "if not" ("if it's hot, the jug
+    if it isn't"). "A or B if C" without a comma is an alternative only where C denies something or names what A does.
+    """
+    document = observed.document
+    parts = list(_parts(observed, tasks))
+    for k, part in enumerate(parts):
+        body = _bare(document, part.body, tasks)
+        is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
+        if not body or not (is_verbal or _is_phrase(document, body, tasks)):
             continue
-        stop = i if is_mark else i + 1
-        words = tokens[first:stop]
-        is_verbal = any(word.i in tasks or word.pos in ("VERB", "AUX") for word in words)
-        is_last = not is_mark or token.text in _ENDS
-        is_named = any(word.pos in _NAMING or word.lower in _ONE for word in words)
-        if is_conditional and is_last and is_named and not is_verbal and words[0].pos in _BEGINNING:
-            yield range(first, stop)
-        is_condition = is_verbal and not openings.isdisjoint(range(first, stop))
-        is_conditional = not is_last and (is_condition or (is_conditional and not words))
-        first = i + 1
+        if _is_ahead(document, parts, k, tasks):
+            condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
+            yield Alternative(body, condition, is_verbal)
+        elif not is_verbal and _is_behind(document, parts, k, body, tasks):
+            yield Alternative(body, range(body.stop, body.stop), is_verbal)
+
+
+def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
+    """Whether an alternative stands ahead of its condition: "or *a pen* if there is none", "*the jug* if it isn't"."""
+    part = parts[k]
+    if part.is_last or k + 1 == len(parts):
+        return False
+    condition = parts[k + 1]
+    is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
+    if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
+        return _is_either(document, parts[:k], part, condition)
+    is_next = part.lead == "mark" and part.body.stop == condition.opening.start and condition.is_last
+    return is_next and _follows_condition(parts, k, tasks) and _is_contrary(document, condition)
+
+
+def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> bool:
+    """Whether an alternative stands behind its condition, or behind an "otherwise"; `body`: its own words."""
+    part = parts[k]
+    is_turn = part.lead == "turn" or (part.lead == "mark" and k > 0 and _is_bare_turn(parts[k - 1]))
+    if is_turn and (part.is_last or body.stop < part.body.stop or _goes_on(document, parts[k + 1 : k + 2])):
+        return True
+    if part.lead != "mark" or not part.is_last or not _follows_condition(parts, k, tasks):
+        return False
+    if document.tokens[part.body.start].lower == "and":
+        return False  # "close it if it's dark, *and the curtains*" goes with it
+    return len(body) > 1 or document.tokens[body.start].lower in _POINTING or _is_joined(document, parts, k)
+
+
+def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
+    tokens = observed.document.tokens
+    leads = {
+        cue.first: ("turn", cue.last)
+        for cue in observed.cues
+        if cue.name in _TURNING and cue.first not in tasks and not _is_part(tokens, cue.first)
+    }
+    leads |= {cue.first: ("if", cue.last) for cue in observed.cues if cue.name in _OPENING and cue.first not in leads}
+    lead, opening, first, i = "start", range(0), 0, 0
+    while i < len(tokens):
+        name, last = leads.get(i, ("", i))
+        if name == "if" and _says_not(observed.document, i):
+            name, last = "turn", i + 1
+        if tokens[i].text in MARKS and not _is_hyphen(tokens, i):
+            name = "mark"
+        elif tokens[i].lower == "or" and not name:
+            name = "or"
+        if name:
+            is_last = name == "mark" and tokens[i].text in ENDS
+            if first < i or lead in ("turn", "or"):
+                yield _Part(lead, opening, range(first, i), is_last)
+            lead, opening, first = "start" if is_last else name, range(i, last + 1), last + 1
+            i = last
+        i += 1
+    if first < len(tokens) or lead == "turn":
+        yield _Part(lead, opening, range(first, len(tokens)), is_last=True)
+
+
+def _is_part(tokens: Sequence[Token], i: int) -> bool:
+    """Whether what looks like an "otherwise" belongs to other words: "everything *else*", "the box, *no*, the bag"."""
+    if tokens[i].lower in ("no", "nope", "not"):
+        return True
+    return tokens[i].lower == "else" and i > 0 and tokens[i - 1].lower.endswith(_WHOLE)
+
+
+def _is_hyphen(tokens: Sequence[Token], i: int) -> bool:
+    return tokens[i].text == "-" and i > 0 and tokens[i - 1].end == tokens[i].start
+
+
+def _says_not(document: Document, i: int) -> bool:
+    """Whether "if not" has no clause of its own: "if not a glass of milk", "if not the blue one"."""
+    rest = document.tokens[i + 1 : next((t.i for t in document.tokens[i:] if t.text in MARKS), len(document))]
+    return len(rest) > 1 and rest[0].lower == "not" and all(t.pos not in ("VERB", "AUX") for t in rest)
+
+
+def _bare(document: Document, body: range, tasks: Mapping[int, str]) -> range:
+    """A part without the words that only join it to others, up to the next order ("an apple *and close it*")."""
+    first, stop = body.start, body.stop
+    while first < stop and document.tokens[first].lower in _JOINING:
+        first += 1
+    later = next((i for i in range(first + 1, stop) if i in tasks), stop) if first not in tasks else stop
+    if later < stop and document.tokens[later - 1].lower in _JOINING:
+        stop = later
+    closing = _CLOSING if stop == body.stop else _JOINING
+    while stop > first and document.tokens[stop - 1].lower in closing:
+        stop -= 1
+    return range(first, stop)
+
+
+def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> bool:
+    """Whether the tokens name a thing, a person or a place and nothing else."""
+    words = document.tokens[body.start : body.stop]
+    if len(words) == 1 and words[0].lower in _POINTING:
+        return True
+    if words[0].lower in _DENYING or words[-1].lemma in _IDLE:
+        return False
+    is_led = words[0].lower in PREPOSITIONS and len(words) > 1
+    return (
+        (is_led or words[0].pos in _BEGINNING or words[0].tag == "PRP$")
+        and any(word.pos in _NAMING or word.lower in _ONE for word in words)
+        and not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
+    )
+
+
+def _goes_on(document: Document, following: Sequence[_Part]) -> bool:
+    """Whether the next part only goes on: "*and then* close the door"."""
+    return bool(following) and bool(following[0].body) and document.tokens[following[0].body.start].lower in _JOINING
+
+
+def _is_joined(document: Document, parts: Sequence[_Part], k: int) -> bool:
+    """Whether an "or" or "and" leads the condition that a part follows: "a beer, or if there is none, *lemonade*"."""
+    opening = parts[k - 1].opening.start
+    return opening > 0 and document.tokens[opening - 1].lower in ("or", "and", ",")
+
+
+def _follows_condition(parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
+    """Whether the part before tells a condition, and the same sentence goes on."""
+    if k == 0 or parts[k - 1].is_last:
+        return False
+    return parts[k - 1].lead == "if" and any(i in tasks for i in parts[k - 1].body)
+
+
+def _is_bare_turn(part: _Part) -> bool:
+    return part.lead == "turn" and not part.body and not part.is_last
+
+
+def _is_contrary(document: Document, part: _Part) -> bool:
+    """Whether a condition says no more than that the one before it does not hold: "if not", "if there isn't any"."""
+    if part.lead == "turn":
+        return not part.body
+    words = [token.lower for token in document.tokens[part.body.start : part.body.stop]]
+    return (
+        len(words) > 2
+        and words[0] in _SUBJECTS
+        and document.tokens[part.body.start + 1].pos in ("AUX", "VERB")
+        and words[2] in _DENYING
+        and set(words[3:]) <= _LEFT
+    )
+
+
+def _is_either(document: Document, before: Sequence[_Part], part: _Part, condition: _Part) -> bool:
+    """Whether "A or B if C" means B where C holds and A where not, rather than A or B, as you like, where C holds."""
+    tokens = document.tokens
+    if not before or before[-1].lead == "if":
+        return False
+    if tokens[part.opening.start - 1].text in MARKS or tokens[before[-1].body.start].lower == "either":
+        return True
+    asked = tokens[condition.body.start : condition.body.stop]
+    if any(token.lower in _DENYING for token in asked):
+        return True
+    own = {tokens[i].lemma for i in part.body}
+    first = {tokens[i].lemma for i in before[-1].body if tokens[i].pos in _NAMING | {"ADJ"}}
+    return any(token.lemma in first - own for token in asked)

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, is_prono
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
+from decomplex_bt.understanding.rules.gapping import gapped, until
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
@@ -62,7 +63,7 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks)
-    idle = idle.union(*alternatives(observed, tasks))
+    idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
@@ -84,6 +85,11 @@ def amended(
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
+    for other in gapped(observed, tasks, kept):
+        begin, end = other.tokens.start, other.tokens.stop
+        before = [until(document, a, begin) for a in kept if a.tokens.start < begin]
+        before = [a for a in before if document.tokens[a.tokens.start].lower not in ("and", "&", ",")]
+        kept = [*before, *other.arguments(CERTAIN), *(a for a in kept if a.tokens.start >= end)]
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

@@ -71,6 +71,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
             or (task.type == "check_state" and _is_beside(document, task.token))
+            or _is_name(observed, task.token)
         )
         if not is_none:
             found.append(task)
@@ -112,6 +113,19 @@ def _is_wish_for(document: Document, task: FoundTask, following: FoundTask) -> b
 def _is_beside(document: Document, at: int) -> bool:
     """Whether a check only tells why, or what makes no difference."""
     return reason(document, at) is not None or concession(document, at) is not None
+
+
+def _is_name(observed: Observed, at: int) -> bool:
+    """Whether a word is a name without a verb before it: "give Tom the ball, and *Lily* the kite"."""
+    tokens = observed.document.tokens
+    return (
+        0 < at < len(tokens) - 1
+        and tokens[at].pos == "PROPN"
+        and tokens[at].text[0].isupper()
+        and not observed.senses[at]
+        and tokens[at - 1].lower in ("and", "&", ",")
+        and tokens[at + 1].tag in ("DT", "PRP$")
+    )
 
 
 def _is_tag(document: Document, at: int, before: Sequence[FoundTask]) -> bool:

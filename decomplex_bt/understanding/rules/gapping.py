@@ -1,0 +1,153 @@
+"""Gapping: what a verb does to another thing elsewhere, without being said again ("the pan in the oven *and the lid on
+the stove*", "give Anna the camera *and Tom the ball*", "turn the lamp on *and the radio off*").
+
+As the guideline has it, the verb is one task, with its arguments in turn; acting on it takes them pair by pair
+(`planning/distribution.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSITIONS
+
+_ACTING = frozenset(("placing", "bringing", "taking", "change_state"))
+_PAIRED = ("goal", "recipient", "source", "location", "state")
+"""What is told beside the thing, anew for each one."""
+_TO_WHOM = frozenset(("for", "to"))
+_DETERMINERS = frozenset(
+    "the a an my your our their his her its some another that this these those any one two".split()
+)
+_PERSONS = frozenset("me us him her them you".split())
+_NOUNS = frozenset(("NOUN", "PROPN", "PRON", "NUM"))
+_PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "PRON", "NUM", "ADP", "PART", "ADV"))
+_LAST = frozenset(("too", "also", "please", "instead"))
+
+
+@dataclass(frozen=True, slots=True)
+class Gapped:
+    """A phrase without its verb: the thing and what is told of it, an argument of `type`. `owner`: the verb's token."""
+
+    owner: int
+    thing: range
+    told: range
+    type: str
+
+    @property
+    def tokens(self) -> range:
+        return range(min(self.thing.start, self.told.start), max(self.thing.stop, self.told.stop))
+
+    def arguments(self, probability: float) -> Iterator[FoundArgument]:
+        yield FoundArgument("object", self.owner, self.thing, probability)
+        yield FoundArgument(self.type, self.owner, self.told, probability)
+
+
+def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> Iterator[Gapped]:
+    """The gapped phrases of a document, in text order. They follow, behind an "and" or in a list that ends with one,
+    what the verb does first, and tell the same two things in the same way; `arguments`: as the models have them."""
+    document = observed.document
+    for owner, kind in sorted(tasks.items()):
+        if kind not in _ACTING:
+            continue
+        phrases = list(_phrases(observed, tasks, owner))
+        while phrases and not phrases[-1][1]:
+            phrases.pop()  # a list ends with "and"
+        if not phrases:
+            continue
+        begin = phrases[0][0].start
+        own = (a for a in arguments if a.owner == owner and owner < a.tokens.start < begin)
+        first = [until(document, a, begin) for a in own]
+        found: list[Gapped] = []
+        for phrase, _ in phrases:
+            one = _read(observed, owner, phrase, first)
+            if one is None:
+                break
+            found.append(one)
+        if len(found) == len(phrases):
+            yield from found
+
+
+def until(document: Document, argument: FoundArgument, stop: int) -> FoundArgument:
+    """An argument as far as it stands before a token, without an "and" or comma at its end."""
+    last = min(argument.tokens.stop, stop)
+    while last > argument.tokens.start + 1 and document.tokens[last - 1].lower in ("and", "&", ","):
+        last -= 1
+    return replace(argument, tokens=range(argument.tokens.start, last))
+
+
+def _phrases(observed: Observed, tasks: Mapping[int, str], owner: int) -> Iterator[tuple[range, bool]]:
+    """The phrases behind the first "and" or comma after a verb up to where its clause ends, and whether an "and" leads
+    each."""
+    tokens = observed.document.tokens
+    opening = {cue.first for cue in observed.cues if cue.name in _OPENING}
+    stop = owner + 1
+    while stop < len(tokens) and tokens[stop].text not in ENDS and stop not in opening:
+        if stop in tasks or tokens[stop].lower in ("then", "but", "or", ":"):
+            break
+        stop += 1
+    is_cut = stop < len(tokens) and stop in tasks
+    first, is_led, begun = owner + 1, False, False
+    for i in range(owner + 1, stop + 1):
+        is_last = i == stop
+        if not is_last and tokens[i].lower not in ("and", "&", ","):
+            continue
+        phrase = _trimmed(observed.document, range(first, i))
+        if begun and phrase and not (is_last and is_cut):
+            yield phrase, is_led
+        if not is_last:
+            is_led = tokens[i].lower != "," or (is_led and first == i)
+            begun, first = True, i + 1
+
+
+def _trimmed(document: Document, phrase: range) -> range:
+    stop = phrase.stop
+    while stop > phrase.start and document.tokens[stop - 1].lower in _LAST:
+        stop -= 1
+    return range(phrase.start, stop)
+
+
+def _read(observed: Observed, owner: int, phrase: range, first: Sequence[FoundArgument]) -> Gapped | None:
+    """A phrase that tells of a thing what the first arguments tell of theirs, in the same way; else None."""
+    document = observed.document
+    words = document.tokens[phrase.start : phrase.stop]
+    if len(words) < 2 or not all(_is_part(document, word, phrase.start) for word in words):
+        return None
+    told = [argument for argument in first if argument.type in _PAIRED]
+    if not any(argument.type == "object" for argument in first) or not told:
+        return None
+    state = next((argument for argument in told if argument.type == "state"), None)
+    if state is not None and len(state.tokens) == 1 and words[-1].lower in observed.gazetteer.pairs:
+        return Gapped(owner, range(phrase.start, phrase.stop - 1), range(phrase.stop - 1, phrase.stop), "state")
+    cut = next((w.i for w in words[1:] if w.lower in PREPOSITIONS or w.lower in _TO_WHOM), None)
+    if cut is not None and cut + 1 < phrase.stop and document.tokens[cut - 1].pos in _NOUNS | {"DET", "ADJ"}:
+        for argument in told:
+            lead = document.tokens[argument.tokens.start].lower
+            is_same = lead == words[cut - phrase.start].lower or (argument.type == "goal" and lead in PREPOSITIONS)
+            is_person = argument.type == "recipient" and words[cut - phrase.start].lower in _TO_WHOM
+            if is_same or is_person:
+                return Gapped(owner, range(phrase.start, cut), range(cut, phrase.stop), argument.type)
+        return None
+    recipient = next((argument for argument in told if argument.type == "recipient"), None)
+    thing = next(argument for argument in first if argument.type == "object")
+    if recipient is None or recipient.tokens.start > thing.tokens.start:
+        return None
+    cut = next((w.i for w in words[1:] if w.lower in _DETERMINERS), None)
+    if cut is None:
+        return None
+    whom = document.tokens[cut - 1]
+    if whom.lower in _PERSONS or whom.pos == "PROPN" or whom.lemma in PERSON_NOUNS:
+        return Gapped(owner, range(cut, phrase.stop), range(phrase.start, cut), "recipient")
+    return None
+
+
+def _is_part(document: Document, word: Token, start: int) -> bool:
+    """Whether a word is part of a phrase; nouns are taken for verbs there, "Anna her *keys*"."""
+    is_named = word.i > start and document.tokens[word.i - 1].pos in ("DET", "ADJ", "PRON", "NOUN")
+    return word.pos in _PARTS or (word.pos == "VERB" and is_named)
+
+
+_OPENING = frozenset(("if", "only_if", "unless", "when", "else", "fail", "before", "after", "until", "while", "so"))

@@ -1,0 +1,36 @@
+"""What a verb does to another thing elsewhere without being said again."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "pairs"),
+    [
+        ("Put the lid on the pan and the spoon in the drawer.",
+         [("object", "the lid"), ("goal", "on the pan"), ("object", "the spoon"), ("goal", "in the drawer")]),
+        ("Give Anna the camera, Tom the ball and the guest his umbrella.",
+         [("recipient", "Anna"), ("object", "the camera"), ("recipient", "Tom"), ("object", "the ball"),
+          ("recipient", "the guest"), ("object", "his umbrella")]),
+        ("Turn the lamp on and the radio off.",
+         [("object", "the lamp"), ("state", "on"), ("object", "the radio"), ("state", "off")]),
+        ("Bring a mug to Anna and another to Tom.",
+         [("object", "a mug"), ("recipient", "to Anna"), ("object", "another mug"), ("recipient", "to Tom")]),
+        ("Give Tom the ball, and Lily the kite.",
+         [("recipient", "Tom"), ("object", "the ball"), ("recipient", "Lily"), ("object", "the kite")]),
+        ("Put the cup, the plate and the fork in the sink.",
+         [("object", "the cup, the plate and the fork"), ("goal", "in the sink")]),
+        ("Put the book on the shelf, the one in the hall.", [("object", "the book"), ("goal", "on the shelf")]),
+    ],
+)  # fmt: skip
+def test_each_thing_has_what_is_told_of_it(interpreter: Interpreter, text: str, pairs: list[tuple[str, str]]) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert [(argument.type, argument.value) for argument in task.arguments] == pairs

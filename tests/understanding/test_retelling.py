@@ -1,0 +1,72 @@
+"""Alternatives without a verb or ahead of their condition, read from the instruction told in full."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "carrier", "argument", "flow"),
+    [
+        ("Bring me a pen, or a pencil if you can't find one.", "pencil", "a pencil", [{"if": [1, 3], "else": [2]}]),
+        ("Put the vase on the shelf, or on the desk if the shelf is full.", "on", "on the desk",
+         [{"if": 3, "then": [2], "else": [1]}]),
+        ("Give Anna the red scarf if it's clean, the blue one if not.", "one", "the blue scarf",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Bring me tea if there is any, otherwise coffee.", "coffee", "coffee",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Clean the hob and, if there's time, the oven.", "oven", "the oven", [1, {"if": 2, "then": [3]}]),
+        ("Take the tray to Tom, or to Anna if Tom is out, and then close the door.", "to", "to Anna",
+         [{"if": 3, "then": [2], "else": [1]}, 4]),
+    ],
+)  # fmt: skip
+def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
+    interpreter: Interpreter, text: str, carrier: str, argument: str, flow: list[object]
+) -> None:
+    instruction = interpreter.interpret(text)
+    assert instruction.flow.to_json() == flow
+    (task,) = (task for task in instruction.tasks if task.repeats)
+    assert task.span.of(text) == carrier
+    assert instruction.verb_of(task).id == 1
+    assert argument in [found.value for found in task.arguments]
+    assert all(found.span is None for found in task.arguments)
+    starts = [task.span.start for task in instruction.tasks]
+    assert starts == sorted(set(starts))
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Open the window, or start the fan if the window is stuck.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Switch on the fan, or open the door if the fan is broken.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Lock the door if Tom is home, leave it open if he isn't.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+    ],
+)
+def test_an_order_ahead_of_its_condition_stands_in_place_of_the_one_before(
+    interpreter: Interpreter, text: str, flow: list[object]
+) -> None:
+    instruction = interpreter.interpret(text)
+    assert instruction.flow.to_json() == flow
+    assert not any(task.repeats for task in instruction.tasks)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a pen or a pencil if you find one.",
+        "Turn on the lamp or the radio if it's dark.",
+        "Close the door if it's cold, and the window.",
+        "Pass me the black stick, no, the one with the silver top.",
+        "Bring the box if it's here, no problem if not.",
+        "Leave everything else on the bench if it rains.",
+    ],
+)
+def test_what_is_no_alternative_is_read_as_it_stands(interpreter: Interpreter, text: str) -> None:
+    assert not any(task.repeats for task in interpreter.interpret(text).tasks)
