@@ -188,3 +188,8 @@ def test_what_others_have_done_is_checked_not_done(cue: str, tag: str) -> None:
 )
 def test_what_the_robot_has_done_is_its_own_task(words: str) -> None:
     assert found(words, (4, "placing")) == [(4, "placing")]
+
+
+def test_who_looks_how_much_something_is_so_checks_it() -> None:
+    assert found("look/VB how/WRB warm/JJ the/DT milk/NN is/VBZ", (0, "searching")) == [(0, "check_state")]
+    assert found("look/VB how/WRB many/JJ eggs/NNS are/VBP left/VBN", (0, "searching")) == [(0, "searching")]

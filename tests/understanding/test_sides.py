@@ -220,3 +220,20 @@ def test_a_mention_is_of_what_it_names(thing: str, mention: str) -> None:
         "[tell](4:informing) me."
     )
     assert stated_sides(found, ("condition", "condition", "mention", "task"), ("top", "<1+", "<1", "<1+"))[2] == mention
+
+
+@pytest.mark.parametrize(
+    ("check", "before", "expected"),
+    [
+        ("nobody [is](3:check_state) [in](3:location)", "<1+", "top"),
+        ("nobody [is](3:check_state) [in](3:location)", "<1-", "<1-"),
+        ("[it](3:object) [is](3:check_state) [hot](3:state)", "<1+", "<1-"),
+    ],
+)
+def test_whether_nobody_is_there_is_not_asked_in_the_other_case(check: str, before: str, expected: str) -> None:
+    found = clauses(
+        f"If [the stove](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object) off and, "
+        f"if {check}, [open](4:change_state) [the window](4:object)."
+    )
+    sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", before, "<1-", "<1+"))
+    assert sides == ("top", before, expected, "<1+")

@@ -27,6 +27,10 @@ PERSON_NOUNS = frozenset(
     "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
 )
 """Nouns for people."""
+ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
+"""Words for people of whom it may then be said that nobody is so."""
+_NOBODY = frozenset(("nobody", "noone"))
+_BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
 QUANTIFIERS = frozenset("any some enough more no another".split())
 PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
@@ -37,6 +41,22 @@ _NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
 _CALLS = frozenset("hey hi hello ok okay oh dear please listen right".split())
 _CLAUSE_ENDS = frozenset(".?!;,:-–—") | {"and", "but", "or", "so", "if", "then", "because", "unless", "when"}
+
+
+def nobody(document: Document, verb: int) -> range:
+    """The "nobody" or "no one" of whom the verb at a token tells: "if *nobody* is in", "there's *no one* there"; empty
+    where there is none."""
+    words = [token.lower for token in document.tokens]
+    before = verb - 1
+    while before > 0 and words[before] in _BEHIND_NOBODY:
+        before -= 1
+    is_there = verb > 0 and words[verb - 1] == "there"
+    for last in (before, *((verb + 1, verb + 2) if is_there else ())):
+        if 0 <= last < len(words) and words[last] in _NOBODY:
+            return range(last, last + 1)
+        if 0 < last < len(words) and words[last - 1 : last + 1] == ["no", "one"]:
+            return range(last - 1, last + 1)
+    return range(0)
 
 
 @dataclass(frozen=True, slots=True)

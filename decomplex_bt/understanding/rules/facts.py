@@ -10,7 +10,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, idiomatic
 from decomplex_bt.understanding.rules.wishes import is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -231,6 +231,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
+    if task.type == "searching" and degree_asked(document, task.token):
+        return "check_state"
     if task.type == "check_state" and _is_made_sure_of(document, task.token):
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):
