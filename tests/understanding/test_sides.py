@@ -237,3 +237,10 @@ def test_whether_nobody_is_there_is_not_asked_in_the_other_case(check: str, befo
     )
     sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", before, "<1-", "<1+"))
     assert sides == ("top", before, expected, "<1+")
+
+
+def test_what_is_said_again_is_of_one_type() -> None:
+    found = clauses(
+        "[Mop](1:change_state) [the hall](1:object), [go](2:motion) [out](2:goal), and [mop](3:change_state) it."
+    )
+    assert stated_sides(found, ("task", "task", "again"), ("top", "top", "<1")) == ("top", "top", "<2")

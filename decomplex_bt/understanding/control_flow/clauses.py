@@ -142,6 +142,11 @@ class Clause:
         is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
         return is_same and is_of_it and "before" in self.near
 
+    def may_repeat(self, before: Clause) -> bool:
+        """Whether both may be one and the same order: of one type and of things that are not named apart."""
+        is_same = not (self.objects and before.objects) or self.names_same(before)
+        return self.task.type == before.task.type and is_same
+
     def is_opposite_of(self, first: Clause) -> bool:
         """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
         the tv is on, ..."."""

@@ -50,10 +50,16 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
 
 
 def _repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is said again is the last order that says the same."""
+    """What is said again is the last order that says the same, never one of another type or another thing."""
     if roles[k] != "again":
         return
     orders = [j for j in range(k - 1, -1, -1) if roles[j] == "task"]
+    meant = int(sides[k][1]) - 1 if sides[k] != "top" else 0
+    if orders and not clauses[k].may_repeat(clauses[orders[min(meant, len(orders) - 1)]]):
+        fitting = (rank for rank, j in enumerate(orders, start=1) if clauses[k].may_repeat(clauses[j]))
+        sides[k] = f"<{min(9, next(fitting, 1))}"
+    if "before" not in clauses[k].near:
+        return
     rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
 
