@@ -17,6 +17,7 @@ from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, w
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
+from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
 CERTAIN = 0.9
@@ -61,7 +62,7 @@ def amended(
     """The arguments without those that are taken back, forbidden or said aside, and with what corrections and idioms
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
-    idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks)
+    idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle = idle.union(*alternatives(observed, tasks))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]

@@ -11,7 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, idiomatic
-from decomplex_bt.understanding.rules.wishes import is_served
+from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
@@ -75,6 +75,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
+            or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
             or (not found and following is not None and _is_missed(observed, task))
         )
