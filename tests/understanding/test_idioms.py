@@ -11,7 +11,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
-from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, idiomatic, predicated
+from decomplex_bt.understanding.references.phrases import degree_asked
+from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, predicated
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,7 @@ from decomplex_bt.understanding.control_flow.denials import WILLING, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, are_apart
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
-from decomplex_bt.understanding.rules.idioms import degree_asked
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, head_of, nobody
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
 

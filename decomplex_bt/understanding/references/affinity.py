@@ -16,10 +16,10 @@ from decomplex_bt.understanding.references.phrases import (
     PERSON_NOUNS,
     Candidate,
     candidates_of,
+    degree_asked,
     nobody,
     predicates_of,
 )
-from decomplex_bt.understanding.rules.idioms import degree_asked
 
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 _GROUPS = {

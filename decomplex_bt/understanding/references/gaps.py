@@ -15,12 +15,12 @@ from decomplex_bt.understanding.references.phrases import (
     QUANTIFIERS,
     Candidate,
     bare_of,
+    degree_asked,
     head_of,
     is_pointing,
     noun_of,
     stripped,
 )
-from decomplex_bt.understanding.rules.idioms import degree_asked
 
 REFERRING = PRONOUNS
 PREDICATE = "predicate"

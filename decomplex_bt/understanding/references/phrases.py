@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 
 PREPOSITIONS = frozenset(
@@ -31,6 +31,9 @@ ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
 """Words for people of whom it may then be said that nobody is so."""
 _NOBODY = frozenset(("nobody", "noone"))
 _BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
+_BEFORE_HOW = frozenset("a look peek glance out at me us just exactly".split())
+_AMOUNTS = frozenset(("many", "much"))
+_ARE = frozenset("is are was were 's 're \u2019s \u2019re feels looks".split())
 QUANTIFIERS = frozenset("any some enough more no another".split())
 PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
@@ -57,6 +60,23 @@ def nobody(document: Document, verb: int) -> range:
         if 0 < last < len(words) and words[last - 1 : last + 1] == ["no", "one"]:
             return range(last - 1, last + 1)
     return range(0)
+
+
+def degree_asked(document: Document, check: int) -> range:
+    """What a check is about that asks how much something is so: "see how full *the jug* is"; empty for any other verb.
+    It states nothing: that the jug be empty, only what follows can say."""
+    tokens = document.tokens
+    how = next((token.i for token in tokens[check + 1 :] if token.lower not in _BEFORE_HOW), None)
+    if how is None or tokens[how].lower != "how" or how + 2 >= len(tokens):
+        return range(0)
+    adjective = how + 1
+    if tokens[adjective].pos not in ("ADJ", "ADV", "VERB") or tokens[adjective].lower in _AMOUNTS:
+        return range(0)
+    behind = (token for token in tokens[adjective + 1 :] if token.tag != "POS")
+    stop = next((token.i for token in behind if token.lower in MARKS | _ARE), len(tokens))
+    is_named = tokens[adjective + 1].pos in ("DET", "PRON", "NOUN", "PROPN") and tokens[adjective + 1].lower != "to"
+    is_whole = stop < len(tokens) and tokens[stop].lower in _ARE and stop > adjective + 1
+    return range(adjective + 1, stop) if is_named and is_whole else range(0)
 
 
 @dataclass(frozen=True, slots=True)

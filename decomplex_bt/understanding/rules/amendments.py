@@ -11,11 +11,11 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, is_pronoun, nobody
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_pronoun, nobody
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, predicated
+from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals

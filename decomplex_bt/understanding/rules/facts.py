@@ -8,9 +8,10 @@ from itertools import pairwise, zip_longest
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.idioms import degree_asked, for_somebody, idiomatic
+from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 

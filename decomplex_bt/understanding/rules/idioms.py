@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(
@@ -32,9 +32,6 @@ _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
-_BEFORE_HOW = frozenset("a look peek glance out at me us just exactly".split())
-_AMOUNTS = frozenset(("many", "much"))
-_ARE = frozenset("is are was were 's 're \u2019s \u2019re feels looks".split())
 
 
 def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
@@ -151,23 +148,6 @@ def _participle(document: Document, have: int) -> int:
         elif tokens[j].tag not in ("RB", "RP"):
             break
     return found
-
-
-def degree_asked(document: Document, check: int) -> range:
-    """What a check is about that asks how much something is so: "see how full *the jug* is"; empty for any other verb.
-    It states nothing: that the jug be empty, only what follows can say."""
-    tokens = document.tokens
-    how = next((token.i for token in tokens[check + 1 :] if token.lower not in _BEFORE_HOW), None)
-    if how is None or tokens[how].lower != "how" or how + 2 >= len(tokens):
-        return range(0)
-    adjective = how + 1
-    if tokens[adjective].pos not in ("ADJ", "ADV", "VERB") or tokens[adjective].lower in _AMOUNTS:
-        return range(0)
-    behind = (token for token in tokens[adjective + 1 :] if token.tag != "POS")
-    stop = next((token.i for token in behind if token.lower in MARKS | _ARE), len(tokens))
-    is_named = tokens[adjective + 1].pos in ("DET", "PRON", "NOUN", "PROPN") and tokens[adjective + 1].lower != "to"
-    is_whole = stop < len(tokens) and tokens[stop].lower in _ARE and stop > adjective + 1
-    return range(adjective + 1, stop) if is_named and is_whole else range(0)
 
 
 def for_somebody(document: Document, verb: int) -> range:
