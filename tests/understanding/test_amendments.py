@@ -54,6 +54,22 @@ def test_a_correction_replaces_the_last_argument_that_begins_alike(parser: Parse
     assert arguments(parser, text, {"Put": "placing"}, *found) == {("object", "the milk"), ("goal", "in the freezer")}
 
 
+@pytest.mark.parametrize(("tasks", "states"), [({}, {("state", "full")}), ({"'s": "check_state"}, set())])
+def test_how_much_something_is_so_is_asked_of_it(
+    parser: Parser, tasks: dict[str, str], states: set[tuple[str, str]]
+) -> None:
+    text = "See how full the jug is and if it's dry say so."
+    found = ("state", "full", "See"), ("object", "the jug is", "See")
+    after = arguments(parser, text, {"See": "check_state", **tasks}, *found)
+    assert after == {("object", "the jug"), *states}
+
+
+def test_no_one_is_no_object(parser: Parser) -> None:
+    text = "If no one is in, lock it."
+    found = ("object", "one", "is"), ("object", "it", "lock")
+    assert arguments(parser, text, {"is": "check_state", "lock": "change_state"}, *found) == {("object", "it")}
+
+
 def test_an_idiom_tells_of_its_check_what_a_model_gave_to_another(parser: Parser) -> None:
     text = "The milk may be in the fridge. If so, bring it."
     found = ("source", "in the fridge", "bring"), ("object", "it", "bring")

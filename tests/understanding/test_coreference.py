@@ -293,3 +293,23 @@ def test_a_check_without_a_subject_is_of_something(words: str, is_certain: bool)
     task = Task(2, "check_state", doc.span(5, 5), (Argument("state", doc.span(6, 6).of(doc.text), doc.span(6, 6)),))
     gaps = unsaid_gaps(Observed(doc, GAZETTEER), task, load_domain("household").ontology)
     assert [gap.is_certain for gap in gaps if gap.type == "object"] == [is_certain]
+
+
+def test_nobody_is_no_thing_that_was_named_before():
+    doc = document(*"if/IN the/DT tap/NN is/VBZ on/RP ,/, and/CC if/IN nobody/NN is/VBZ in/IN ,/, go/VB".split())
+    first = Task(1, "check_state", doc.span(3, 3), (argument(doc, "object", 1, 2), argument(doc, "state", 4, 4)))
+    second = Task(2, "check_state", doc.span(9, 9), (argument(doc, "location", 10, 10),))
+    observed = Observed(doc, GAZETTEER)
+    context = Context(observed, (first, second), Flow.from_json([1, 2]))
+    gap = next(iter(unsaid_gaps(observed, second, load_domain("household").ontology)))
+    assert (gap.type, {option.text for option in options_of(context, gap)}) == ("object", {""})
+
+
+def test_what_there_is_has_no_state_that_another_thing_has():
+    doc = document(*"if/IN it/PRP is/VBZ full/JJ ,/, and/CC if/IN there/EX is/VBZ a/DT letter/NN ,/, go/VB".split())
+    first = Task(1, "check_state", doc.span(2, 2), (argument(doc, "object", 1, 1), argument(doc, "state", 3, 3)))
+    second = Task(2, "check_state", doc.span(8, 8), (argument(doc, "object", 9, 10),))
+    observed = Observed(doc, GAZETTEER)
+    context = Context(observed, (first, second), Flow.from_json([1, 2]))
+    (gap,) = unsaid_gaps(observed, second, load_domain("household").ontology)
+    assert {option.text for option in options_of(context, gap)} == {""}

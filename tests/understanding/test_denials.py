@@ -80,3 +80,24 @@ def test_what_refuses_to_do_something_does_not_do_it(check: str, is_negated: boo
     )
     assert found[1].wording.is_negated == is_negated
     assert found[1].wording.is_contrary == ("fails" in check)
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        (
+            "i can't find my keys [have](1:searching) a look [in the hall](1:location) then [call](2:informing) me",
+            False,
+        ),
+        ("the cup isn't here can you [look](1:searching) [under it](1:location)", False),
+        ("i don't know where it is go and [look](1:searching) [in the shed](1:location)", False),
+        ("there's no milk in the fridge please [try](1:searching) [the cellar](1:location)", False),
+        ("don't you dare [look](1:searching) [in the shed](1:location)", True),
+        ("i can't [find](1:searching) [my keys](1:object)", True),
+        ("if you don't [see](1:searching) [my keys](1:object), [tell](2:informing) me", True),
+        ("if the dog doesn't want to [follow](1:following) [you](1:object), [call](2:informing) me", True),
+        ("if they won't let you [look](1:searching) [in the shed](1:location), [tell](2:informing) me", True),
+    ],
+)
+def test_an_order_behind_a_statement_is_not_denied_with_it(markup: str, is_negated: bool) -> None:
+    assert clauses(markup)[0].wording.is_negated == is_negated

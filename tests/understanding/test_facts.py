@@ -188,3 +188,25 @@ def test_what_others_have_done_is_checked_not_done(cue: str, tag: str) -> None:
 )
 def test_what_the_robot_has_done_is_its_own_task(words: str) -> None:
     assert found(words, (4, "placing")) == [(4, "placing")]
+
+
+@pytest.mark.parametrize(
+    ("words", "is_task"),
+    [
+        ("ca/MD n't/RB find/VB my/PRP$ keys/NNS look/VB", False),
+        ("ca/MD n't/RB find/VB them/PRP ,/, look/VB", True),
+        ("ca/MD n't/RB find/VB keys/NNS ?/. look/VB", True),
+        ("if/IN we/PRP ca/MD n't/RB find/VB keys/NNS look/VB", True),
+        ("you/PRP ca/MD n't/RB find/VB keys/NNS ,/, look/VB", True),
+    ],
+)
+def test_what_somebody_cannot_find_is_not_looked_for_yet(words: str, is_task: bool) -> None:
+    said = [word.split("/")[0] for word in words.split()]
+    tasks = found(words, (said.index("find"), "searching"), (said.index("look"), "searching"))
+    assert (said.index("find"), "searching") in tasks or not is_task
+    assert len(tasks) == 1 + is_task
+
+
+def test_who_looks_how_much_something_is_so_checks_it() -> None:
+    assert found("look/VB how/WRB warm/JJ the/DT milk/NN is/VBZ", (0, "searching")) == [(0, "check_state")]
+    assert found("look/VB how/WRB many/JJ eggs/NNS are/VBP left/VBN", (0, "searching")) == [(0, "searching")]

@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, predicated
 
 
@@ -159,3 +160,21 @@ def test_to_let_go_of_something_is_to_place_it(parser: Parser) -> None:
     assert found(parser, "Thanks, you can let go of the ladder now.") == [("let", "placing")]
     assert found(parser, "Let it go on charging.") == []
     assert found(parser, "She wants to let go of the rope.") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "thing"),
+    [
+        ("See how full the jug is, and if it is empty, fill it.", "See", "the jug"),
+        ("Find out how warm Anna's room is.", "Find", "Anna's room"),
+        ("have a look at how dirty my boots are and clean them", "have", "my boots"),
+        ("Check how the soup is.", "Check", ""),
+        ("Check how many eggs there are.", "Check", ""),
+        ("Check if the jug is full.", "Check", ""),
+        ("Show me how to open the jug.", "Show", ""),
+    ],
+)
+def test_what_is_asked_how_much_it_is_so(parser: Parser, text: str, verb: str, thing: str) -> None:
+    read = parser.parse(text)
+    asked = degree_asked(read, next(token.i for token in read.tokens if token.text == verb))
+    assert (read.span(asked.start, asked.stop - 1).of(text) if asked else "") == thing

@@ -51,6 +51,8 @@ def left(parser: Parser, text: str) -> str:
             "if it's really rather warm in here put the fan on",
         ),
         ("If Dan's in, no, he's at work. If Eva's in, tell her.", "If Eva's in, tell her."),
+        ("tell you what go to the shed", "go to the shed"),
+        ("I'll tell you what, if it's wet, dry it.", "if it's wet, dry it."),
     ],
 )
 def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: str) -> None:
@@ -174,6 +176,8 @@ _PARSER = Parser()
         "Take the key from the locker no 7.",
         "Put the spoons in the thingy by the stove.",
         "Get the, um, plug out of the basin.",
+        "Anna will tell you what to do.",
+        "Let me tell you what happened.",
     ],
 )
 def test_words_that_also_mend_are_often_meant(parser: Parser, text: str) -> None:

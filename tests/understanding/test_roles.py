@@ -333,3 +333,42 @@ def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
     )
     assert found[0].finds_out(found[1])
     assert stated_roles(found, ["task", "condition"]) == ("task", "condition")
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "role"),
+    [
+        (
+            "[the trunk](1:object) [is](1:check_state) [shut](1:state)",
+            "nobody [is](3:check_state) [asleep](3:state)",
+            "condition",
+        ),
+        (
+            "[the lamp](1:object) [is](1:check_state) [on](1:state)",
+            "there['s](3:check_state) no one [in](3:location)",
+            "condition",
+        ),
+        (
+            "[the bath](1:object) [is](1:check_state) [free](1:state)",
+            "nobody [is](3:check_state) [in](3:location)",
+            "mention",
+        ),
+        (
+            "[Anna](1:object) [is](1:check_state) [home](1:location)",
+            "nobody [is](3:check_state) [home](3:location)",
+            "mention",
+        ),
+    ],
+)
+def test_whether_nobody_is_there_says_nothing_of_how_a_thing_is(first: str, second: str, role: str) -> None:
+    found = clauses(f"If {first}, [go](2:motion) [out](2:goal), and if {second}, [come](4:motion) [back](4:goal).")
+    assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == role
+
+
+@pytest.mark.parametrize(
+    ("order", "role"),
+    [("[open](3:change_state) [it](3:object)", "task"), ("[get](3:bringing) [it](3:object)", "again")],
+)
+def test_what_is_of_another_type_says_no_order_again(order: str, role: str) -> None:
+    found = clauses(f"[Close](1:change_state) it. [Fetch](2:bringing) [the crowbar](2:object) and {order} again.")
+    assert stated_roles(found, ("condition", "task", "again"))[2] == role

@@ -268,3 +268,27 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
     found = clauses(markup)
     roles = ["condition" if clause.task.type == "check_state" else "task" for clause in found]
     assert stated_sides(found, roles, attachments) == expected
+
+
+@pytest.mark.parametrize(
+    ("check", "before", "expected"),
+    [
+        ("nobody [is](3:check_state) [in](3:location)", "<1+", "top"),
+        ("nobody [is](3:check_state) [in](3:location)", "<1-", "<1-"),
+        ("[it](3:object) [is](3:check_state) [hot](3:state)", "<1+", "<1-"),
+    ],
+)
+def test_whether_nobody_is_there_is_not_asked_in_the_other_case(check: str, before: str, expected: str) -> None:
+    found = clauses(
+        f"If [the stove](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object) off and, "
+        f"if {check}, [open](4:change_state) [the window](4:object)."
+    )
+    sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", before, "<1-", "<1+"))
+    assert sides == ("top", before, expected, "<1+")
+
+
+def test_what_is_said_again_is_of_one_type() -> None:
+    found = clauses(
+        "[Mop](1:change_state) [the hall](1:object), [go](2:motion) [out](2:goal), and [mop](3:change_state) it."
+    )
+    assert stated_sides(found, ("task", "task", "again"), ("top", "top", "<1")) == ("top", "top", "<2")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.rules.wishes import is_served
+from decomplex_bt.understanding.rules.wishes import backgrounds, is_background, is_served
 
 
 @pytest.fixture(scope="module")
@@ -52,3 +52,25 @@ def test_a_wish_that_a_request_serves(parser: Parser, text: str) -> None:
 )
 def test_a_wish_of_its_own(parser: Parser, text: str) -> None:
     assert not served(parser, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "kind", "expected"),
+    [
+        ("feel like some music turn on the radio", "turn", "change_state", True),
+        ("Fancy a biscuit. Open the tin.", "Open", "change_state", True),
+        ("oh, could do with some light, open the curtains", "open", "change_state", True),
+        ("need to iron a shirt get the board", "get", "taking", True),
+        ("wanna read a bit, bring me my book", "bring", "bringing", True),
+        ("need to feed the cat, mop the hall", "mop", "change_state", False),
+        ("need to feed the cat and bring me the bowl", "bring", "bringing", False),
+        ("fancy a biscuit if there is one, open the tin", "open", "change_state", False),
+        ("I fancy a biscuit, open the tin", "open", "change_state", False),
+        ("feel the radiator turn it down", "turn", "change_state", False),
+    ],
+)
+def test_a_wish_that_only_tells_why(parser: Parser, text: str, verb: str, kind: str, expected: bool) -> None:
+    document = parser.parse(text)
+    at = next(token.i for token in document.tokens if token.text == verb)
+    assert is_background(document, 0, at, kind) == expected
+    assert (at - 2 in backgrounds(document, {at: kind})) == expected

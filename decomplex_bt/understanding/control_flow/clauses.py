@@ -10,7 +10,7 @@ from decomplex_bt.understanding.control_flow.denials import WILLING, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, are_apart
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, head_of, nobody
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
 
@@ -87,6 +87,8 @@ class Clause:
     """Whether its object is a pronoun and no more: "it", not "the other one"."""
     verb: str
     """The lemma of its verb."""
+    is_of_nobody: bool = False
+    """Whether it says that nobody is, or does, something."""
     is_excepted: bool = False
     """Whether it stands under the "unless" of the clause before it."""
 
@@ -147,6 +149,11 @@ class Clause:
         is_same = self.verb == before.verb and self.task.type == before.task.type
         is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
         return is_same and is_of_it and "before" in self.near
+
+    def may_repeat(self, before: Clause) -> bool:
+        """Whether both may be one and the same order: of one type and of things that are not named apart."""
+        is_same = not (self.objects and before.objects) or self.names_same(before)
+        return self.task.type == before.task.type and is_same
 
     def is_opposite_of(self, first: Clause) -> bool:
         """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
@@ -223,13 +230,21 @@ class Clause:
         is_of_state = any(kind == "state" for kind, _ in first.task.arguments)
         return self.wording.state in _MISSING and is_of_state and first.wording.state not in _PRESENT
 
+    def is_of_nobody_at(self, first: Clause) -> bool:
+        """Whether it asks if nobody is, or does, something, where the other tests a state of a thing that has nothing
+        to do with who is there: "if the trunk is shut, ..., and if nobody is sleeping, ..."."""
+        is_of_thing = first.task.type == "check_state" and bool(first.number) and first.wording.state is not None
+        is_of_users = first.wording.state in _USED or not self.nouns.isdisjoint(first.objects)
+        return self.is_check and self.is_of_nobody and is_of_thing and not is_of_users
+
     def is_of_another(self, first: Clause) -> bool:
         """Whether its words say that it is no mention of an earlier condition: it asks the same of another thing ("if
         there's no milk, ..., if there's no tea, ..."), or whether something is missing whose state the other tests, or
         it tests a state, and that of many things where the other is about one (or the other way round), or of what the
         other asks the place of."""
         own = {kind for kind, _ in self.task.arguments}
-        if self.asks_same_of_another(first) or self.asks_for_what_had_state(first):
+        is_of_other = self.asks_same_of_another(first) or self.is_of_nobody_at(first)
+        if is_of_other or self.asks_for_what_had_state(first):
             return True
         if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
             return False
@@ -267,6 +282,8 @@ _NEEDED = {
 }  # fmt: skip
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _IFS = frozenset(("if", "unless", "only_if"))
+_USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
+"""States that tell whether somebody is there."""
 _HANDING = frozenset(("bringing", "informing"))
 _MISSING = frozenset(("missing", "gone", "lost"))
 _NO_THINGS = frozenset("none one some any drop".split())
@@ -456,6 +473,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         question=_question(document, task),
         is_of_it=_is_of_somebody(document, task, _ITS),
         verb=document.tokens[token].lemma,
+        is_of_nobody=bool(nobody(document, token)),
     )
 
 
@@ -625,7 +643,7 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     said = next((indices[-1] for kind, indices in task.arguments if kind == "state" and len(indices)), None)
     if said is not None:
         return tokens[said].lower
-    if task.type != "check_state":
+    if task.type != "check_state" or degree_asked(observed.document, task.token):
         return None
     for j in range(min(task.token, last), last + 1):
         governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])

@@ -9,6 +9,14 @@ from decomplex_bt.understanding.rules.asides import tag_question
 
 WILLING = frozenset(("would", "will", "wo"))
 _COORDINATORS = frozenset(("and", "but", "or"))
+_STATING = frozenset(
+    "is 's \u2019s s are 're re was were 'm m do does did have has had ca can could wo will would ai there got".split()
+)
+"""What stands ahead of a negation in a statement: "it *is* n't", "I *do* n't", "*ca* n't find it", "*got* no milk"."""
+_ASKING = frozenset("please just kindly then now maybe go can could would will you".split())
+"""What may stand ahead of the verb of an order."""
+_NO_ORDERS = frozenset("to i we they he she who that which and or but not n't n\u2019t nor".split())
+_LETTING = frozenset(("let", "make", "help"))
 _DENYING = frozenset("no not n't n\u2019t".split())
 
 
@@ -37,7 +45,7 @@ def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
     if _is_of_another_order(document, negation, task):
         return False
     if negation <= task:
-        return True
+        return not _is_of_statement(document, negation, task)
     before = tokens[negation - 1]
     if before.lower in _COORDINATORS or (before.pos == "ADP" and tokens[negation].lower == "no"):
         return False
@@ -47,6 +55,26 @@ def _is_of(document: Document, negation: int, task: int, last: int) -> bool:
     return not (relatives or before.lower == "that") or not any(
         tokens[i].dep in ("relcl", "acl") for i in (negation, *document.ancestors(negation))
     )
+
+
+def _is_of_statement(document: Document, negation: int, task: int) -> bool:
+    """Whether a negation belongs to a statement that the order at `task` follows without a mark: "I can't find my
+    glasses have a look in the hall", "it isn't there look in the hall"."""
+    tokens = document.tokens
+    start = task
+    while start > negation and tokens[start - 1].lower in _ASKING:
+        start -= 1
+    is_go_and = tokens[start - 1].lower == "and" and tokens[start - 2].lower == "go"
+    start -= 2 * is_go_and
+    if start - negation < 2 or negation == 0 or tokens[negation - 1].lower not in _STATING:
+        return False
+    if tokens[negation - 1].lower == "do" and (
+        negation < 2 or tokens[negation - 2].pos not in ("PRON", "NOUN", "PROPN")
+    ):
+        return False  # "don't go and look"
+    is_bare = tokens[task].lower == tokens[task].lemma != "be" and tokens[task].tag not in ("VBZ", "VBD", "VBG", "VBN")
+    is_order = is_bare and tokens[start - 1].lower not in _NO_ORDERS
+    return is_order and tokens[negation + 1].lemma not in _LETTING
 
 
 def _is_of_another_order(document: Document, negation: int, task: int) -> bool:

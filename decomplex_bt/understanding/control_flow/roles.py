@@ -89,6 +89,9 @@ def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """An order that is only said again, to say what comes before it, is carried out once."""
+    """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
+    all orders before, or names another thing, says none of them again."""
+    if roles[k] == "again" and not any(roles[j] == "task" and clauses[k].may_repeat(clauses[j]) for j in range(k)):
+        roles[k] = "task"
     if roles[k] == "task" and any(roles[j] == "task" and clauses[k].repeats(clauses[j]) for j in range(k)):
         roles[k] = "again"

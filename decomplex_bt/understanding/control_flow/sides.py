@@ -42,6 +42,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _affirm,
             _precede,
             _restrict,
+            _go_on,
             _obstruct,
             _fall_back,
             _follow,
@@ -52,10 +53,16 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
 
 
 def _repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is said again is the last order that says the same."""
-    if roles[k] != "again" or "before" not in clauses[k].near:
+    """What is said again is the last order that says the same, never one of another type or another thing."""
+    if roles[k] != "again":
         return
     orders = [j for j in range(k - 1, -1, -1) if roles[j] == "task"]
+    meant = int(sides[k][1]) - 1 if sides[k] != "top" else 0
+    if orders and not clauses[k].may_repeat(clauses[orders[min(meant, len(orders) - 1)]]):
+        fitting = (rank for rank, j in enumerate(orders, start=1) if clauses[k].may_repeat(clauses[j]))
+        sides[k] = f"<{min(9, next(fitting, 1))}"
+    if "before" not in clauses[k].near:
+        return
     rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
 
@@ -221,6 +228,27 @@ def _restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     leading = {*clauses[first].far, *clauses[first].near}
     if is_own and leading & {"else", "fail"} and not CONDITION_ROLES.isdisjoint(roles[:first]):
         sides[k] = _FAILS
+
+
+def _go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether nobody is there, where that has nothing to do with the condition before, is never asked in the case that
+    was not spoken of last ("if the stove is on, turn it off and, if nobody is in, open the window")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[k] != "condition" or sides[k] not in (_HOLDS, _FAILS):
+        return
+    leading = {*clause.far, *clause.near}
+    is_added = (
+        {"and", "if"} <= leading
+        and leading & _TURNING <= {"not", "whether"}
+        and clause.sentence == clauses[k - 1].sentence
+    )
+    if not is_added or not clause.is_of_nobody_at(clauses[first]):
+        return
+    if first == k - 1:
+        sides[k] = _HOLDS
+    elif sides[k - 1] in (_HOLDS, _FAILS) and sides[k - 1] != sides[k]:
+        sides[k] = "top"
 
 
 def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -10,8 +10,16 @@ from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, spellings
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
+from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
+from decomplex_bt.understanding.references.phrases import (
+    ANYBODY,
+    PERSON_NOUNS,
+    Candidate,
+    candidates_of,
+    degree_asked,
+    nobody,
+    predicates_of,
+)
 
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 _GROUPS = {
@@ -136,7 +144,7 @@ def _walk(
 def options_of(context: Context, gap: Gap) -> list[Option]:
     """All ways to fill a gap, leaving it last."""
     if gap.type == PREDICATE:
-        return [*_predicate_options(context, gap), Option(None, "", "", tuple(_none_features(context, gap)))]
+        return [*_predicates(context, gap), Option(None, "", "", tuple(_none_features(context, gap)))]
     options: list[Option] = []
     document = context.observed.document
     own = _modifier(context.observed, gap.tokens)
@@ -144,10 +152,13 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     identity = _identity(context, gap)
+    is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     for candidate in context.pool:
         if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
             continue
         if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
+            continue
+        if is_of_nobody and not _is_somebody(context, gap, candidate):
             continue
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
@@ -195,6 +206,12 @@ def _identity(context: Context, gap: Gap) -> range:
     if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
         return range(0)
     return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
+
+
+def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
+    is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
+    return candidate.text.split()[0].lower() in ANYBODY or (is_same and _kind(context, candidate) in _ANIMATE)
 
 
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -343,6 +360,30 @@ def _features(
         yield f"said:{gap.task.type}.{gap.type}.{said}.{relation}.{candidate.type}"
         yield "filled"
         yield f"filled:{word}.{verb}"
+
+
+def _predicates(context: Context, gap: Gap) -> list[Option]:
+    """The options of a gap that a state or a place fills. What asks how full something is asks for what the first
+    mention of it says; what says that there is a thing says no state of it, and nobody is as another thing is."""
+    options = list(_predicate_options(context, gap))
+    if degree_asked(context.observed.document, gap.position):
+        owners = [c.candidate.owner for c in options if c.candidate and c.type == "state"]
+        mentions = [owner for owner in owners if context.relation(owner, gap.task.id) == "mention"]
+        return [
+            o for o in options if o.candidate and o.type == "state" and o.candidate.owner == min(mentions, default=0)
+        ]
+    if says_there_is(context.observed.document, gap.task):
+        return [option for option in options if option.type != "state"]
+    if nobody(context.observed.document, gap.position):
+        return [option for option in options if not _is_of_other_check(context, gap, option)]
+    return options
+
+
+def _is_of_other_check(context: Context, gap: Gap, option: Option) -> bool:
+    """Whether a state is what another condition tests."""
+    owner = option.candidate.owner if option.candidate is not None else 0
+    is_check = option.type == "state" and context.types.get(owner) == "check_state"
+    return is_check and context.relation(owner, gap.task.id) not in ("mention", "first")
 
 
 def _predicate_options(context: Context, gap: Gap) -> Iterator[Option]:

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.references.phrases import (
     QUANTIFIERS,
     Candidate,
     bare_of,
+    degree_asked,
     head_of,
     is_pointing,
     noun_of,
@@ -153,7 +154,16 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
-        yield Gap(task, PREDICATE, position, "", is_certain=_is_bare_being(document, position))
+        is_certain = _is_bare_being(document, position) or bool(degree_asked(document, position))
+        yield Gap(task, PREDICATE, position, "", is_certain=is_certain)
+
+
+def says_there_is(document: Document, task: Task) -> bool:
+    """Whether a check says that there is, or is not, something that it names: "if there's a letter for me"."""
+    verb = document.indices(task.span).start
+    around = [token.lower for token in document.tokens[max(0, verb - 1) : verb + 2]]
+    named = (gap_of(document, task, a) is None for a in task.arguments if a.type == "object" and a.span is not None)
+    return "there" in around and any(named)
 
 
 def _is_bare_being(document: Document, verb: int) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 
 PREPOSITIONS = frozenset(
@@ -27,6 +27,13 @@ PERSON_NOUNS = frozenset(
     "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
 )
 """Nouns for people."""
+ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
+"""Words for people of whom it may then be said that nobody is so."""
+_NOBODY = frozenset(("nobody", "noone"))
+_BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
+_BEFORE_HOW = frozenset("a look peek glance out at me us just exactly".split())
+_AMOUNTS = frozenset(("many", "much"))
+_ARE = frozenset("is are was were 's 're \u2019s \u2019re feels looks".split())
 QUANTIFIERS = frozenset("any some enough more no another".split())
 PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
@@ -37,6 +44,39 @@ _NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
 _CALLS = frozenset("hey hi hello ok okay oh dear please listen right".split())
 _CLAUSE_ENDS = frozenset(".?!;,:-–—") | {"and", "but", "or", "so", "if", "then", "because", "unless", "when"}
+
+
+def nobody(document: Document, verb: int) -> range:
+    """The "nobody" or "no one" of whom the verb at a token tells: "if *nobody* is in", "there's *no one* there"; empty
+    where there is none."""
+    words = [token.lower for token in document.tokens]
+    before = verb - 1
+    while before > 0 and words[before] in _BEHIND_NOBODY:
+        before -= 1
+    is_there = verb > 0 and words[verb - 1] == "there"
+    for last in (before, *((verb + 1, verb + 2) if is_there else ())):
+        if 0 <= last < len(words) and words[last] in _NOBODY:
+            return range(last, last + 1)
+        if 0 < last < len(words) and words[last - 1 : last + 1] == ["no", "one"]:
+            return range(last - 1, last + 1)
+    return range(0)
+
+
+def degree_asked(document: Document, check: int) -> range:
+    """What a check is about that asks how much something is so: "see how full *the jug* is"; empty for any other verb.
+    It states nothing: that the jug be empty, only what follows can say."""
+    tokens = document.tokens
+    how = next((token.i for token in tokens[check + 1 :] if token.lower not in _BEFORE_HOW), None)
+    if how is None or tokens[how].lower != "how" or how + 2 >= len(tokens):
+        return range(0)
+    adjective = how + 1
+    if tokens[adjective].pos not in ("ADJ", "ADV", "VERB") or tokens[adjective].lower in _AMOUNTS:
+        return range(0)
+    behind = (token for token in tokens[adjective + 1 :] if token.tag != "POS")
+    stop = next((token.i for token in behind if token.lower in MARKS | _ARE), len(tokens))
+    is_named = tokens[adjective + 1].pos in ("DET", "PRON", "NOUN", "PROPN") and tokens[adjective + 1].lower != "to"
+    is_whole = stop < len(tokens) and tokens[stop].lower in _ARE and stop > adjective + 1
+    return range(adjective + 1, stop) if is_named and is_whole else range(0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,13 +11,14 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, is_pronoun
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_pronoun, nobody
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import gapped, until
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
+from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
 CERTAIN = 0.9
@@ -62,7 +63,7 @@ def amended(
     """The arguments without those that are taken back, forbidden or said aside, and with what corrections and idioms
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
-    idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks)
+    idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
@@ -71,6 +72,7 @@ def amended(
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = [_meant(document, tasks, a) for a in kept]
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
+    kept = [a for a in kept if not _is_of_nobody(document, a)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
@@ -79,6 +81,7 @@ def amended(
             kept = _given(kept, token, for_somebody(document, token))
         if kind == "check_state":
             kept = _told(kept, token, predicated(document, token))
+            kept = _asked(document, kept, token, tasks)
             kept = _identified(observed, kept, token)
     for fragment in fragments(document):
         if fragment.carrier in tasks:
@@ -117,6 +120,11 @@ def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
     """Whether it is who wishes for what is then only picked up: nobody is given what is taken."""
     is_ahead = argument.tokens.start < argument.owner
     return is_ahead and argument.type == "recipient" and tasks.get(argument.owner) == "taking"
+
+
+def _is_of_nobody(document: Document, argument: FoundArgument) -> bool:
+    """Whether it is the "one" of "if no one is in": a negation names nothing."""
+    return argument.type == "object" and set(argument.tokens) <= set(nobody(document, argument.owner))
 
 
 def _is_said_again(document: Document, argument: FoundArgument, others: Sequence[FoundArgument]) -> bool:
@@ -203,6 +211,21 @@ def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, ran
         if not any(set(a.tokens) & set(tokens) for a in kept):
             kept.append(FoundArgument(name, check, tokens, CERTAIN))
     return kept
+
+
+def _asked(
+    document: Document, arguments: Sequence[FoundArgument], check: int, tasks: Mapping[int, str]
+) -> list[FoundArgument]:
+    """The arguments, with what a "how full the jug is" is about as the object of its check, and without a state of that
+    where a later check may say one."""
+    thing = degree_asked(document, check)
+    if not thing:
+        return list(arguments)
+    is_said_later = any(token > check and kind == "check_state" for token, kind in tasks.items())
+    kept = [a for a in arguments if a.owner != check or a.type not in ("object", "state")]
+    kept = [a for a in kept if set(a.tokens).isdisjoint(thing)]
+    states = [a for a in arguments if (a.owner, a.type) == (check, "state")]
+    return [*kept, FoundArgument("object", check, thing, CERTAIN), *([] if is_said_later else states)]
 
 
 def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:

@@ -8,10 +8,11 @@ from itertools import pairwise, zip_longest
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
-from decomplex_bt.understanding.rules.wishes import is_served
+from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
@@ -48,6 +49,11 @@ _ASKING = frozenset("check see verify confirm look find".split())
 _CLAUSE_ENDS = ENDS | frozenset((",", ":", "and", "or", "but"))
 _NOT_ON = frozenset(("already", "too", "now", "again", "then"))
 _COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
+_NOT = frozenset("not n't n\u2019t nt".split())
+_CAN = frozenset("ca can could".split())
+_MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
+"""What may stand ahead of a "can't find", beside a mark."""
+_CASES = frozenset("if unless when only_if until before after".split())
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
@@ -70,8 +76,10 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
+            or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
             or _is_name(observed, task.token)
+            or (not found and following is not None and _is_missed(observed, task))
         )
         if not is_none:
             found.append(task)
@@ -108,6 +116,25 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
 def _is_wish_for(document: Document, task: FoundTask, following: FoundTask) -> bool:
     fetches = following.type in ("bringing", "taking")
     return fetches and task.type == "bringing" and is_served(document, task.token, following.token)
+
+
+def _is_missed(observed: Observed, task: FoundTask) -> bool:
+    """Whether a verb only tells that somebody cannot find what is then looked for: "can't find my passport, look in the
+    safe"; not of "it", which was looked for before, and not where that is asked or a case."""
+    tokens, at = observed.document.tokens, task.token
+    if task.type != "searching" or observed.question[at] or at < 2 or at + 1 >= len(tokens):
+        return False
+    is_denied = tokens[at - 1].lower in _NOT and tokens[at - 2].lower in _CAN
+    before = tokens[at - 3].lower if at > 2 else "."
+    is_own = before in _MISSING or (at > 2 and tokens[at - 3].lower in MARKS) or at == 2
+    is_named = tokens[at + 1].tag in ("DT", "PRP$", "NN", "NNS", "NNP", "NNPS", "JJ") and tokens[at + 1].pos != "PRON"
+    return is_denied and is_own and (is_named or tokens[at + 1].tag == "PRP$") and not _is_case(observed, at)
+
+
+def _is_case(observed: Observed, at: int) -> bool:
+    """Whether a word that opens a condition stands ahead of a verb in its sentence."""
+    sentences = observed.document.sentences
+    return any(c.name in _CASES and c.first < at and sentences[c.first] == sentences[at] for c in observed.cues)
 
 
 def _is_beside(document: Document, at: int) -> bool:
@@ -245,6 +272,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
+    if task.type == "searching" and degree_asked(document, task.token):
+        return "check_state"
     if task.type == "check_state" and _is_made_sure_of(document, task.token):
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(
@@ -42,7 +42,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """
     checks = _stated(document, tasks) | _weather(document, tasks)
     return {
-        **dict.fromkeys(_looks(document, tasks), "searching"),
+        **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
         **dict.fromkeys(checks, "check_state"),
     }

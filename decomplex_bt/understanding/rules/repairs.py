@@ -55,6 +55,7 @@ _UNFINISHED = frozenset("the a an my your our their".split())
 """Words after which nothing ends."""
 _DETERMINERS = _UNFINISHED | frozenset("his her its this that these those some any".split())
 _OPENERS = frozenset("if when unless whether once after before while is are has does can could would will".split())
+_OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 _BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
 _CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
@@ -77,14 +78,35 @@ def repaired(document: Document) -> frozenset[int]:
     """The tokens that are put otherwise in the same sentence, with what stands between.
 
     Words that are said over again; phrases, clauses and orders that others stand in place of behind a "no, sorry" or
-    the like; what breaks off at an article. An order that is to be done *first* or *before* stands in place of none.
+    the like; what breaks off at an article; a "tell you what". An order that is to be done *first* or *before* stands
+    in place of none.
     """
     said = _Said.of(document)
     cut = {i for stretch in _said_over(said) for i in stretch}
+    cut.update(i for opener in _openers(said) for i in opener)
     for run in said.runs:
         cut.update(_put_otherwise(said, run))
         cut.update(_dropped(said, run))
     return frozenset(cut)
+
+
+def _openers(said: _Said) -> Iterator[range]:
+    """Every "(I'll) tell you what" that only opens what is then ordered: not "tell you what happened"."""
+    words, tokens = said.words, said.document.tokens
+    for i in range(len(words) - 3):
+        if words[i : i + 3] != ["tell", "you", "what"]:
+            continue
+        start, stop = i, i + 3
+        while start and words[start - 1] in ("i", "'ll", "will"):
+            start -= 1
+        is_marked = words[stop] in _MARKS | {":", "."}
+        while stop < len(words) and words[stop] in _MARKS | {":", "."}:
+            stop += 1
+        if stop == len(words) or not said.may_begin(start):
+            continue
+        is_order = tokens[stop].pos == "VERB" and words[stop] == tokens[stop].lemma
+        if is_marked or is_order or words[stop] in _OPENING_ORDERS:
+            yield range(start, stop)
 
 
 def replaced_orders(document: Document) -> Iterator[range]:

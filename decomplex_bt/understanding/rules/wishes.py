@@ -1,8 +1,8 @@
-"""Wishes: what somebody would like to have, where the request right behind asks for the same."""
+"""Wishes: what somebody would like to have or do, where the request right behind asks for the same or serves it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise, takewhile
 
 from decomplex_bt.understanding.document import ENDS, Document, Token
@@ -15,6 +15,62 @@ _MORE = frozenset(("too", "also", "well", "another"))
 _PRONOUNS = frozenset("some one it them that those any".split())
 _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _CLAUSE_ENDS = ENDS | frozenset((",", ":", "and", "or", "but"))
+
+
+_IDLE = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "feel like", "feeling like", "fancy", "fancying", "could do with", "dying for", "in the mood for", "need to",
+        "want to", "wanna",
+    )
+)  # fmt: skip
+"""What a wish begins with where it goes without its subject."""
+_FILLERS = frozenset("well oh so um uh hmm hey ok okay right really just robot ,".split())
+_FETCHING = frozenset(("bringing", "taking", "searching"))
+_NOT_ORDERING = frozenset("to i we you he she they it not n't n\u2019t".split())
+
+
+def is_background(document: Document, at: int, request: int, kind: str) -> bool:
+    """Whether the verb at token `at` is of a wish without a subject that only tells why the order at token `request`,
+    the next task, of type `kind`, is given: "feel like some music, turn on the radio", "need to iron a shirt get the
+    board". What "and" joins to the order, or a comma to one that fetches nothing, may be ordered itself ("need to feed
+    the cat, mop the hall")."""
+    tokens, sentences = document.tokens, document.sentences
+    start = _beginning(document, at)
+    said = [token.lower for token in tokens[start : start + 4]]
+    opening = next((phrase for phrase in _IDLE if tuple(said[: len(phrase)]) == phrase), None)
+    between = [token.lower for token in tokens[start:request]]
+    if opening is None or not _CASES.isdisjoint(between) or not _MORE.isdisjoint(between) or "and" in between:
+        return False
+    is_of_deed = opening[-1] in ("to", "wanna")
+    is_near = sentences[request] == sentences[at] or (not is_of_deed and sentences[request] == sentences[at] + 1)
+    is_bare = tokens[request].lower == tokens[request].lemma and tokens[request - 1].lower not in _NOT_ORDERING
+    is_order = is_bare or between[-2:] in (["can", "you"], ["could", "you"])
+    is_alone = not is_of_deed or kind in _FETCHING or "," not in between
+    return is_near and is_order and is_alone and request > start + len(opening)
+
+
+def backgrounds(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The tokens of all wishes that only tell why the task behind them is ordered, in which no token is among the
+    `tasks`, which are tokens with types: their words are no arguments of it."""
+    found: set[int] = set()
+    for one, request in pairwise((-1, *sorted(tasks))):
+        first = one + 1
+        while first < request and document.tokens[first].lower in ENDS:
+            first += 1
+        start = _beginning(document, first)
+        if one < start < request and is_background(document, start, request, tasks[request]):
+            found.update(range(start, request))
+    return frozenset(found)
+
+
+def _beginning(document: Document, at: int) -> int:
+    """Where the sentence of a token begins, its fillers left out."""
+    tokens, sentences = document.tokens, document.sentences
+    first = next(i for i in range(at + 1) if sentences[i] == sentences[at])
+    while first + 1 < len(tokens) and sentences[first + 1] == sentences[at] and tokens[first].lower in _FILLERS:
+        first += 1
+    return first
 
 
 def is_served(document: Document, wish: int, request: int) -> bool:
