@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -144,7 +145,8 @@ def normal_form(word: str) -> str:
 
 
 def find_cues(document: Document) -> tuple[Cue, ...]:
-    """All cues of a document from left to right; an "if" or "whether" after a verb of asking is `whether`."""
+    """All cues of a document from left to right but those of orders that others stand in place of; an "if" or "whether"
+    after a verb of asking is `whether`."""
     words = [normal_form(token.lower) for token in document.tokens]
     for i in range(len(words) - 1):
         if words[i] == "b4" and words[i + 1] in _AFTER_BEFORE:  # "b4 u go"; "shelf B4" is none
@@ -168,6 +170,9 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     said = {i for cue in cues if cue.name in PRO_FORMS for i in range(cue.first, cue.last + 1)}
     cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
+    if not _NO.isdisjoint(words):
+        replaced = {i for order in replaced_orders(document) for i in order}
+        cues = [cue for cue in cues if cue.first not in replaced]
     return tuple(sorted(cues, key=lambda cue: cue.first))
 
 
