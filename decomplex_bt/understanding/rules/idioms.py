@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
 
 _MAY = frozenset(("may", "might", "could"))
@@ -32,15 +32,20 @@ _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
+_ITS = frozenset(("it", "them"))
+_OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
+_NOBODY = (
+    ("nobody", "else"), ("no", "one", "else"), ("nobody",), ("no", "one"), ("no", "-", "one"),
+)  # fmt: skip
 
 
 def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
-    Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), and the
-    weather of "should it rain". "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
+    Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
+    weather of "should it rain" and that nobody is somewhere ("when nobody is in"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
     """
-    checks = _stated(document, tasks) | _weather(document, tasks)
+    checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
     return {
         **dict.fromkeys(_looks(document, tasks), "searching"),
         **dict.fromkeys(_lettings(document), "placing"),
@@ -59,6 +64,24 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         and tokens[i + 2].lemma in WEATHER
         and not _is_told(document, tasks, i)
     )
+
+
+def _absences(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The verbs of "when nobody is in", "once no one's there", where no word up to the end of the clause is a task yet;
+    not of what somebody is told or asks."""
+    tokens, found = document.tokens, set()
+    for i, token in enumerate(tokens):
+        if token.lower not in _OPENING or _is_told(document, tasks, i):
+            continue
+        words = [normal_form(token.lower) for token in tokens[i + 1 : i + 6]]
+        length = next((len(nobody) for nobody in _NOBODY if tuple(words[: len(nobody)]) == nobody), None)
+        if length is None or words[length : length + 1] != ["is"]:
+            continue
+        verb = i + 1 + length
+        stop = next((j for j in range(verb, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
+        if not any(i < j < stop for j in tasks):
+            found.add(verb)
+    return frozenset(found)
 
 
 def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
@@ -173,18 +196,19 @@ def for_somebody(document: Document, verb: int) -> range:
 
 def predicated(document: Document, check: int) -> dict[str, range]:
     """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
-    ("the attic door might be locked") or else the `location` ("the keys might be in the car"); nothing for any other
-    check."""
+    ("the attic door might be locked") or else the `location` ("the keys might be in the car"), as of "nobody is in the
+    attic"; nothing for any other check."""
     tokens = document.tokens
     may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in _MAY), None)
-    if may is None or any(tokens[j].lower in MARKS for j in range(may, check)):
-        return {}
     found = {}
-    subject = _subject(document, may, check)
-    if subject:
-        found["object"] = subject
-    if tokens[check].lower != "be":
-        return found
+    if may is not None and not any(tokens[j].lower in MARKS for j in range(may, check)):
+        subject = _subject(document, may, check)
+        if subject:
+            found["object"] = subject
+        if tokens[check].lower != "be":
+            return found
+    elif not _is_of_nobody(document, check):
+        return {}
     behind = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
     adverb = tokens[check + 1] if behind is not None and check + 1 < behind.i else None
     if behind is None or (behind.lower in MARKS and adverb is not None and adverb.lower not in _NO_STATES):
@@ -194,7 +218,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         found["location"] = range(behind.i, behind.i + 1)
     elif behind.tag in ("JJ", "VBN", "VBG"):
         after = tokens[behind.i + 1] if behind.i + 1 < len(tokens) else None
-        found["state"] = range(behind.i, behind.i + 1 + (after is not None and after.dep == "prt"))
+        found["state"] = range(behind.i, behind.i + 1 + (after is not None and _goes_with(behind, after)))
     elif behind.pos == "ADP":
         stop = behind.i
         while stop < len(tokens) and tokens[stop].lower not in MARKS | _JOINING | _AGAIN:
@@ -202,6 +226,16 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         is_lack = behind.lower == "out" and tokens[behind.i + 1 : behind.i + 2] and tokens[behind.i + 1].lower == "of"
         found["state" if is_lack else "location"] = range(behind.i, stop)  # "out of milk"
     return found
+
+
+def _goes_with(participle: Token, after: Token) -> bool:
+    """Whether a word belongs to the participle before it: "switched *off*", "watching *it*"."""
+    return after.dep == "prt" or (participle.tag == "VBG" and after.lower in _ITS)
+
+
+def _is_of_nobody(document: Document, check: int) -> bool:
+    words = [normal_form(token.lower) for token in document.tokens[max(0, check - 3) : check + 1]]
+    return words[-1:] == ["is"] and any(tuple(words[-1 - len(nobody) : -1]) == nobody for nobody in _NOBODY)
 
 
 def _subject(document: Document, may: int, check: int) -> range:

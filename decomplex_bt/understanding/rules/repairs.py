@@ -60,8 +60,10 @@ _BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
 _CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
 _COORDINATING = frozenset(("and", "or", "then", "but"))
-_PLACING = frozenset(("behind", "inside", "underneath", "beneath"))
+_PLACING = frozenset(("behind", "inside", "under", "underneath", "beneath"))
 """Prepositions that are adverbs to the tagger where nothing follows."""
+_NAMED = frozenset(("nsubj", "dobj", "pobj"))
+_OPENING = frozenset(("if", "whether", "unless", "when"))
 _CHECKING = frozenset(("see", "check", "ask", "find", "tell"))
 _ASKING_FOR = frozenset(("could", "can", "would", "will"))
 _STATING = frozenset("he she it they we i that".split())
@@ -252,7 +254,7 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
             (count > 0 and _is_ordered_anew(said, first, again, inner))
             or ((count > 1 or is_opening) and any(_is_broken_off(said, first, run) for run in inner))
             or (count > 1 and _is_resumed(said, again, inner))
-            or (_is_order_again(said, first, again) and inner[-1].stop == again and _is_cut_short(said, inner[-1]))
+            or (inner[-1].stop == again and _is_cut_short(said, inner[-1]) and _is_asked_again(said, first, again))
         )
     )
     return range(first, again) if is_close and is_over else range(0)
@@ -317,6 +319,12 @@ def _is_order_again(said: _Said, first: int, again: int) -> bool:
     return _is_order(said.document, first) and _is_order(said.document, again)
 
 
+def _is_asked_again(said: _Said, first: int, again: int) -> bool:
+    """As `_is_order_again`, also behind a "could you" and the like."""
+    is_polite = said.words[first] in _ASKING_FOR and said.words[first + 1 : first + 2] == ["you"]
+    return _is_order_again(said, first + 2 * is_polite, again + 2 * is_polite)
+
+
 def _is_added(words: Sequence[str], start: int) -> bool:
     """Whether the clause that begins there is said to come on top of what was said: "could you also ...", "... too"."""
     end = next((i for i in range(start, len(words)) if words[i] in _BREAKS), len(words))
@@ -357,7 +365,9 @@ def _is_broken_off(said: _Said, first: int, run: range) -> bool:
 def _is_cut_short(said: _Said, run: range) -> bool:
     """Whether an order stops behind a preposition ("check under... check the table")."""
     last = said.document.tokens[run.start - 1]
-    is_preposition = (last.tag == "IN" or last.lower in _PLACING) and not said.document.children[last.i]
+    is_preposition = (last.tag == "IN" or last.dep == "prep" or last.lower in _PLACING) and not said.document.children[
+        last.i
+    ]
     return is_preposition and said.words[run.start] in _MARKS - {","}
 
 
@@ -518,7 +528,8 @@ def _order_before(said: _Said, run: range) -> range:
             return range(0) if is_subordinate or is_forbidden else range(i, right)
         is_asked = words[i] in ("if", "whether") and any(t.lemma in _CHECKING for t in tokens[max(0, i - 3) : i])
         is_joined = words[i] in ("and", "or") and tokens[i + 1].pos in _NAMING
-        if (words[i] in _BREAKS and not is_joined) or (words[i] in _ASKING and not is_asked):
+        is_asking = words[i] in _ASKING and (words[i] in _OPENING or said.begins_clause(i))
+        if (words[i] in _BREAKS and not is_joined) or (is_asking and not is_asked):
             break
     return range(0)
 
@@ -554,16 +565,19 @@ def _takes_up(said: _Said, order: range, run: range) -> bool:
     """Whether the order in place of another, behind a run, speaks of what that names: "close the window, no, leave it
     open"."""
     end = next((i for i in range(order.stop, len(said.words)) if said.words[i] in _BREAKS), len(said.words))
-    names = any(token.pos in ("NOUN", "PROPN") for token in said.document.tokens[order.start + 1 : run.start])
+    replaced = said.document.tokens[order.start + 1 : run.start]
+    names = any(token.pos in ("NOUN", "PROPN") or token.dep in _NAMED for token in replaced)
     return names and not _TAKING_UP.isdisjoint(said.words[order.stop : end])
 
 
 def _is_order(document: Document, i: int) -> bool:
     """Whether a token is a verb in its bare form whose subject is none but "you"; the tagger takes that of "hoover the
-    stairs" for a noun."""
+    stairs" for a noun, and that of "Empty the bin" for an adjective."""
     token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
     clause = next((j + 1 for j in range(i - 1, -1, -1) if document.tokens[j].text in _MARKS), 0)
     near = (document.tokens[j] for j in document.children[i] if j >= clause)
     subjects = {token.lower for token in near if token.dep in _SUBJECTS}
-    is_verb = token.pos == "VERB" or (token.tag == "NN" and bool(following) and following[0].tag in ("DT", "PRP$"))
+    is_first = i == 0 or document.tokens[i - 1].text in ENDS
+    kinds = ("NN", "NNP", "JJ") if is_first else ("NN",)
+    is_verb = token.pos == "VERB" or (token.tag in kinds and bool(following) and following[0].tag in ("DT", "PRP$"))
     return is_verb and token.lower == token.lemma and subjects <= {"you"}
