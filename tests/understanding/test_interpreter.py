@@ -41,6 +41,10 @@ def assert_valid(instruction, ontology):
     [
         ("Turn off the computer when nobody is in the study.", [{"if": 2, "else": [1]}]),
         ("Turn off the fan when no-one is in the bathroom.", [{"if": 2, "else": [1]}]),
+        (
+            "Look for my phone on the desk and bring it if you see it, or else look in the bin.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
     ],
 )
 def test_what_english_settles_is_read_so(interpreter, text, flow):

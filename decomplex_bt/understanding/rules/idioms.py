@@ -43,7 +43,8 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
-    weather of "should it rain" and that nobody is somewhere ("when nobody is in"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
+    weather of "should it rain" and that nobody is somewhere ("when nobody is in"). "Have" in "have a look" is
+    searching, "let" in "let go of the rope" placing.
     """
     checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
     return {
