@@ -164,6 +164,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
         if length == 1 and _is_adjective(document, words, position):
             names = ()
+        if names == ("before",) and _is_forbidden_before(document, words, position):
+            names = ("until",)
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
@@ -208,6 +210,16 @@ def _is_adjective(document: Document, words: Sequence[str], position: int) -> bo
 def _is_named(words: Sequence[str], position: int) -> bool:
     """Whether a noun that may stand for a failure is part of a clause that goes on: "it is no good", "a fallback"."""
     return words[position] in _NOUNS_OF_FAILURE and position > 0 and words[position - 1] in _AHEAD_OF_NOUNS
+
+
+def _is_forbidden_before(document: Document, words: Sequence[str], position: int) -> bool:
+    """Whether a "before" says until when something is forbidden: "don't start it before it's full"."""
+    for i in range(position - 1, 0, -1):
+        if document.tokens[i].text in MARKS or document.tokens[i].tag == "CC":
+            return False
+        if words[i] in ("not", "never") and document.tokens[i + 1].tag == "VB":
+            return words[i] == "never" or words[i - 1] in ("do", "must", "should")
+    return words[0] == "never" and position > 1
 
 
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))

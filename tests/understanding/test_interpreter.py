@@ -45,6 +45,8 @@ def assert_valid(instruction, ontology):
             "Look for my phone on the desk and bring it if you see it, or else look in the bin.",
             [{"if": [1, 3], "then": [2], "else": [4]}],
         ),
+        ("Don't turn on the tv before you close the curtains.", [2, 1]),
+        ("Don't open the window before the heater is off.", [2, 1]),
     ],
 )
 def test_what_english_settles_is_read_so(interpreter, text, flow):

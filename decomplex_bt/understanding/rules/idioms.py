@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(
@@ -33,6 +35,9 @@ _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 _ITS = frozenset(("it", "them"))
+_AWAITING = frozenset(("before", "until", "till"))
+_HAVE = frozenset(("has", "have"))
+_BE_OR_HAVE = _HAVE | {"is", "are", "'s", "\u2019s", "'re"}
 _OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
 _NOBODY = (
     ("nobody", "else"), ("no", "one", "else"), ("nobody",), ("no", "one"), ("no", "-", "one"),
@@ -43,10 +48,11 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
-    weather of "should it rain" and that nobody is somewhere ("when nobody is in"). "Have" in "have a look" is
-    searching, "let" in "let go of the rope" placing.
+    weather of "should it rain", that nobody is somewhere ("when nobody is in") and what a prohibition waits for ("don't
+    start it before it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
     """
     checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
+    checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     return {
         **dict.fromkeys(_looks(document, tasks), "searching"),
         **dict.fromkeys(_lettings(document), "placing"),
@@ -83,6 +89,34 @@ def _absences(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         if not any(i < j < stop for j in tasks):
             found.add(verb)
     return frozenset(found)
+
+
+class _Awaited(NamedTuple):
+    """What a prohibition waits for: the verb that it forbids till then, and the tokens of who or what it is said of."""
+
+    forbidden: int
+    subject: range
+
+
+def _awaited(document: Document, tasks: Mapping[int, str]) -> dict[int, _Awaited]:
+    """The verbs of what is told behind a forbidden task and a "before", where no word up to the end of the clause is a
+    task yet ("don't start it before the basket *is* full"); with what they say."""
+    tokens, found = document.tokens, dict[int, _Awaited]()
+    for i, token in enumerate(tokens):
+        if token.lower not in _AWAITING:
+            continue
+        start = next((j + 1 for j in range(i - 1, -1, -1) if tokens[j].lower in MARKS | _JOINING), 0)
+        stop = next((j for j in range(i + 1, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
+        forbidden = next((j for j in range(start, i) if is_forbidden(document, j)), None)
+        if forbidden is None:
+            continue
+        be = next((j for j in range(i + 2, stop) if tokens[j].lower in _BE_OR_HAVE), None)
+        if be is None or tokens[be - 1].lower in _OTHERS - {"he", "she", "they"}:
+            continue
+        verb = _participle(document, be) if tokens[be].lower in _HAVE else be
+        if not any(i < j < stop and j != verb for j in tasks):
+            found[verb] = _Awaited(forbidden, range(i + 1, be))
+    return found
 
 
 def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
@@ -207,6 +241,10 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         if subject:
             found["object"] = subject
         if tokens[check].lower != "be":
+            return found
+    elif awaited := _awaited(document, {}).get(check):
+        found["object"] = awaited.subject
+        if tokens[check].lower not in _BE_OR_HAVE:
             return found
     elif not _is_of_nobody(document, check):
         return {}
