@@ -74,6 +74,14 @@ class _Grounder:
         task = replace(task, arguments=tuple(a for a, c in zip(task.arguments, is_circle, strict=True) if not c))
         sense = self.wording.sense(task)
         state = sense.state if sense is not None and task.type == "change_state" else None
+        if (
+            task.type == "change_state"
+            and state is None
+            and task.value("state") is None
+            and self.wording.is_state(task)
+        ):
+            # a verbless order is marked on its state: "lamp off"
+            task = replace(task, arguments=(*task.arguments, Argument("state", task.span.of(self.instruction.text))))
         if sense is not None and sense.goal is not None and task.value("goal") is None:
             task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
         if self.wording.is_of_nobody(task):

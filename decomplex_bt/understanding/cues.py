@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -144,7 +145,8 @@ def normal_form(word: str) -> str:
 
 
 def find_cues(document: Document) -> tuple[Cue, ...]:
-    """All cues of a document from left to right; an "if" or "whether" after a verb of asking is `whether`."""
+    """All cues of a document from left to right but those of orders that others stand in place of; an "if" or "whether"
+    after a verb of asking is `whether`."""
     words = [normal_form(token.lower) for token in document.tokens]
     for i in range(len(words) - 1):
         if words[i] == "b4" and words[i + 1] in _AFTER_BEFORE:  # "b4 u go"; "shelf B4" is none
@@ -162,12 +164,17 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
         if length == 1 and _is_adjective(document, words, position):
             names = ()
+        if names == ("before",) and _is_forbidden_before(document, words, position):
+            names = ("until",)
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
         position += max(1, length)
     said = {i for cue in cues if cue.name in PRO_FORMS for i in range(cue.first, cue.last + 1)}
     cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
+    if not _NO.isdisjoint(words):
+        replaced = {i for order in replaced_orders(document) for i in order}
+        cues = [cue for cue in cues if cue.first not in replaced]
     return tuple(sorted(cues, key=lambda cue: cue.first))
 
 
@@ -203,6 +210,16 @@ def _is_adjective(document: Document, words: Sequence[str], position: int) -> bo
 def _is_named(words: Sequence[str], position: int) -> bool:
     """Whether a noun that may stand for a failure is part of a clause that goes on: "it is no good", "a fallback"."""
     return words[position] in _NOUNS_OF_FAILURE and position > 0 and words[position - 1] in _AHEAD_OF_NOUNS
+
+
+def _is_forbidden_before(document: Document, words: Sequence[str], position: int) -> bool:
+    """Whether a "before" says until when something is forbidden: "don't start it before it's full"."""
+    for i in range(position - 1, 0, -1):
+        if document.tokens[i].text in MARKS or document.tokens[i].tag == "CC":
+            return False
+        if words[i] in ("not", "never") and document.tokens[i + 1].tag == "VB":
+            return words[i] == "never" or words[i - 1] in ("do", "must", "should")
+    return words[0] == "never" and position > 1
 
 
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))

@@ -17,6 +17,7 @@ from decomplex_bt.understanding.control_flow.arcs import Arc
 from decomplex_bt.understanding.control_flow.clauses import Clause, MarkedTask, clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
+from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import (
@@ -79,7 +80,8 @@ class FlowModel:
             for attachments in varied(self.attachments, attachment_features(chain, chained)):
                 places = stated_sides(clauses, chained, attachments.labels)
                 orders = self.orders.label(order_features(chain, chained, places))
-                arcs = tuple(Arc(*labels) for labels in zip(chained, places, orders.labels, strict=True))
+                told = stated_orders(clauses, chained, places, orders.labels)
+                arcs = tuple(Arc(*labels) for labels in zip(chained, places, told, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
                 found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
         return likeliest(found)

@@ -211,6 +211,7 @@ def test_state_words_tell_one_from_another() -> None:
     [
         ("[Switch](1:change_state) [the lamp in the bedroom](1:object) on", (("bedroom_lamp",), "on")),
         ("[Turn](1:change_state) [it](1:object=the tv) back off", (("tv",), "off")),
+        ("[The tv](1:object) [off](1:change_state), please", (("tv",), "off")),
         (
             "[Turn](1:change_state) off [the light](1:object) [in the bathroom](1:location)",
             (("bathroom_light",), "off"),

@@ -165,6 +165,13 @@ def test_the_it_of_cold_weather_names_nothing() -> None:
     assert naming(document("if", "it", "'s", "dark"), 2, it) == []
 
 
+@pytest.mark.parametrize(("joint", "is_denied"), [("but", True), ("and", False)])
+def test_what_is_not_meant_gives_way_to_what_is(joint: str, is_denied: bool) -> None:
+    said = document(*(f"{word}/NN/dep/0" for word in f"bring it not to me {joint} to the hall".split()))
+    whom, where = FoundArgument("recipient", 0, range(3, 5), 0.9), FoundArgument("goal", 0, range(6, 9), 0.9)
+    assert retracted(said, [whom, where]) == ([where] if is_denied else [whom, where])
+
+
 def test_what_comes_on_top_corrects_nothing() -> None:
     said = document(*(f"{word}/NN/dep/0" for word in "bring the salt sorry the pepper too".split()))
     salt, pepper = (FoundArgument("object", 0, tokens, 0.9) for tokens in (range(1, 3), range(4, 6)))

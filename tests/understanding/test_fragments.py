@@ -1,4 +1,4 @@
-"""Questions without a verb, and alternatives without one."""
+"""Questions and orders without a verb, and alternatives without one."""
 
 from __future__ import annotations
 
@@ -51,6 +51,34 @@ def test_a_question_without_a_verb_is_carried_by_its_preposition(
 )
 def test_other_questions_are_left_to_the_models(parser: Parser, text: str) -> None:
     assert not list(fragments(parser.parse(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "orders"),
+    [
+        ("Tv off, radio on", [("off", "Tv", ""), ("on", "radio", "")]),
+        ("Lights off in the kitchen.", [("off", "Lights", "in the kitchen")]),
+        ("If it's dark, the lamp on, please, and bring me a pen.", [("on", "the lamp", "")]),
+        ("Turn the tv on and the radio off.", []),
+        ("If the tv is on and the lamp off, close the door.", []),
+        ("Shoes on, Millie!", []),
+        ("Oven on? Turn it off.", []),
+        ("Bring me the book on the table.", []),
+    ],
+)
+def test_an_order_without_a_verb_is_carried_by_its_state(
+    parser: Parser, text: str, orders: list[tuple[str, str, str]]
+) -> None:
+    document = parser.parse(text)
+    found = [
+        tuple(
+            " ".join(document.tokens[i].text for i in said)
+            for said in ((fragment.carrier,), fragment.object, fragment.location)
+        )
+        for fragment in fragments(document)
+        if fragment.type == "change_state"
+    ]
+    assert found == orders
 
 
 @pytest.mark.parametrize("encoder", [False, True])

@@ -61,9 +61,27 @@ def test_the_weather_of_should_it_is_a_check(parser: Parser) -> None:
     assert found(parser, "Bring in the cushions should it rain.") == [("rain", "check_state")]
 
 
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("Turn the tv off when nobody's in the living room.", {"location": "in the living room"}),
+        ("Switch off the computer whenever no one else is there.", {"location": "there"}),
+        ("Mop the hall when no-one is using it.", {"state": "using it"}),
+    ],
+)
+def test_that_nobody_is_somewhere_is_a_check(parser: Parser, text: str, told: dict[str, str]) -> None:
+    ((verb, kind),) = idiomatic(parser.parse(text), {0: "change_state"}).items()
+    read = parser.parse(text)
+    words = {name: read.span(said.start, said.stop - 1).of(text) for name, said in predicated(read, verb).items()}
+    assert (kind, words) == ("check_state", told)
+    assert idiomatic(read, {0: "change_state", verb + 1: "check_state"}) == {}
+
+
 def test_what_somebody_is_told_is_no_task(parser: Parser) -> None:
     told = parser.parse("Tell Ann should it rain she can take the car.")
     assert idiomatic(told, {0: "informing"}) == {}
+    nobody = parser.parse("Tell Ann when nobody is in the study.")
+    assert idiomatic(nobody, {0: "informing"}) == {}
     look = parser.parse("Remind Ann you have a look in the oven.")
     assert idiomatic(look, {0: "informing"}) == {}
 

@@ -36,6 +36,23 @@ def assert_valid(instruction, ontology):
             assert argument.span is None or argument.span.of(instruction.text).strip()
 
 
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Turn off the computer when nobody is in the study.", [{"if": 2, "else": [1]}]),
+        ("Turn off the fan when no-one is in the bathroom.", [{"if": 2, "else": [1]}]),
+        (
+            "Look for my phone on the desk and bring it if you see it, or else look in the bin.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        ("Don't turn on the tv before you close the curtains.", [2, 1]),
+        ("Don't open the window before the heater is off.", [2, 1]),
+    ],
+)
+def test_what_english_settles_is_read_so(interpreter, text, flow):
+    assert interpreter.interpret(text).flow.to_json() == flow
+
+
 def test_a_sentence_becomes_tasks_arguments_and_flow(interpreter):
     instruction = interpreter.interpret(PEN)
     assert [(t.span.of(PEN), t.type) for t in instruction.tasks] == [

@@ -20,6 +20,7 @@ def interpreter() -> Interpreter:
         ("Never turn off the fridge. Bring me a pen.", "turn", ["Bring"]),
         ("Close the door and do not wash the cup.", "wash", ["Close"]),
         ("Never boil or fry the eggs. Bring me a pen.", "boil", ["Bring"]),
+        ("Without opening the fridge, bring me the juice.", "opening", ["bring"]),
     ],
 )
 def test_a_prohibition_is_no_task_and_is_warned_of(
@@ -40,6 +41,10 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
         ("It isn't necessary to wash the cup, bring it instead.", ["bring"]),
         ("You needn't empty the bin, just close the door.", ["close"]),
         ("Don't have a look in the drawer.", []),
+        ("Rather than washing the pan, put it in the sink.", ["put"]),
+        ("Rather than turn off the tv, mute it.", ["mute"]),
+        ("Fold the towel instead of hanging it up.", ["Fold"]),
+        ("Don't start the oven before the pan is in it.", ["start", "is"]),
     ],
 )
 def test_what_is_done_all_the_same_and_what_is_not(interpreter: Interpreter, text: str, tasks: list[str]) -> None:

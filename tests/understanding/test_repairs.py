@@ -74,6 +74,14 @@ def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: s
         ("if the tank's full i mean if the tray's full empty it", "if the tray's full empty it"),
         ("If it's hot, turn it down, no, turn the heater off.", "If it's hot, turn the heater off."),
         ("Fetch the, not the green one, the red can.", "Fetch the red can."),
+        ("Get the mop. No wait, get the broom. Sweep it.", "get the broom. Sweep it."),
+        ("Could you get the mop? No, sorry, could you get the broom?", "Could you get the broom?"),
+        ("Open the door and turn on... no, just close it.", "Open the door and close it."),
+        ("If it's broken, heat... well, just bring me the soup.", "If it's broken, bring me the soup."),
+        ("Water the plants and… no, just shut the blinds.", "shut the blinds."),
+        ("Water the plants and… no, shut the blinds.", "Water the plants and shut the blinds."),
+        ("Go and see if Tom wants... no wait, just take the tea.", "Go and take the tea."),
+        ("Look behind... look under the sofa.", "look under the sofa."),
     ],
 )
 def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str, meant: str) -> None:
@@ -117,6 +125,10 @@ def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str,
         "If there's no one in, no, he's at work. Close the door.",
         "tell him no he can't and tell her yes",
         "Put the red one away, no, not today.",
+        "Turn on the tv. No luck? Bring me the remote.",
+        "If the tea is hot, bring it. No, heat it.",
+        "Bring me the mug. No, wait, wash it first.",
+        "Look in the drawer. No, then look on the shelf.",
     ],
 )
 def test_what_is_no_repair(parser: Parser, text: str) -> None:
@@ -142,6 +154,12 @@ def test_a_pronoun_in_the_order_that_counts_finds_what_the_other_named(interpret
     found = interpreter.interpret("Close the window, no, leave it open.")
     (task,) = found.tasks
     assert [a.value for a in task.arguments if a.type == "object"] == ["the window"]
+
+
+def test_an_order_in_place_of_the_one_before_is_no_answer(interpreter: Interpreter) -> None:
+    read = interpreter.interpret("Close the front door. Actually no, open it.")
+    assert [read.text[task.span.start : task.span.end] for task in read.tasks] == ["open"]
+    assert read.flow.to_json() == [1]
 
 
 @settings(max_examples=300, deadline=None)

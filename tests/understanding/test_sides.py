@@ -156,6 +156,23 @@ def test_what_is_done_with_a_thing_depends_on_its_being_found() -> None:
     assert stated_sides(found, roles, ("top", "top", "<1", "<1+"))[1] == "<1+"
 
 
+@pytest.mark.parametrize(
+    ("opening", "attachment", "expected"),
+    [("or else", "<1-", "<1+"), ("if not,", "<1-", "<1+"), ("otherwise", "<1+", "<1+"), ("and", "<1-", "<1-")],
+)
+def test_an_otherwise_behind_what_takes_up_the_find_opens_the_other_side(
+    opening: str, attachment: str, expected: str
+) -> None:
+    found = clauses(
+        "[Look](1:searching) [for the map](1:object) [in the car](1:location) and [bring](2:bringing) [it](2:object) "
+        f"if you [see](3:searching) [it](3:object), {opening} [call](4:informing) [Tom](4:recipient) and "
+        "[wait](5:motion)."
+    )
+    sides = ("top", "<1+", "<1", attachment, attachment)
+    read = stated_sides(found, ("condition", "task", "mention", "task", "task"), sides)
+    assert read == ("top", "<1+", "<1", expected, expected)
+
+
 @pytest.mark.parametrize("attachment", ["<1+", "<1-"])
 def test_an_otherwise_behind_an_echo_opens_the_other_side(attachment: str) -> None:
     """The echo means the other side once the one it affirms has a task (`arcs.flip_of`)."""

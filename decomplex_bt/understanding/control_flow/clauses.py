@@ -389,7 +389,8 @@ class _Stretch:
         previous = tasks[k - 1].token if k else -1
         following = tasks[k + 1].token if k + 1 < len(tasks) else len(document)
         message = {j for kind, indices in tasks[k].arguments if kind == "message" for j in indices}
-        marks = [j for j in range(previous + 1, following) if document.tokens[j].text in _PUNCTUATION]
+        between = [document.tokens[j] for j in range(previous + 1, following)]
+        marks = [token.i for token in between if token.text in _PUNCTUATION and not _is_in_word(document, token.i)]
         split = max((j for j in marks if j < token), default=previous)
         end = min((j for j in marks if j > token and j not in message), default=following)
         is_open = end == following < len(document)
@@ -416,6 +417,14 @@ class _Stretch:
     def names(self, start: int, stop: int) -> tuple[str, ...]:
         """The names of the cues that begin between two tokens, both excluded."""
         return tuple(cue.name for cue in self.cues if start < cue.first < stop)
+
+
+def _is_in_word(document: Document, mark: int) -> bool:
+    """Whether a mark is the hyphen of a word: "no-one"."""
+    around = document.tokens[max(0, mark - 1) : mark + 2]
+    if len(around) < 3 or around[1].text != "-":
+        return False
+    return around[0].end == around[1].start and around[1].end == around[2].start
 
 
 def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: frozenset[int]) -> Clause:

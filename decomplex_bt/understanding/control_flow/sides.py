@@ -169,13 +169,19 @@ def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "otherwise" opens right behind a condition is done where that does not hold ("if it's raining, fine,
     otherwise ..."), and behind a mention that affirms the condition of a task on the other side than that task ("bring
-    it if it is, otherwise ..."), which is how such a mention is stated (`arcs.flip_of`)."""
+    it if it is, otherwise ...", "look for it and bring it if you see it, or else ..."), which is how such a mention is
+    stated (`arcs.flip_of`)."""
     is_plain = roles[k - 1] == "condition" and not clauses[k - 1].wording.is_negated
     if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == _HOLDS:
         sides[k] = _FAILS
     if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
         is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
         sides[k] = _HOLDS if is_of_it else sides[k]
+    elif _is_affirmed_before(clauses, roles, sides, k) and {"else", "fail"} & {*clauses[k].far, *clauses[k].near}:
+        for j in range(k, len(clauses)):
+            if roles[j] != "task" or sides[j] != _FAILS or clauses[j].sentence != clauses[k].sentence:
+                break
+            sides[j] = _HOLDS
 
 
 def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
@@ -183,6 +189,20 @@ def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -
     is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
     first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
     return is_echo and first is not None and not clauses[first].wording.is_negated
+
+
+def _is_affirmed_before(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int) -> bool:
+    """Whether right before, behind what is done in its case, an "if" takes up what an earlier task finds out: "look for
+    it there and bring it *if you see it*, ..."."""
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    if roles[k - 1] != "mention" or not first < k - 2 or roles[first] != "condition":
+        return False
+    before, mention = clauses[first], clauses[k - 1]
+    is_plain = not mention.wording.is_negated and not mention.wording.contradicts(before.wording)
+    is_behind = mention.boundary in ("none", ",") and mention.sentence == clauses[k - 2].sentence
+    is_in_case = set(sides[first + 1 : k - 1]) == {_HOLDS} and set(roles[first + 1 : k - 1]) == {"task"}
+    is_opened = not {"if", "only_if"}.isdisjoint(mention.near)
+    return is_plain and is_behind and is_in_case and is_opened and not before.wording.is_negated
 
 
 def _affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

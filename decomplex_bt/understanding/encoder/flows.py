@@ -15,6 +15,7 @@ from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.understanding.control_flow.arcs import Arc
 from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
+from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
@@ -124,7 +125,7 @@ class EncoderFlows:
         for (way, told, attachment), place, table in zip(attached, places, tables, strict=True):
             items = order_features(chain, told, place)
             for order in _ways(crfs.orders, items, table, network.orders):
-                labels = zip(told, place, order.labels, strict=True)
+                labels = zip(told, place, stated_orders(clauses, told, place, order.labels), strict=True)
                 arcs = tuple(Arc(*each) for each in labels)
                 chances = (way.probability, attachment.probability, order.probability)
                 found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))

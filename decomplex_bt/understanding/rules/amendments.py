@@ -54,6 +54,7 @@ _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_RECEIVING = frozenset(("recipient", "goal"))
 _ADDING = frozenset(("too", "also", "well"))
 
 
@@ -240,7 +241,8 @@ def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) 
 
 
 def retracted(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
-    """The arguments of a task without those that are taken back ("the knife, no, wait, the fork")."""
+    """The arguments of a task without those that are taken back ("the knife, no, wait, the fork") or denied ("not to me
+    but to Tom")."""
     in_order = sorted(arguments, key=lambda argument: argument.tokens.start)
     taken_back = {
         id(argument)
@@ -249,7 +251,19 @@ def retracted(document: Document, arguments: Sequence[FoundArgument]) -> list[Fo
         and _is_taken_back(document.tokens[argument.tokens.stop : after.tokens.start])
         and not {token.lower for token in document.tokens[after.tokens.stop : after.tokens.stop + 2]} & _ADDING
     }
+    taken_back |= {
+        id(argument)
+        for argument, after in pairwise(in_order)
+        if (argument.type == after.type or {argument.type, after.type} <= _RECEIVING)
+        and _is_denied(document, range(argument.tokens.start, after.tokens.start))
+    }
     return [argument for argument in arguments if id(argument) not in taken_back]
+
+
+def _is_denied(document: Document, words: range) -> bool:
+    """Whether words behind a "not" have others behind a "but" in their place: "not *to Anna but* to Tom"."""
+    before = document.tokens[words.start - 1].lower if words.start else ""
+    return before == "not" and document.tokens[words.stop - 1].lower == "but"
 
 
 def _is_taken_back(between: Sequence[Token]) -> bool:

@@ -107,7 +107,7 @@ def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collecti
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
     for fragment in fragments(document):
         behind.update(fragment.tokens)
-        idioms[fragment.carrier] = "check_state"
+        idioms[fragment.carrier] = fragment.type
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))

@@ -1,4 +1,5 @@
-"""Fragments: questions without a verb that ask whether something is somewhere ("any letters in the mailbox?")."""
+"""Fragments: what is said without a verb: questions whether something is somewhere ("any letters in the mailbox?"),
+orders of a state ("lamp off, heater on")."""
 
 from __future__ import annotations
 
@@ -20,16 +21,30 @@ _IDLE = frozenset(
 """Nouns of which no place is asked: "any chance of a drink in the garden?"."""
 
 
+_STATES = frozenset("on off open closed shut".split())
+_NO_THINGS = frozenset(
+    "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
+    "glass mask helmet apron slipper".split()
+)
+"""Nouns of which "hands off", "shoes on" and the like order no state."""
+_LEADING = frozenset("please now then so ok okay right and just also otherwise".split())
+_TRAILING = frozenset("please now again too everywhere".split())
+_NAMING = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
+_OPENING = frozenset(("if", "when", "once", "unless", "otherwise", "whenever"))
+
+
 @dataclass(frozen=True, slots=True)
 class Fragment:
-    """A question without a verb. Its preposition carries the check."""
+    """A question or an order without a verb. The preposition of the one carries the check, the state of the other the
+    change."""
 
     tokens: range
     carrier: int
     object: range
-    """What is asked for; empty where it is nobody or nothing."""
+    """What is asked for or changed; empty where it is nobody or nothing."""
     location: range
-    """Where, without the preposition."""
+    """Where, without the preposition that carries a check."""
+    type: str = "check_state"
 
 
 def fragments(document: Document) -> Iterator[Fragment]:
@@ -42,7 +57,10 @@ def fragments(document: Document) -> Iterator[Fragment]:
                 fragment = _fragment(document, start, i)
                 if fragment is not None:
                     yield fragment
+            else:
+                yield from _orders(document, start, i)
             start = i + 1
+    yield from _orders(document, start, len(tokens))
 
 
 def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
@@ -67,3 +85,43 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     begin = first + (tokens[first].lower in _NONE)
     return Fragment(range(start, stop), carrier, range(begin, carrier), range(carrier + 1, last))
+
+
+def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
+    """The orders of states among the clauses from `start` to `stop`, from the first one on or behind a condition. What
+    an "and" joins to a verb has that verb ("turn the tv on and the radio off")."""
+    tokens = document.tokens
+    if _STATES.isdisjoint(token.lower for token in tokens[start:stop]):
+        return
+    is_open = True
+    for first in range(start, stop):
+        before = tokens[first - 1].lower if first > start else ","
+        if before not in (",", "and", "then", ":"):
+            continue
+        end = next((j for j in range(first, stop) if tokens[j].lower in (",", "and", "then", ":")), stop)
+        order = _order(document, first, end) if is_open else None
+        if order is not None:
+            yield order
+        is_condition = end < stop and tokens[end].text == "," and tokens[first].lower in _OPENING
+        is_idle = all(token.lower in _LEADING for token in tokens[first:end])
+        is_open = order is not None or is_condition or (is_open and is_idle)
+
+
+def _order(document: Document, start: int, stop: int) -> Fragment | None:
+    """The clause as an order of a state."""
+    tokens = document.tokens
+    first = start
+    while first < stop and tokens[first].lower in _LEADING:
+        first += 1
+    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in _STATES), stop)
+    named = tokens[first:carrier]
+    if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named):
+        return None
+    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in _NO_THINGS or named[0].lower in _SOME | _NONE:
+        return None
+    behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
+    is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
+    if behind and not (is_place and all(token.pos in _NAMING or token.tag == "PRP$" for token in behind[1:])):
+        return None
+    location = range(behind[0].i, behind[-1].i + 1) if behind else range(0)
+    return Fragment(range(start, stop), carrier, range(first, carrier), location, "change_state")

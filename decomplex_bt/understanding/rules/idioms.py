@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
+from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
 _MAY = frozenset(("may", "might", "could"))
 _TAKEN_UP = tuple(
@@ -32,15 +34,25 @@ _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
+_ITS = frozenset(("it", "them"))
+_AWAITING = frozenset(("before", "until", "till"))
+_HAVE = frozenset(("has", "have"))
+_BE_OR_HAVE = _HAVE | {"is", "are", "'s", "\u2019s", "'re"}
+_OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
+_NOBODY = (
+    ("nobody", "else"), ("no", "one", "else"), ("nobody",), ("no", "one"), ("no", "-", "one"),
+)  # fmt: skip
 
 
 def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
-    Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), and the
-    weather of "should it rain". "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
+    Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
+    weather of "should it rain", that nobody is somewhere ("when nobody is in") and what a prohibition waits for ("don't
+    start it before it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
     """
-    checks = _stated(document, tasks) | _weather(document, tasks)
+    checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
+    checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     return {
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
@@ -59,6 +71,52 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         and tokens[i + 2].lemma in WEATHER
         and not _is_told(document, tasks, i)
     )
+
+
+def _absences(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The verbs of "when nobody is in", "once no one's there", where no word up to the end of the clause is a task yet;
+    not of what somebody is told or asks."""
+    tokens, found = document.tokens, set()
+    for i, token in enumerate(tokens):
+        if token.lower not in _OPENING or _is_told(document, tasks, i):
+            continue
+        words = [normal_form(token.lower) for token in tokens[i + 1 : i + 6]]
+        length = next((len(nobody) for nobody in _NOBODY if tuple(words[: len(nobody)]) == nobody), None)
+        if length is None or words[length : length + 1] != ["is"]:
+            continue
+        verb = i + 1 + length
+        stop = next((j for j in range(verb, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
+        if not any(i < j < stop for j in tasks):
+            found.add(verb)
+    return frozenset(found)
+
+
+class _Awaited(NamedTuple):
+    """What a prohibition waits for: the verb that it forbids till then, and the tokens of who or what it is said of."""
+
+    forbidden: int
+    subject: range
+
+
+def _awaited(document: Document, tasks: Mapping[int, str]) -> dict[int, _Awaited]:
+    """The verbs of what is told behind a forbidden task and a "before", where no word up to the end of the clause is a
+    task yet ("don't start it before the basket *is* full"); with what they say."""
+    tokens, found = document.tokens, dict[int, _Awaited]()
+    for i, token in enumerate(tokens):
+        if token.lower not in _AWAITING:
+            continue
+        start = next((j + 1 for j in range(i - 1, -1, -1) if tokens[j].lower in MARKS | _JOINING), 0)
+        stop = next((j for j in range(i + 1, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
+        forbidden = next((j for j in range(start, i) if is_forbidden(document, j)), None)
+        if forbidden is None:
+            continue
+        be = next((j for j in range(i + 2, stop) if tokens[j].lower in _BE_OR_HAVE), None)
+        if be is None or tokens[be - 1].lower in _OTHERS - {"he", "she", "they"}:
+            continue
+        verb = _participle(document, be) if tokens[be].lower in _HAVE else be
+        if not any(i < j < stop and j != verb for j in tasks):
+            found[verb] = _Awaited(forbidden, range(i + 1, be))
+    return found
 
 
 def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
@@ -173,18 +231,23 @@ def for_somebody(document: Document, verb: int) -> range:
 
 def predicated(document: Document, check: int) -> dict[str, range]:
     """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
-    ("the attic door might be locked") or else the `location` ("the keys might be in the car"); nothing for any other
-    check."""
+    ("the attic door might be locked") or else the `location` ("the keys might be in the car"), as of "nobody is in the
+    attic"; nothing for any other check."""
     tokens = document.tokens
     may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in _MAY), None)
-    if may is None or any(tokens[j].lower in MARKS for j in range(may, check)):
-        return {}
     found = {}
-    subject = _subject(document, may, check)
-    if subject:
-        found["object"] = subject
-    if tokens[check].lower != "be":
-        return found
+    if may is not None and not any(tokens[j].lower in MARKS for j in range(may, check)):
+        subject = _subject(document, may, check)
+        if subject:
+            found["object"] = subject
+        if tokens[check].lower != "be":
+            return found
+    elif awaited := _awaited(document, {}).get(check):
+        found["object"] = awaited.subject
+        if tokens[check].lower not in _BE_OR_HAVE:
+            return found
+    elif not _is_of_nobody(document, check):
+        return {}
     behind = next((t for t in tokens[check + 1 : check + 4] if t.tag != "RB"), None)
     adverb = tokens[check + 1] if behind is not None and check + 1 < behind.i else None
     if behind is None or (behind.lower in MARKS and adverb is not None and adverb.lower not in _NO_STATES):
@@ -194,7 +257,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         found["location"] = range(behind.i, behind.i + 1)
     elif behind.tag in ("JJ", "VBN", "VBG"):
         after = tokens[behind.i + 1] if behind.i + 1 < len(tokens) else None
-        found["state"] = range(behind.i, behind.i + 1 + (after is not None and after.dep == "prt"))
+        found["state"] = range(behind.i, behind.i + 1 + (after is not None and _goes_with(behind, after)))
     elif behind.pos == "ADP":
         stop = behind.i
         while stop < len(tokens) and tokens[stop].lower not in MARKS | _JOINING | _AGAIN:
@@ -202,6 +265,16 @@ def predicated(document: Document, check: int) -> dict[str, range]:
         is_lack = behind.lower == "out" and tokens[behind.i + 1 : behind.i + 2] and tokens[behind.i + 1].lower == "of"
         found["state" if is_lack else "location"] = range(behind.i, stop)  # "out of milk"
     return found
+
+
+def _goes_with(participle: Token, after: Token) -> bool:
+    """Whether a word belongs to the participle before it: "switched *off*", "watching *it*"."""
+    return after.dep == "prt" or (participle.tag == "VBG" and after.lower in _ITS)
+
+
+def _is_of_nobody(document: Document, check: int) -> bool:
+    words = [normal_form(token.lower) for token in document.tokens[max(0, check - 3) : check + 1]]
+    return words[-1:] == ["is"] and any(tuple(words[-1 - len(nobody) : -1]) == nobody for nobody in _NOBODY)
 
 
 def _subject(document: Document, may: int, check: int) -> range:

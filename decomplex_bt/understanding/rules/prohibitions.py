@@ -17,6 +17,7 @@ _LIMITS = frozenset("only just merely simply".split())
 _NO_NEED = frozenset((("no", "need"), ("no", "reason"), ("no", "use")))
 _NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
+_IN_PLACE_OF = frozenset((("rather", "than"), ("instead", "of")))
 _ENDS = MARKS | {"and", "but", "just", "then"}
 _CONDITIONAL = frozenset(
     "if only_if unless when until before before_that before_all after so else fail depending even_if either_way".split()
@@ -29,16 +30,16 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     """The tokens of the verbs that are forbidden whatever happens, in text order.
 
     A rule of grammar: "do not", "must not", "never" and the like ahead of a bare verb, with no subject but "you", in a
-    sentence without a condition, an order or a question.
+    sentence without a condition, an order or a question; "without", "rather than" and "instead of" ahead of a gerund.
     """
     document = observed.document
     tokens = document.tokens
     negations = [i for i, token in enumerate(tokens) if token.lower in _NEGATIONS]
-    needless = _needless(document)
+    needless, passed = _needless(document), _passed_over(document)
     if not negations and not needless:
-        return ()
+        return tuple(sorted(passed))
     conditional = {document.sentences[cue.first] for cue in observed.cues if cue.name in _CONDITIONAL}
-    found = [
+    found = passed + [
         i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
     ]
     for i in negations:
@@ -77,8 +78,44 @@ def _needless(document: Document) -> list[int]:
 
 
 def is_needless(document: Document, verb: int) -> bool:
-    """Whether a verb of `forbidden` is only not needed ("you don't need to wash it", "no use to wash it")."""
-    return document.tokens[verb - 1].lower == "to"
+    """Whether a verb of `forbidden` is only not needed ("you don't need to wash it", "no use to wash it"), or something
+    else is done in its place ("rather than wash it")."""
+    return document.tokens[verb - 1].lower in ("to", "than", "of")
+
+
+def _passed_over(document: Document) -> list[int]:
+    """The verbs of what is not done in that something else is: "without opening it", "rather than wash it", "instead of
+    washing it"; not "don't leave without locking up"."""
+    tokens = document.tokens
+    found = []
+    for i, token in enumerate(tokens[:-1]):
+        words = tuple(t.lower for t in tokens[max(0, i - 1) : i + 1])
+        is_without = token.lower == "without" and not _is_denied(document, i)
+        if is_without or words in _IN_PLACE_OF:
+            verb = i + 1
+            while verb + 1 < len(tokens) and (tokens[verb].tag == "RB" or tokens[verb].lower == "having"):
+                verb += 1
+            is_verb = tokens[verb].tag == "VBG" or (words == ("rather", "than") and tokens[verb].tag in ("VB", "VBP"))
+            found += [verb, *_added(document, verb)] if is_verb else []
+    return found
+
+
+def _is_denied(document: Document, i: int) -> bool:
+    """Whether a negation stands ahead of a token in its clause."""
+    for j in range(i - 1, -1, -1):
+        if document.tokens[j].lower in _ENDS:
+            return False
+        if document.tokens[j].lower in _NEGATIONS:
+            return True
+    return False
+
+
+def _added(document: Document, verb: int) -> list[int]:
+    """The verbs in the same form that an "and" or "or" joins to a verb."""
+    tokens = document.tokens
+    return [
+        i for i in document.children[verb] if tokens[i].dep == "conj" and tokens[i].tag == tokens[verb].tag == "VBG"
+    ]
 
 
 def _joined(document: Document, verb: int) -> list[int]:

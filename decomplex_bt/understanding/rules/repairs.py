@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from decomplex_bt.understanding.document import ENDS, Document
 
@@ -17,7 +17,8 @@ LONGEST = 6
 """The most words that are said over again."""
 FARTHEST = 16
 """The most tokens between words and their being said over again where something is taken back between."""
-_MARKS = frozenset((",", "-", "–", "—", "...", "…"))
+_DOTS = frozenset(("...", "…"))
+_MARKS = frozenset((",", "-", "–", "—", *_DOTS))
 _HESITATING = frozenset("um uh er erm".split())
 _FILLERS = _MARKS | _HESITATING | frozenset("ah hmm like well sorry wait no please".split())
 """What may stand between something and its being said over again."""
@@ -59,13 +60,20 @@ _OPENING_ORDERS = frozenset("if when unless can could would please just go let".
 _BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
 _CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
+_COORDINATING = frozenset(("and", "or", "then", "but"))
+_PLACING = frozenset(("behind", "inside", "under", "underneath", "beneath"))
+"""Prepositions that are adverbs to the tagger where nothing follows."""
+_NAMED = frozenset(("nsubj", "dobj", "pobj"))
+_OPENING = frozenset(("if", "whether", "unless", "when"))
+_CHECKING = frozenset(("see", "check", "ask", "find", "tell"))
+_ASKING_FOR = frozenset(("could", "can", "would", "will"))
 _STATING = frozenset("he she it they we i that".split())
 _FINITE = frozenset("'s s is are 're re 'm m has have 've ve was were had will 'll wo ca can does do did".split())
 _INTERJECTIONS = frozenset("oh ok okay right now and but so erm".split())
 _ASKING = frozenset("if whether unless when is are has does did 's".split())
 _WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard make need".split())
 """Verbs that take an order back and order nothing themselves: "no, forget the stairs", "no, make that five"."""
-_TAKING_UP = frozenset("it them that those this these one ones there".split())
+_TAKING_UP = frozenset("it them that those this these one ones there him her".split())
 _SUBORDINATING = frozenset("before after once when if while until till unless as".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
@@ -114,18 +122,20 @@ def replaced_orders(document: Document) -> Iterator[range]:
     what they name: "close the window, no, leave it open"."""
     said = _Said.of(document)
     for run in said.runs:
-        order = _order_before(said, run)
-        if order and said.is_strong(run) and _takes_up(said, order):
+        order = _order_before(said, run) if _puts_right(said, run) else range(0)
+        if order and _takes_up(said, order, run):
             yield order
 
 
 @dataclass(frozen=True, slots=True)
 class _Said:
-    """A document's words, lower-cased, with the `runs` of editing words and marks in them."""
+    """A document's words, lower-cased, with the `runs` of editing words and marks in them, and for every word the
+    number of its sentence, which does not end at an ellipsis before a small letter ("open it... no, close it")."""
 
     document: Document
     words: Sequence[str]
     runs: Sequence[range]
+    sentences: Sequence[int]
 
     @classmethod
     def of(cls, document: Document) -> _Said:
@@ -137,10 +147,14 @@ class _Said:
             if stop > i:
                 runs.append(range(i, stop))
             i = max(stop, i + 1)
-        return cls(document, words, runs)
+        ends = [
+            j > 0 and document.sentences[j] != document.sentences[j - 1] and not _is_broken_by_dots(document, j)
+            for j in range(len(words))
+        ]
+        return cls(document, words, runs, tuple(accumulate(ends)))
 
     def are_together(self, one: int, other: int) -> bool:
-        return self.document.sentences[one] == self.document.sentences[other]
+        return self.sentences[one] == self.sentences[other]
 
     def turns(self, run: range, stop: int) -> bool:
         """Whether a run that ends there turns the speaker round: ", wait, ...", but not "ask him to wait, ..."."""
@@ -186,6 +200,11 @@ class _Said:
         if not _YES.isdisjoint(self.words[: run.start]) and said <= _DENYING:
             return False  # "yes, bring it, no, ..." answers
         return bool(said)
+
+
+def _is_broken_by_dots(document: Document, i: int) -> bool:
+    """Whether a sentence goes on at `i`, behind an ellipsis."""
+    return document.tokens[i - 1].text in _DOTS and document.tokens[i].text[0].islower()
 
 
 def _run(document: Document, words: Sequence[str], start: int) -> int:
@@ -257,6 +276,7 @@ def _begun_over(said: _Said, first: int, again: int) -> range:
             (count > 0 and _is_ordered_anew(said, first, again, inner))
             or ((count > 1 or is_opening) and any(_is_broken_off(said, first, run) for run in inner))
             or (count > 1 and _is_resumed(said, again, inner))
+            or (inner[-1].stop == again and _is_cut_short(said, inner[-1]) and _is_asked_again(said, first, again))
         )
     )
     return range(first, again) if is_close and is_over else range(0)
@@ -321,6 +341,12 @@ def _is_order_again(said: _Said, first: int, again: int) -> bool:
     return _is_order(said.document, first) and _is_order(said.document, again)
 
 
+def _is_asked_again(said: _Said, first: int, again: int) -> bool:
+    """As `_is_order_again`, also behind a "could you" and the like."""
+    is_polite = said.words[first] in _ASKING_FOR and said.words[first + 1 : first + 2] == ["you"]
+    return _is_order_again(said, first + 2 * is_polite, again + 2 * is_polite)
+
+
 def _is_added(words: Sequence[str], start: int) -> bool:
     """Whether the clause that begins there is said to come on top of what was said: "could you also ...", "... too"."""
     end = next((i for i in range(start, len(words)) if words[i] in _BREAKS), len(words))
@@ -358,11 +384,45 @@ def _is_broken_off(said: _Said, first: int, run: range) -> bool:
     return not any(token.pos in ("VERB", "AUX") for token in tokens[first : run.start - 1])
 
 
+def _is_cut_short(said: _Said, run: range) -> bool:
+    """Whether an order stops behind a preposition ("check under... check the table")."""
+    last = said.document.tokens[run.start - 1]
+    is_preposition = (last.tag == "IN" or last.dep == "prep" or last.lower in _PLACING) and not said.document.children[
+        last.i
+    ]
+    return is_preposition and said.words[run.start] in _MARKS - {","}
+
+
+def _stub(said: _Said, run: range) -> range:
+    """The verb, with a particle or preposition at most, at which an order is broken off before a run: ", heat... well",
+    "and turn on - no"; empty where none is."""
+    words, tokens = said.words, said.document.tokens
+    if words[run.start] not in _MARKS - {","}:
+        return range(0)
+    for first in range(run.start - 1, max(-1, run.start - 3), -1):
+        if said.begins_clause(first) or words[first - 1] in ("and", "then", "or", "but"):
+            is_verb = tokens[first].tag in ("VB", "VBP", "NN", "JJ") and words[first] == tokens[first].lemma
+            is_led = all(token.pos in ("ADP", "PART", "DET") for token in tokens[first + 1 : run.start])
+            return range(first, run.start) if is_verb and is_led else range(0)
+    return range(0)
+
+
+def _puts_right(said: _Said, run: range) -> bool:
+    """Whether an order behind a run stands in place of the one before: that is taken back, or breaks off and the
+    speaker thinks again."""
+    return said.is_strong(run) or (bool(_stub(said, run)) and said.has(run, ("well", "just", "actually")))
+
+
 def _put_otherwise(said: _Said, run: range) -> range:
     """What stands before a run of editing words and is put otherwise behind it, with the run; empty for nothing."""
     words, tokens = said.words, said.document.tokens
     left, right = run.start - 1, run.stop
-    if left < 0 or right >= len(words) or not said.are_together(left, right):
+    if left < 0 or right >= len(words):
+        return range(0)
+    order = _order_before(said, run) if _puts_right(said, run) else range(0)
+    if order and not _takes_up(said, order, run):
+        return order
+    if not said.are_together(left, right):
         return range(0)
     is_strong = said.is_strong(run)
     is_broken = words[left] in _UNFINISHED and tokens[left].tag in ("DT", "PRP$") and tokens[left].text != "A"
@@ -374,10 +434,9 @@ def _put_otherwise(said: _Said, run: range) -> range:
         return _contrasted(said, left, right)
     if is_broken and tokens[right].pos == "ADP" and left and tokens[left - 1].pos == "ADP":
         return range(left - 1, right)  # "in the, in that box"
-    if is_broken or is_strong:
+    if is_broken and not is_strong:
         order = _order_before(said, run)
-        is_noun = not is_strong and not _has_object(said, order.stop)  # "the, um, plug"
-        if order and not is_noun and not (is_strong and _takes_up(said, order)):
+        if order and _has_object(said, order.stop):  # not "the, um, plug"
             return order
     if not is_strong:
         return range(0)
@@ -463,27 +522,60 @@ def _phrase_before(said: _Said, run: range) -> range:
 
 
 def _order_before(said: _Said, run: range) -> range:
-    """The order before a run, and the run, where another order stands behind it."""
-    words = said.words
-    left, right = run.start - 1, run.stop
-    while right < len(words) and words[right] in ("just", "please", "then"):
-        right += 1
-    if left < 0 or right >= len(words) or not said.are_together(left, right):
+    """The order before a run, and the run, where another order stands behind it, in its sentence or, where the run
+    begins that, in the sentence before. What breaks off behind an "and" stands in place of nothing, unless it is said
+    to be all: "wash it and... no, just dry it"."""
+    words, tokens = said.words, said.document.tokens
+    left, right = run.start - 1, _order_behind(said, run)
+    if left < 0 or right >= len(words) or not (said.are_together(left, right) or _is_second_thought(said, run, right)):
         return range(0)
     end = next((i for i in range(right, len(words)) if not said.are_together(i, right)), len(words))
     is_other = _is_order(said.document, right) and words[right] not in _WITHDRAWING and right + 1 < end
     is_other = is_other and words[right + 1] not in _EDITING
     if not is_other or not _AHEAD.isdisjoint(words[right:end]) or {"and", "also"} & set(words[run.start : run.stop]):
         return range(0)
-    for i in range(left, -1, -1):
-        if not said.are_together(i, right):
+    stub = _stub(said, run)
+    if stub:
+        return range(stub.start, right)
+    if words[left] in _COORDINATING:
+        if "just" not in words[run.start : right]:
+            return range(run.start, right)
+        left -= 1
+    for i in range(left - (words[left] in ENDS), -1, -1):
+        if not said.are_together(i, left):
             break
-        if _is_order(said.document, i) and said.document.tokens[i].dep not in _WITHIN:
+        if _is_order(said.document, i) and tokens[i].dep not in _WITHIN:
             is_subordinate = not _SUBORDINATING.isdisjoint(words[max(0, i - 2) : i])
-            return range(0) if is_subordinate else range(i, right)
-        if words[i] in _BREAKS or words[i] in _ASKING:
+            is_forbidden = i > 0 and words[i - 1] in ("not", "n't", "never")
+            return range(0) if is_subordinate or is_forbidden else range(i, right)
+        is_asked = words[i] in ("if", "whether") and any(t.lemma in _CHECKING for t in tokens[max(0, i - 3) : i])
+        is_joined = words[i] in ("and", "or") and tokens[i + 1].pos in _NAMING
+        is_asking = words[i] in _ASKING and (words[i] in _OPENING or said.begins_clause(i))
+        if (words[i] in _BREAKS and not is_joined) or (is_asking and not is_asked):
             break
     return range(0)
+
+
+def _order_behind(said: _Said, run: range) -> int:
+    """Where the verb of an order behind a run would stand: "no, just *put* it here", "no, could you *put* it here"."""
+    words, right = said.words, run.stop
+    if words[right : right + 1] != [] and words[right] in _ASKING_FOR and words[right + 1 : right + 2] == ["you"]:
+        right += 2
+    while right < len(words) and words[right] in ("just", "please", "then"):
+        right += 1
+    return right
+
+
+def _is_second_thought(said: _Said, run: range, right: int) -> bool:
+    """Whether a run begins a sentence that puts an order of the sentence before right. "No, then turn it on" answers,
+    and behind an "if" or a "yes" a lone "no" does so."""
+    words, left = said.words, run.start - 1
+    if words[left] not in ENDS and words[run.start] not in _DOTS:
+        return False
+    before = [words[i] for i in range(run.start) if said.are_together(i, left)]
+    is_alone = {word for word in words[run.start : run.stop] if word not in _MARKS} <= _DENYING
+    is_conditional = not {"if", "when", "unless", "whether"}.isdisjoint(before)
+    return "then" not in words[run.stop : right] and not (is_alone and is_conditional)
 
 
 def _has_object(said: _Said, verb: int) -> bool:
@@ -491,19 +583,23 @@ def _has_object(said: _Said, verb: int) -> bool:
     return any(token.tag in ("DT", "PRP", "PRP$") for token in said.document.tokens[verb + 1 : verb + 2])
 
 
-def _takes_up(said: _Said, order: range) -> bool:
-    """Whether the order in place of another speaks of what that names: "close the window, no, leave it open"."""
+def _takes_up(said: _Said, order: range, run: range) -> bool:
+    """Whether the order in place of another, behind a run, speaks of what that names: "close the window, no, leave it
+    open"."""
     end = next((i for i in range(order.stop, len(said.words)) if said.words[i] in _BREAKS), len(said.words))
-    names = any(token.pos in ("NOUN", "PROPN") for token in said.document.tokens[order.start : order.stop])
+    replaced = said.document.tokens[order.start + 1 : run.start]
+    names = any(token.pos in ("NOUN", "PROPN") or token.dep in _NAMED for token in replaced)
     return names and not _TAKING_UP.isdisjoint(said.words[order.stop : end])
 
 
 def _is_order(document: Document, i: int) -> bool:
     """Whether a token is a verb in its bare form whose subject is none but "you"; the tagger takes that of "hoover the
-    stairs" for a noun."""
+    stairs" for a noun, and that of "Empty the bin" for an adjective."""
     token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
     clause = next((j + 1 for j in range(i - 1, -1, -1) if document.tokens[j].text in _MARKS), 0)
     near = (document.tokens[j] for j in document.children[i] if j >= clause)
     subjects = {token.lower for token in near if token.dep in _SUBJECTS}
-    is_verb = token.pos == "VERB" or (token.tag == "NN" and bool(following) and following[0].tag in ("DT", "PRP$"))
+    is_first = i == 0 or document.tokens[i - 1].text in ENDS
+    kinds = ("NN", "NNP", "JJ") if is_first else ("NN",)
+    is_verb = token.pos == "VERB" or (token.tag in kinds and bool(following) and following[0].tag in ("DT", "PRP$"))
     return is_verb and token.lower == token.lemma and subjects <= {"you"}
