@@ -66,6 +66,11 @@ class Document:
         return len(self.tokens)
 
     @cached_property
+    def words(self) -> frozenset[str]:
+        """All words, in lower case: whether one is said at all."""
+        return frozenset(token.lower for token in self.tokens)
+
+    @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
         """For every token the indices of its dependents, left to right."""
         children: list[list[int]] = [[] for _ in self.tokens]
