@@ -15,19 +15,24 @@ import os
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
+from importlib.util import find_spec
 
 from decomplex_bt.corpus import read_split
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.document import MODELS
 from decomplex_bt.understanding.interpreter import Interpreter, has_encoder
 
 COLD = (
     "from decomplex_bt.understanding.interpreter import Interpreter;"
     "Interpreter.load(encoder={encoder}).interpret('Close the door.')"
 )
-COLD_BARE = "from decomplex_bt.understanding.document import Parser; Parser()._nlp('Close the door.')"
+MODEL = next(name for name in MODELS.values() if find_spec(name))
+BARE = {"exclude": ["ner", "senter"]}
+COLD_BARE = f"import {MODEL}; {MODEL}.load(**{BARE})('Close the door.')"
 PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 
 
@@ -49,7 +54,7 @@ def main() -> None:
     rounds = arguments.parse_args().rounds
     domain = load_domain("household")
     texts = [e.instruction.text for e in read_split(domain.folder / "corpus", domain.ontology, "test")][:100]
-    nlp = Parser()._nlp
+    nlp = import_module(MODEL).load(**BARE)
     ratio, _ = median_ratio(lambda: [nlp(t) for t in texts], lambda: list(nlp.pipe(texts, batch_size=128)), rounds)
     print(f"bare spaCy in a batch is {ratio:.2f} times as fast as one by one")
     for encoder in (False, True) if has_encoder(domain.folder / "models") else (False,):
@@ -81,14 +86,20 @@ def measure(interpreter: Interpreter, nlp: Callable[[str], object], texts: Seque
 def measure_cold(encoder: bool, rounds: int) -> None:
     """Prints the ratio of a process that parses one instruction, and its peak memory."""
     program = COLD.format(encoder=encoder)
-    ratio, took = median_ratio(lambda: run(program), lambda: run(COLD_BARE), rounds)
+    with tempfile.TemporaryDirectory() as folder:
+        # all modules compiled before, as an installer leaves them
+        environment = {**os.environ, "PYTHONPYCACHEPREFIX": folder, "PYTHONDONTWRITEBYTECODE": ""}
+        memory = int(run(program + PEAK, environment)) / 1024
+        run(COLD_BARE, environment)
+        ratio, took = median_ratio(lambda: run(program, environment), lambda: run(COLD_BARE, environment), rounds)
     print(f"  a cold parse: {took:.2f} s, {ratio:.2f} times a process that only loads spaCy and the model")
-    print(f"  peak memory of a cold parse: {int(run(program + PEAK)) / 1024:.0f} MB")
+    print(f"  peak memory of a cold parse: {memory:.0f} MB")
 
 
-def run(program: str) -> str:
+def run(program: str, environment: Mapping[str, str]) -> str:
     """What a Python program prints in a process of its own."""
-    return subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True).stdout
+    command = [sys.executable, "-c", program]
+    return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
 
 
 if __name__ == "__main__":

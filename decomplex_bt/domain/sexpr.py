@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 Sexpr = str | tuple["Sexpr", ...]
 
 _TOKEN = re.compile(r";[^\n]*|[()]|[^\s();]+")
 
 
+@lru_cache(maxsize=4)  # each section of a domain is asked for on its own
 def read_sexpr(text: str) -> Sexpr:
     """The one expression that the text holds, without comments. Raises `ValueError` where parentheses do not match."""
     tokens = (match[0].lower() for match in _TOKEN.finditer(text) if not match[0].startswith(";"))

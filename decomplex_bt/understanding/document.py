@@ -14,6 +14,7 @@ from typing import Any
 
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
+from decomplex_bt.understanding.attributes import KnownMatches
 
 ENDS = frozenset((".", "?", "!", ";"))
 """Marks that end a sentence."""
@@ -63,6 +64,11 @@ class Document:
 
     def __len__(self) -> int:
         return len(self.tokens)
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """All words, in lower case: whether one is said at all."""
+        return frozenset(token.lower for token in self.tokens)
 
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
@@ -223,6 +229,8 @@ def _load_pipeline() -> Any:
             continue
         nlp = importlib.import_module(module_name).load(exclude=["ner", "senter"])
         _check_pipeline(nlp.meta["name"], nlp.meta["version"], nlp.pipe_names, expected_name=name)
+        ruler = nlp.get_pipe("attribute_ruler")
+        ruler.matcher = KnownMatches(ruler)
         return nlp
     raise LanguageModelError(
         f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "

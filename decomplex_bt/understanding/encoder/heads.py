@@ -58,8 +58,9 @@ class Heads:
 
     def _biaffine(self, name: str, x: Array, y: Array, offsets: Array) -> Array:
         a, b = _with_one(_gelu(self._linear(f"{name}.a", x))), _with_one(_gelu(self._linear(f"{name}.b", y)))
-        scores = np.einsum("ih,ohk,jk->ijo", a, self._weights[f"{name}.u"], b, optimize=True)
-        return scores + self._weights[f"{name}.dist.weight"][np.clip(offsets, -FARTHEST, FARTHEST) + FARTHEST]
+        scores = a @ self._weights[f"{name}.u"] @ b.T  # (labels, x, y)
+        distances = np.clip(offsets, -FARTHEST, FARTHEST) + FARTHEST
+        return np.moveaxis(scores, 0, -1) + self._weights[f"{name}.dist.weight"][distances]
 
 
 def _product(x: Array, y: Array) -> Array:

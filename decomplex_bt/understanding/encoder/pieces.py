@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from decomplex_bt.understanding.damage import ModelError
 
 START, END, UNKNOWN = "[CLS]", "[SEP]", "[UNK]"
 MAX_PIECES = 512
+MAX_WORDS = 4096
+"""Of how many words the pieces are remembered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +37,7 @@ class Pieces:
         self._tokenizer.no_truncation()
         self._tokenizer.no_padding()
         self._start, self._end, self._unknown = (self._id(name, path) for name in (START, END, UNKNOWN))
+        self._of_word = lru_cache(maxsize=MAX_WORDS)(self._of_new_word)
 
     def _id(self, piece: str, path: Path) -> int:
         number = self._tokenizer.token_to_id(piece)
@@ -50,10 +54,13 @@ class Pieces:
     def of(self, tokens: Sequence[str], marks: Mapping[int, int] | None = None) -> Pieced:
         """The pieces of a text's tokens; `marks`: the piece to put before a token."""
         ids, firsts = [self._start], []
-        for i, encoding in enumerate(self._tokenizer.encode_batch(list(tokens), add_special_tokens=False)):
+        for i, token in enumerate(tokens):
             firsts.append(len(ids))
             if marks and i in marks:
                 ids.append(marks[i])
-            ids += encoding.ids or [self._unknown]
+            ids += self._of_word(token)
         last = MAX_PIECES - 2
         return Pieced((*ids[: last + 1], self._end), tuple(min(first, last) for first in firsts))
+
+    def _of_new_word(self, word: str) -> list[int]:
+        return self._tokenizer.encode(word, add_special_tokens=False).ids or [self._unknown]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise
 
 from decomplex_bt.flow import Flow, If, Node
@@ -56,7 +57,6 @@ class Context:
     tasks: Sequence[Task]
     flow: Flow
     pool: list[Candidate] = field(init=False)
-    predicates: list[Candidate] = field(init=False)
     mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
     fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
     paths: dict[int, tuple[tuple[int, str], ...]] = field(init=False, default_factory=dict)
@@ -67,7 +67,6 @@ class Context:
 
     def __post_init__(self) -> None:
         self.pool = candidates_of(self.observed, self.tasks)
-        self.predicates = predicates_of(self.observed, self.tasks)
         for candidate in self.pool:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
@@ -79,6 +78,10 @@ class Context:
         self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
         self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
         self.types = {task.id: task.type for task in self.tasks}
+
+    @cached_property
+    def predicates(self) -> list[Candidate]:
+        return predicates_of(self.observed, self.tasks)
 
     def _lemma(self, task: Task) -> str:
         document = self.observed.document

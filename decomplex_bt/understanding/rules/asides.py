@@ -19,6 +19,8 @@ _CONCEDING = tuple(
         "regardless of whether", "irrespective of whether",
     )
 )  # fmt: skip
+_FIRST_CONCEDING = frozenset(first for first, *_ in _CONCEDING)
+_LONGEST_CONCEDING = max(map(len, _CONCEDING))
 _PERSONS = frozenset(("he", "she", "i", "we"))
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
@@ -49,8 +51,7 @@ def _all_of(
     document: Document, tasks: Collection[int], kinds: Sequence[Callable[[Document, int], range | None]]
 ) -> frozenset[int]:
     found: set[int] = set()
-    said = {token.lower for token in document.tokens}
-    asked = [kind for kind in kinds if not said.isdisjoint(_TELLING[kind])]  # most instructions have no aside
+    asked = [kind for kind in kinds if not document.words.isdisjoint(_TELLING[kind])]  # most instructions have no aside
     for words in (kind(document, i) for kind in asked for i in range(len(document))):
         if words is not None and not any(i in tasks for i in words):
             found.update(words)
@@ -78,7 +79,7 @@ def concession(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
     is on", "dirty or not, ..."); or None. "Even if it is" takes a condition up."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[at].lower in _CLAUSE_ENDS or not any(token.lower in _TELLING[concession] for token in tokens):
+    if tokens[at].lower in _CLAUSE_ENDS or document.words.isdisjoint(_TELLING[concession]):
         return None
     either = _either(document, at)
     if either is not None:
@@ -86,12 +87,11 @@ def concession(document: Document, at: int) -> range | None:
     start = stop = at
     while start and sentences[start - 1] == sentences[at] and tokens[start - 1].lower not in MARKS:
         start -= 1
-        if any(_says(document, start, phrase) for phrase in _CONCEDING):
+        if _concedes(document, start):
             break
     while stop < len(tokens) and sentences[stop] == sentences[at] and tokens[stop].lower not in _CLAUSE_ENDS:
         stop += 1
-    is_conceded = any(_says(document, start, phrase) for phrase in _CONCEDING)
-    return range(start, stop) if is_conceded and tokens[stop - 1].pos != "AUX" else None
+    return range(start, stop) if _concedes(document, start) and tokens[stop - 1].pos != "AUX" else None
 
 
 def _either(document: Document, at: int) -> range | None:
@@ -114,8 +114,9 @@ def _either(document: Document, at: int) -> range | None:
     return range(start, stop) if joint == "or" and (other == "not" or are_opposites) else None
 
 
-def _says(document: Document, start: int, phrase: tuple[str, ...]) -> bool:
-    return tuple(token.lower for token in document.tokens[start : start + len(phrase)]) == phrase
+def _concedes(document: Document, start: int) -> bool:
+    words = [token.lower for token in document.tokens[start : start + _LONGEST_CONCEDING]]
+    return words[0] in _FIRST_CONCEDING and any(tuple(words[: len(phrase)]) == phrase for phrase in _CONCEDING)
 
 
 def means(document: Document, at: int, tasks: Mapping[int, str]) -> range | None:
@@ -184,6 +185,6 @@ _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
     musing: frozenset(("let",)),
     reason: _REASONS,
-    concession: frozenset(phrase[0] for phrase in _CONCEDING) | {"or"},
+    concession: _FIRST_CONCEDING | {"or"},
 }
 """For each kind of aside words of which it has one."""
