@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.evidence import is_there
@@ -29,7 +30,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
         if referent not in bindings:
             named[referent] = tuple(
                 name
-                for name in referent.candidates
+                for name in _without_others(referent, bindings)
                 if _is_somewhere(domain, truth, name)
                 and all(truth.state(name, pair) == value for pair, value in referent.where)
             )
@@ -39,6 +40,24 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                     name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
                 )
     return named
+
+
+def _without_others(referent: Referent, bindings: Bindings) -> tuple[str, ...]:
+    """Its candidates for which those that it is other than leave enough of what they may still mean."""
+    taken = [(bindings[other], other.count) for other in referent.others if other in bindings]
+    return tuple(name for name in referent.candidates if _leaves_enough(name, taken))
+
+
+def _leaves_enough(name: str, taken: list[tuple[tuple[str, ...], int]]) -> bool:
+    """Whether each of these groups can still have as many as it needs, none of them in two groups."""
+    if not taken:
+        return True
+    (names, count), *rest = taken
+    left = [other for other in names if other != name]
+    return any(
+        _leaves_enough(name, [(tuple(n for n in group if n not in chosen), need) for group, need in rest])
+        for chosen in combinations(left, min(count, len(names)))
+    )
 
 
 def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:

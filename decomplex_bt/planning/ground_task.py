@@ -19,8 +19,9 @@ class Referent:
     names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `is_any`:
     whichever they are ("a window", "the tv or the radio"): a check of them is false only when none of them will do,
     while that of a certain one ("the mug") is settled by the first one seen. `where`: state pairs and values by which
-    one is told from another ("the clean mug"). Equal referents of one instruction are one and the same: who binds one
-    binds all.
+    one is told from another ("the clean mug"). `others`: referents none of which it is ("the other mug"): what they
+    have turned out to mean is none of its candidates. Equal referents of one instruction are one and the same: who
+    binds one binds all.
     """
 
     phrase: str
@@ -29,23 +30,26 @@ class Referent:
     count: int = 1
     where: tuple[tuple[str, str], ...] = ()
     is_any: bool = False
+    others: tuple[Referent, ...] = ()
 
     @property
     def choice(self) -> str:
         """Which of what is meant, as in "2 of cup_1 | cup_2 | cup_3 (clean)"."""
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
         told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""
-        return f"{quantity}{' | '.join(self.candidates)}{told_by}"
+        but = f" other than {', '.join(repr(other.phrase) for other in self.others)}" if self.others else ""
+        return f"{quantity}{' | '.join(self.candidates)}{told_by}{but}"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, keys in this order."""
-        return {
+        """Plain values, keys in this order; "other_than" where there are others."""
+        value = {
             "phrase": self.phrase,
             "candidates": list(self.candidates),
             "all": self.is_all,
             "count": self.count,
             "where": dict(self.where),
         }
+        return {**value, "other_than": [other.phrase for other in self.others]} if self.others else value
 
     def __str__(self) -> str:
         return f"{self.phrase!r}: {self.choice}"

@@ -15,6 +15,7 @@ from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.others import too_few
 from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
@@ -59,10 +60,14 @@ class _Grounder:
         self.instruction, self.domain, self.ask = instruction, domain, ask
         self.house = domain.house
         self.mentions = {n.task: [instruction.task(i) for i in n.tasks[1:]] for n, _ in instruction.flow.walk()}
-        self.wording, self.referents = Wording(instruction, domain), Referents(instruction.text, domain)
+        self.wording, self.referents = (
+            Wording(instruction, domain),
+            Referents(instruction.text, instruction.flow, domain),
+        )
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
+        self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
@@ -153,6 +158,7 @@ class _Grounder:
         if len(people) > 1 or people[0].is_all:
             who = " and ".join(person.phrase for person in people)
             raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
+        self.referents.others.give(grounded.objects)
         return replace(grounded, recipients=people)
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
@@ -392,8 +398,25 @@ class _Grounder:
                 objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
+        objects = self._joined(objects)
         self._refuse_everything(task, objects, inner)
         return tuple(objects), tuple(inner)
+
+    def _joined(self, objects: list[Referent]) -> list[Referent]:
+        """The objects of one task where one is other than another of them: "a pen and one more" are two pens."""
+        joined: list[Referent] = []
+        for referent in objects:
+            same = next((other for other in joined if other in referent.others), None)
+            if same is None or same.candidates != referent.candidates:
+                joined.append(referent)
+                continue
+            both = replace(same, count=same.count + referent.count)
+            if both.count > len(both.candidates):
+                raise too_few(referent.phrase, both.candidates)
+            self.referents.settle(same, both)
+            self.referents.settle(referent, both)
+            joined[joined.index(same)] = both
+        return joined
 
     def _less(self, grounded: GroundTask, task: Task, left_out: str) -> GroundTask:
         """The grounded task without the objects that are left out."""

@@ -229,6 +229,14 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     thing itself, and "the black one" no grey hoodie."""
     tokens = observed.document.tokens
     worded = list(spellings(observed.document, gap, candidate))
+    words = {tokens[i].lower for i in gap.tokens}
+    if not words.isdisjoint(_OTHER):
+        # "the other one" is none of those named, and in contrast with "the red mug" it is not red
+        is_told = "another" not in words and _modifier(observed, _named(candidate)) == "colour"
+        red = tokens[candidate.head - 1].text if is_told else ""
+        worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
+        worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
     if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
@@ -249,6 +257,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
 
 
 _LACKING = frozenset(("no", "few"))
+_OTHER = frozenset(("other", "others", "another"))
+_ONES = frozenset(("one", "ones"))
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
