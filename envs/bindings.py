@@ -23,10 +23,11 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
     """The bindings when a task becomes due: phrases not met before mean what fits them now.
 
     That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
-    meant, at the place that the task names. What fits may be nothing.
+    meant or it is only to be taken from there, at the place that the task names. What fits may be nothing.
     """
     named = dict(bindings)
     for referent in task.referents():
+        is_only_there = task.is_only_there and referent in task.objects
         if referent not in bindings:
             named[referent] = tuple(
                 name
@@ -34,12 +35,18 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                 if _is_somewhere(domain, truth, name)
                 and all(truth.state(name, pair) == value for pair, value in referent.where)
             )
-            if referent.is_all and referent in task.objects and task.places:
-                wheres = [where for place in task.places for where in candidates(place, bindings)]
-                named[referent] = tuple(
-                    name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
-                )
+        if is_only_there or (referent not in bindings and referent.is_all and referent in task.objects and task.places):
+            wheres = [where for place in task.places for where in candidates(place, bindings)]
+            named[referent] = tuple(
+                name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
+            )
     return named
+
+
+def given_up(task: GroundTask, bindings: Bindings) -> Bindings:
+    """The bindings after a task that could not be done: what is not there may be meant elsewhere by a later one."""
+    dropped = task.objects if task.is_only_there else ()
+    return {referent: names for referent, names in bindings.items() if referent not in dropped}
 
 
 def _without_others(referent: Referent, bindings: Bindings) -> tuple[str, ...]:

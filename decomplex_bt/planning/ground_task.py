@@ -65,7 +65,8 @@ class GroundTask:
     ends (place, room, person, or thing beside which it ends). `recipients`: who hears it, one referent for each
     coordinated phrase, or the one who gets it. `state`: the value
     wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
-    are *not* there ("if Anna is out"). `message`: what is said. `span`: the verb
+    are *not* there ("if Anna is out"). `is_only_there`: whether the objects are to be taken from the places and from
+    nowhere else, so that it cannot be done where they are not there. `message`: what is said. `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -79,6 +80,7 @@ class GroundTask:
     recipients: tuple[Referent, ...] = ()
     state: str | None = None
     is_denied: bool = False
+    is_only_there: bool = False
     message: str | None = None
 
     @property
@@ -105,7 +107,7 @@ class GroundTask:
     def __str__(self) -> str:
         parts = [f"{self.number} {self.type}"]
         parts += [f"object {referent}" for referent in self.objects]
-        parts += [f"at {referent}" for referent in self.places]
+        parts += [f"{'only ' if self.is_only_there else ''}at {referent}" for referent in self.places]
         parts += [f"goal {self.goal}"] if self.goal else []
         parts += [f"to {referent}" for referent in self.recipients]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []

@@ -16,7 +16,7 @@ from decomplex_bt.planning.abilities import bringable_values
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.others import too_few
-from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
+from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of, split_preposition
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -26,6 +26,7 @@ Ask = Callable[[Missing], str | None]
 """Answers a question about a missing argument, None if it has no answer."""
 
 FILL, EMPTY = "fill", "empty"
+FINDING_OUT = ("searching", "check_state")
 SOMEBODY = "somebody"
 
 
@@ -139,7 +140,23 @@ class _Grounder:
     def _taking(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "source", "location")
         objects, inner = self._objects(task, self.referents.is_thing, "be carried")
-        return replace(bare, objects=objects, places=places + inner)
+        return replace(bare, objects=objects, places=places + inner, is_only_there=self._is_only_there(task))
+
+    def _is_only_there(self, task: Task) -> bool:
+        """Whether a later mention asks if the things are where the task takes them from ("if it isn't there")."""
+        sources = {self._place_words(a.value) for a in task.arguments if a.type in ("source", "location")}
+        return bool(sources) and any(
+            self._place_words(argument.value) in sources or self._is_there(argument)
+            for mention in self.mentions.get(task.id, ())
+            if mention.type in FINDING_OUT and (argument := mention.argument("location", "source")) is not None
+        )
+
+    def _place_words(self, words: str) -> str:
+        return split_preposition(words, self.domain)[1]
+
+    def _is_there(self, argument: Argument) -> bool:
+        """Whether a place is said as "there", which a reading may have taken for where the thing goes."""
+        return argument.span is not None and argument.span.of(self.instruction.text).lower() == "there"
 
     def _placing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
@@ -296,7 +313,11 @@ class _Grounder:
         return task
 
     def _with_mentions(self, task: Task) -> Task:
-        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …")."""
+        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …"), a
+        search with where they say that it looks ("Open the drawer and look for the pen. If it is there, …")."""
+        if task.type == "searching" and task.argument("location", "source") is None:
+            where = self._mentioned_place(task)
+            return task if where is None else replace(task, arguments=(*task.arguments, where))
         if task.type != "check_state" or not self.wording.is_bare_check(task):
             return task
         for mention in self.mentions.get(task.id, ()):
@@ -309,6 +330,12 @@ class _Grounder:
             if said is not None and is_same and picked_words(said, self.instruction.text, self.domain):
                 task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
         return task
+
+    def _mentioned_place(self, task: Task) -> Argument | None:
+        """Where later mentions of a search say that it looks."""
+        mentions = (m for m in self.mentions.get(task.id, ()) if m.type in FINDING_OUT)
+        places = (place for m in mentions if (place := m.argument("location")) is not None)
+        return next((place for place in places if not self.wording.is_presence(place.value)), None)
 
     def _answer(self, task: Task, argument: str, question: str) -> str:
         missing = next((m for m in self.instruction.missing if (m.task, m.argument) == (task.id, argument)), None)

@@ -86,6 +86,8 @@ class _Pursuer(Handling):
             return Pursuit(PursuitStatus.DONE, truth=False, reason=str(error), bindings=self.bindings)
 
     def _taking(self) -> Pursuit:
+        if (search := self._look_there()) is not None:
+            return search
         return self._handle("taking", lambda name: self.belief.carried(name) >= self.since, {})
 
     def _placing(self) -> Pursuit:

@@ -62,6 +62,16 @@ def test_where_either_will_do_the_other_is_what_is_left():
     assert episode.put("cup_2", "counter").is_success
 
 
+@pytest.mark.parametrize(("place", "truth"), [("bookshelf", True), ("couch", False)])
+def test_what_is_only_to_be_taken_from_there_cannot_be_from_elsewhere(place: str, truth: bool):
+    book = referent("book_1", "book_2", phrase="the book")
+    fetch = replace(task(1, "bringing", book, at=["bookshelf"], recipient="user"), is_only_there=True)
+    search = task(2, "searching", book, at=["couch"])
+    episode = Episode(HandWorld({"book_1": place}), [{"if": 1, "else": [2]}], fetch, search)
+    assert episode.truths == [(1, truth if truth is False else None, None if truth else "else")]
+    assert episode.see("book_1").is_success is not truth
+
+
 def test_motion_to_several_places_is_done_when_each_was_visited():
     tables = referent("kitchen_table", "coffee_table", "hallway_table", phrase="the two tables", count=2)
     episode = Episode(HandWorld(), [1], task(1, "motion", goal=tables))
