@@ -144,7 +144,10 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     identity = _identity(context, gap)
+    containers = _containers(context, gap)
     for candidate in context.pool:
+        if containers and candidate not in containers:
+            continue
         if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
             continue
         if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
@@ -178,7 +181,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    if not (is_pointed and options):
+    if not ((is_pointed or containers) and options):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 
@@ -195,6 +198,39 @@ def _identity(context: Context, gap: Gap) -> range:
     if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
         return range(0)
     return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
+
+
+def _containers(context: Context, gap: Gap) -> list[Candidate]:
+    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
+    where "there" can be nothing before, the one after.
+
+    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
+    """
+    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
+    if not is_inside or gap.type not in ("location", "source"):
+        return []
+    tokens = context.observed.document.tokens
+    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
+    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
+        return []
+    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
+    if any(_kind(context, candidate) in _ANIMATE for candidate in own):
+        return []
+    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
+    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
+    return next(
+        (
+            found
+            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
+            if (found := [c for c in able if c.owner in tasks])
+        ),
+        [],
+    )
+
+
+def _has_inside(context: Context, candidate: Candidate) -> bool:
+    words = candidate.text.lower().split()
+    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
 
 
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -264,6 +300,7 @@ _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
+_PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _TOGETHER = frozenset("both them they those these either".split())
