@@ -305,6 +305,7 @@ class Monitor:
         """The task not due that this step brought about in a reading, if any."""
         due = self.instruction.task(reading.due.task) if reading.due is not None else None
         pursued = [self.instruction.task(number) for number in reading.untold] + ([due] if due is not None else [])
+        pursued += [task.question for task in pursued if task.question is not None]
         is_excused = event is None or due is None
         if event is not None and not is_excused:
             is_excused = any(is_means(event, goal, reading.bindings, self.domain) for goal in pursued)

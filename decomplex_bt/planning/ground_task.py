@@ -66,7 +66,8 @@ class GroundTask:
     coordinated phrase, or the one who gets it. `state`: the value
     wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
     are *not* there ("if Anna is out"). `is_only_there`: whether the objects are to be taken from the places and from
-    nowhere else, so that it cannot be done where they are not there. `message`: what is said. `span`: the verb
+    nowhere else, so that it cannot be done where they are not there. `message`: what is said; `question`: the check or
+    search that answers it ("whether the lamp is on"), which the robot makes before it says it. `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -82,6 +83,7 @@ class GroundTask:
     is_denied: bool = False
     is_only_there: bool = False
     message: str | None = None
+    question: GroundTask | None = None
 
     @property
     def target(self) -> Referent | None:
@@ -112,6 +114,7 @@ class GroundTask:
         parts += [f"to {referent}" for referent in self.recipients]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
+        parts += [f"after ({self.question})"] if self.question else []
         return "; ".join(parts)
 
 

@@ -17,6 +17,7 @@ from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, with
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.others import too_few
 from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of, split_preposition
+from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -272,7 +273,21 @@ class _Grounder:
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         recipient = task.argument("recipient")
         people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
-        return replace(bare, recipients=people, message=task.value("message"))
+        return replace(bare, recipients=people, message=task.value("message"), question=self._question(task, bare))
+
+    def _question(self, task: Task, bare: GroundTask) -> GroundTask | None:
+        """What is to be found out before it is said: where a message asks for what can be seen here; else None."""
+        asked = question_of(task.value("message") or "")
+        if asked is None:
+            return None
+        kind, arguments = asked
+        check = replace(task, type=kind, arguments=arguments)
+        try:
+            if kind == "searching":
+                return self._searching(check, replace(bare, type=kind), None)
+            return self._check_state(check, replace(bare, type=kind), None)
+        except InputError:
+            return None
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""

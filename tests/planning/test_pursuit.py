@@ -250,6 +250,30 @@ def test_somebody_is_told_where_they_are() -> None:
     assert names(inside)[-1] == "(say anna)"
 
 
+@pytest.mark.parametrize(
+    ("message", "looked_at"),
+    [
+        ("whether the fan is on", "bedroom"),
+        ("if there is milk in the fridge", "fridge"),
+        ("where the ball is", "study"),
+        ("what's in the wardrobe", "wardrobe"),
+        ("whether the ball is in the box or not", "study"),
+    ],
+)
+def test_what_is_asked_for_is_looked_at_before_it_is_told(message: str, looked_at: str) -> None:
+    inside = world({"ball": "box", "user": "bathroom"})
+    told = run(f"[Tell](1:informing) [me](1:recipient) [{message}](1:message)", inside)[0]
+    assert told.status is DONE
+    assert any(looked_at in step.objects for step in inside.steps[:-1])
+    assert inside.steps[-1].name == "say"
+
+
+@pytest.mark.parametrize("message", ["that the fan is on", "whether it is ready", "dinner is ready", "if you can"])
+def test_what_nobody_can_see_is_told_at_once(message: str) -> None:
+    text = f"[Tell](1:informing) [me](1:recipient) [{message}](1:message)"
+    assert ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0].question is None
+
+
 def test_saying_it_for_one_task_is_not_saying_it_for_the_next() -> None:
     inside = world()
     run(
