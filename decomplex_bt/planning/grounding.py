@@ -391,7 +391,8 @@ class _Grounder:
             return name not in self.house.rooms and bool(pairs & set(self._states(name)))
 
         rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
-        label = f"be {state or words}"
+        values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
+        label = f"be {state or words}: being {values} is not modelled for {{}}"
         return self._objects(task, has_state, label, rooms=rooms)
 
     def _pairs_meant(self, words: str | None, state: str | None) -> set[str]:

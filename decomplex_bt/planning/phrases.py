@@ -455,7 +455,7 @@ def _unknown(words: str, domain: Domain) -> UnknownWordError:
         (found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None
     )
     if known is not None:
-        return UnknownWordError(words, [_describe(name, domain) for name in (*known[0], *known[1])[:4]])
+        return UnknownWordError(words, _unique(tuple(_describe(name, domain) for name in (*known[0], *known[1])))[:4])
     noun = " ".join(tokens) or words
     return UnknownWordError(words, domain.nouns.nearest(noun) or domain.nouns.nearest(noun.split()[-1]))
 

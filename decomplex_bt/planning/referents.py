@@ -74,7 +74,9 @@ class Referents:
             near = [place for name in referent.candidates for place in self._beside(name)]
             return replace(referent, candidates=tuple(dict.fromkeys(near)))
         if fit is None or all(self.is_thing(name) for name in fit.candidates):
-            raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
+            raise ImpossibleGoalError(
+                f"nothing can be put there: {words!r} names neither a surface nor a container of this house"
+            )
         return fit
 
     def place(self, argument: Argument, *, people: bool = False) -> Referent:
@@ -119,7 +121,8 @@ class Referents:
         is_place: bool,
     ) -> Referent:
         """The referent of a noun phrase: of what it names, what fits; of a pronoun what the same words meant before,
-        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits.
+        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits: it "cannot" `ability`,
+        with the kind of what is named in place of "{}".
         """
         words = split_preposition(phrase.text, self._domain)[1]
         is_pronoun = phrase.is_pronoun and not rooms
@@ -135,9 +138,9 @@ class Referents:
             names = tuple(name for name in self._house.places() if fits(name))  # "turn everything off"
         if not names:
             first = (*phrase.entities, *phrase.plurals)[0]
-            raise ImpossibleGoalError(
-                f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
-            )
+            kind = self._domain.kind(first).words[0] if self.is_thing(first) else first.replace("_", " ")
+            why = ability.format(kind) if "{}" in ability else f"{ability} ({kind} is what it names here)"
+            raise ImpossibleGoalError(f"{phrase.text!r} cannot {why}")
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
         named, others = self.others.than(phrase, names)
         if rooms:
