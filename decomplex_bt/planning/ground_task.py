@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from decomplex_bt.flow import Flow
+from decomplex_bt.planning.pddl import GroundAction
 
 HERE = "here"
 """The state of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
@@ -67,7 +68,8 @@ class GroundTask:
     wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
     are *not* there ("if Anna is out"). `is_only_there`: whether the objects are to be taken from the places and from
     nowhere else, so that it cannot be done where they are not there. `message`: what is said; `question`: the check or
-    search that answers it ("whether the lamp is on"), which the robot makes before it says it. `span`: the verb
+    search that answers it ("whether the lamp is on"), which the robot makes before it says it. `forbidden`: steps by
+    which it is not to be done (filling at the sink, where it is to be "with coffee"). `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -84,6 +86,7 @@ class GroundTask:
     is_only_there: bool = False
     message: str | None = None
     question: GroundTask | None = None
+    forbidden: tuple[GroundAction, ...] = ()
 
     @property
     def target(self) -> Referent | None:
@@ -114,6 +117,7 @@ class GroundTask:
         parts += [f"to {referent}" for referent in self.recipients]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
+        parts += [f"without {step}" for step in self.forbidden]
         parts += [f"after ({self.question})"] if self.question else []
         return "; ".join(parts)
 

@@ -17,6 +17,7 @@ from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, with
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.others import too_few
 from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of, split_preposition
+from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
@@ -26,7 +27,7 @@ __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 Ask = Callable[[Missing], str | None]
 """Answers a question about a missing argument, None if it has no answer."""
 
-FILL, EMPTY = "fill", "empty"
+FILL, FULL, EMPTY = "fill", "full", "empty"
 FINDING_OUT = ("searching", "check_state")
 SOMEBODY = "somebody"
 
@@ -191,7 +192,9 @@ class _Grounder:
             if fit is None:
                 raise ImpossibleGoalError(f"nothing here makes {referent.phrase!r} {value}")
         there = places + inner if self.referents.may_move(objects) else ()
-        return replace(bare, objects=tuple(fit for fit in fits if fit is not None), places=there, state=value)
+        able = tuple(fit for fit in fits if fit is not None)
+        forbidden = wrong_fillings(task, able, self.domain) if value == FULL else ()
+        return replace(bare, objects=able, places=there, state=value, forbidden=forbidden)
 
     def _check_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         words, where = task.value("state"), task.value("location")

@@ -320,6 +320,16 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Heat](1:change_state) [the sofa](1:object)", ImpossibleGoalError, "hot"),
         ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
         ("If it['s](1:check_state) [raining](1:state)", ImpossibleGoalError, "weather"),
+        (
+            "[Fill](1:change_state) [the bowl](1:object) [with soup](1:manner)",
+            ImpossibleGoalError,
+            "nothing here fills 'the bowl' 'with soup'; what there is here to fill things with: coffee, water",
+        ),
+        (
+            "[Fill](1:change_state) [the bottle](1:object) [with coffee](1:manner)",
+            ImpossibleGoalError,
+            "nothing here fills 'the bottle' 'with coffee'",
+        ),
         ("[Empty](1:change_state) [the box](1:object)", ImpossibleGoalError, "full or empty is not modelled for box"),
         (
             "[Put](1:placing) [the pen](1:object) [in the bowl](1:goal)",

@@ -188,6 +188,13 @@ def test_everything_at_a_place_is_what_is_there() -> None:
     assert sorted(bound(put)["everything on the kitchen table"]) == there
 
 
+@pytest.mark.parametrize(("drink", "place"), [("water", "sink"), ("hot coffee", "coffee_machine")])
+def test_a_thing_is_filled_where_there_is_what_it_is_filled_with(drink: str, place: str) -> None:
+    inside = world({"mug_1": "counter"}, {("mug_1", "fill"): "empty"})
+    run(f"[Fill](1:change_state) [the red mug](1:object) [with {drink}](1:manner)", inside)
+    assert names(inside)[-1] == f"(fill mug_1 {place})"
+
+
 def test_another_device_is_tried_when_one_is_broken() -> None:
     inside = world(broken="microwave")
     (heated,) = run("[Heat](1:change_state) [the soup](1:object)", inside)
