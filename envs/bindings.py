@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.evidence import is_there
@@ -22,23 +23,48 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
     """The bindings when a task becomes due: phrases not met before mean what fits them now.
 
     That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
-    meant, at the place that the task names. What fits may be nothing.
+    meant or it is only to be taken from there, at the place that the task names. What fits may be nothing.
     """
     named = dict(bindings)
     for referent in task.referents():
+        is_only_there = task.is_only_there and referent in task.objects
         if referent not in bindings:
             named[referent] = tuple(
                 name
-                for name in referent.candidates
+                for name in _without_others(referent, bindings)
                 if _is_somewhere(domain, truth, name)
                 and all(truth.state(name, pair) == value for pair, value in referent.where)
             )
-            if referent.is_all and referent in task.objects and task.places:
-                wheres = [where for place in task.places for where in candidates(place, bindings)]
-                named[referent] = tuple(
-                    name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
-                )
+        if is_only_there or (referent not in bindings and referent.is_all and referent in task.objects and task.places):
+            wheres = [where for place in task.places for where in candidates(place, bindings)]
+            named[referent] = tuple(
+                name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
+            )
     return named
+
+
+def given_up(task: GroundTask, bindings: Bindings) -> Bindings:
+    """The bindings after a task that could not be done: what is not there may be meant elsewhere by a later one."""
+    dropped = task.objects if task.is_only_there else ()
+    return {referent: names for referent, names in bindings.items() if referent not in dropped}
+
+
+def _without_others(referent: Referent, bindings: Bindings) -> tuple[str, ...]:
+    """Its candidates for which those that it is other than leave enough of what they may still mean."""
+    taken = [(bindings[other], other.count) for other in referent.others if other in bindings]
+    return tuple(name for name in referent.candidates if _leaves_enough(name, taken))
+
+
+def _leaves_enough(name: str, taken: list[tuple[tuple[str, ...], int]]) -> bool:
+    """Whether each of these groups can still have as many as it needs, none of them in two groups."""
+    if not taken:
+        return True
+    (names, count), *rest = taken
+    left = [other for other in names if other != name]
+    return any(
+        _leaves_enough(name, [(tuple(n for n in group if n not in chosen), need) for group, need in rest])
+        for chosen in combinations(left, min(count, len(names)))
+    )
 
 
 def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:

@@ -13,7 +13,7 @@ from itertools import islice, product
 from typing import Literal
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates, needed
+from decomplex_bt.envs.bindings import Bindings, candidates, given_up, name_candidates, needed
 from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, true_room
 from decomplex_bt.envs.outcomes import outcomes, state_holds
 from decomplex_bt.envs.reach import is_reachable
@@ -218,7 +218,7 @@ def _readings(
             yield False, bindings, world
         return
     if isinstance(possible, Cause):
-        yield (False if is_condition else possible), bindings, world
+        yield (False if is_condition else possible), given_up(task, bindings), world
         return
     for bound in islice(_choices(task, possible, world), MOST_READINGS):
         yield True, bound, world.after(task, bound)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.bindings import Bindings, candidates, name_candidates, needed
+from decomplex_bt.envs.bindings import Bindings, candidates, given_up, name_candidates, needed
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import FINDING_OUT, Assumed, Course, enter, find_cause, plan_course, plan_rest
 from decomplex_bt.envs.interface import Interaction, Result
@@ -203,7 +203,7 @@ class Monitor:
         followers, is_settled = [], False
         if self._is_beyond_hope(task, reading, is_condition):
             untold = replace(reading, untold=(*reading.untold, task.number))
-            return None, [self._settle(untold, node, task.is_denied, reading.bindings)]
+            return None, [self._settle(untold, node, task.is_denied, given_up(task, reading.bindings))]
         evidence = self._evidence(reading)
         for outcome in outcomes(task, reading.bindings, evidence, is_condition=is_condition):
             key = (outcome.truth, tuple(candidates(referent, outcome.bindings) for referent in task.referents()))
@@ -305,6 +305,7 @@ class Monitor:
         """The task not due that this step brought about in a reading, if any."""
         due = self.instruction.task(reading.due.task) if reading.due is not None else None
         pursued = [self.instruction.task(number) for number in reading.untold] + ([due] if due is not None else [])
+        pursued += [task.question for task in pursued if task.question is not None]
         is_excused = event is None or due is None
         if event is not None and not is_excused:
             is_excused = any(is_means(event, goal, reading.bindings, self.domain) for goal in pursued)

@@ -119,6 +119,9 @@ def _possibility(task: GroundTask, domain: Domain) -> Iterator[Test]:
     """What an action as a condition hangs on: things that are there, people at home, devices that work."""
     house = domain.house
     for referent in task.objects:
+        if task.is_only_there:
+            yield from _presence(referent, [task], domain)
+            continue
         things = tuple(name for name in referent.candidates if name in house.things)
         people = tuple(name for name in referent.candidates if name in house.people)
         if things:

@@ -163,7 +163,7 @@ class PlannedTask(Behaviour):
         session = self.session
         if self._goal != self._pursuit.goal_atoms:
             self._goal, self._last_problem = self._pursuit.goal_atoms, (None, "")
-        result = session.plan(self._goal)
+        result = session.plan(self._goal, self.task.forbidden)
         self._attempts += 1
         session.replans += self._attempts > 1
         if result.status is not PlanStatus.SOLVED:

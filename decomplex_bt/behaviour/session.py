@@ -30,7 +30,7 @@ class Session:
     embodiment: Embodiment
     belief: Belief
     planner: Planner
-    make_problem: Callable[[Belief, tuple[Atom, ...]], Problem] = belief_problem
+    make_problem: Callable[..., Problem] = belief_problem
     observation: Any = None
     action: Any = None
     bindings: Bindings = field(default_factory=dict)
@@ -65,7 +65,7 @@ class Session:
         """Whether these steps, the first of them under way, still lead to the goal from what is believed now."""
         return leads_to_goal(self.make_problem(self.belief, goal_atoms), steps)
 
-    def plan(self, goal_atoms: tuple[Atom, ...]) -> PlanResult:
-        """A plan from what is believed now."""
+    def plan(self, goal_atoms: tuple[Atom, ...], forbidden: tuple[GroundAction, ...] = ()) -> PlanResult:
+        """A plan from what is believed now, without the forbidden steps."""
         self.plans += 1
-        return self.planner.solve(self.make_problem(self.belief, goal_atoms))
+        return self.planner.solve(self.make_problem(self.belief, goal_atoms, forbidden=forbidden))

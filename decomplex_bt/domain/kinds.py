@@ -27,7 +27,8 @@ class Kind(Record):
     `surface` / `inside`: things lie on / in it. `heats`, `cools`, `washes`: tags of things it heats when closed and
     switched on, cools when closed, washes when closed and switched on; `rinses`, `fills`, `drains`: tags of things
     cleaned, filled, emptied at it by hand; `wipes`: tags of surfaces a thing of this kind wipes clean when it is in the
-    hand (the interaction `clean` with the surface as target). `tags` are what these name.
+    hand (the interaction `clean` with the surface as target). `pours`: kinds of what it fills things with. `tags` are
+    what these name, but for `pours`.
     `places`: kind of place to relative weight, for where an entity of this kind lies at the start of an episode;
     `absent`: probability that it is nowhere in the house.
     `chance`: state pair to the probability of its positive value. `broken`: probability that a device is broken.
@@ -44,6 +45,7 @@ class Kind(Record):
     washes: tuple[str, ...] = ()
     rinses: tuple[str, ...] = ()
     fills: tuple[str, ...] = ()
+    pours: tuple[str, ...] = ()
     drains: tuple[str, ...] = ()
     wipes: tuple[str, ...] = ()
     radius: float = Field(0.05, gt=0)
@@ -81,6 +83,9 @@ class Kinds(Record):
             for pair in (*kind.states, *kind.chance):
                 if pair not in self.state_pairs:
                     raise ValueError(f"kind {name!r} has the unknown state pair {pair!r}")
+            for poured in kind.pours:
+                if poured not in self.kinds:
+                    raise ValueError(f"kind {name!r} pours the unknown kind {poured!r}")
             for place in kind.places:
                 if place not in self.kinds:
                     raise ValueError(f"kind {name!r} lies at the unknown kind of place {place!r}")

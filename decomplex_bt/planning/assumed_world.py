@@ -122,7 +122,7 @@ class AssumedWorld:
             bindings = pursuit.bindings
             if pursuit.status is not PursuitStatus.ONGOING:
                 return pursuit
-            result = planner.solve(belief_problem(belief, pursuit.goal_atoms))
+            result = planner.solve(belief_problem(belief, pursuit.goal_atoms, forbidden=task.forbidden))
             if not result.is_solved or not result.steps:
                 belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
                 continue

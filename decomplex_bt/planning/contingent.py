@@ -123,7 +123,7 @@ class _Branch:
 
 def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: bool) -> None:
     """Makes a condition true or false in an assumed world, as far as that is possible."""
-    if task.type == "searching" or task.state == HERE:
+    if task.type == "searching" or task.state == HERE or task.is_only_there:
         for referent in task.objects:
             _assume_presence(world, belief, task, referent, holds != task.is_denied)
     elif task.type == "check_state":

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from decomplex_bt.flow import Flow
+from decomplex_bt.planning.pddl import GroundAction
 
 HERE = "here"
 """The state of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
@@ -19,8 +20,9 @@ class Referent:
     names places, those that are there ("everything on the table"); otherwise `count` different ones of them. `is_any`:
     whichever they are ("a window", "the tv or the radio"): a check of them is false only when none of them will do,
     while that of a certain one ("the mug") is settled by the first one seen. `where`: state pairs and values by which
-    one is told from another ("the clean mug"). Equal referents of one instruction are one and the same: who binds one
-    binds all.
+    one is told from another ("the clean mug"). `others`: referents none of which it is ("the other mug"): what they
+    have turned out to mean is none of its candidates. Equal referents of one instruction are one and the same: who
+    binds one binds all.
     """
 
     phrase: str
@@ -29,23 +31,26 @@ class Referent:
     count: int = 1
     where: tuple[tuple[str, str], ...] = ()
     is_any: bool = False
+    others: tuple[Referent, ...] = ()
 
     @property
     def choice(self) -> str:
         """Which of what is meant, as in "2 of cup_1 | cup_2 | cup_3 (clean)"."""
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
         told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""
-        return f"{quantity}{' | '.join(self.candidates)}{told_by}"
+        but = f" other than {', '.join(repr(other.phrase) for other in self.others)}" if self.others else ""
+        return f"{quantity}{' | '.join(self.candidates)}{told_by}{but}"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, keys in this order."""
-        return {
+        """Plain values, keys in this order; "other_than" where there are others."""
+        value = {
             "phrase": self.phrase,
             "candidates": list(self.candidates),
             "all": self.is_all,
             "count": self.count,
             "where": dict(self.where),
         }
+        return {**value, "other_than": [other.phrase for other in self.others]} if self.others else value
 
     def __str__(self) -> str:
         return f"{self.phrase!r}: {self.choice}"
@@ -61,7 +66,10 @@ class GroundTask:
     ends (place, room, person, or thing beside which it ends). `recipients`: who hears it, one referent for each
     coordinated phrase, or the one who gets it. `state`: the value
     wanted or checked ("on", "hot", ...), `HERE` for a check of presence, which `is_denied` where it asks whether they
-    are *not* there ("if Anna is out"). `message`: what is said. `span`: the verb
+    are *not* there ("if Anna is out"). `is_only_there`: whether the objects are to be taken from the places and from
+    nowhere else, so that it cannot be done where they are not there. `message`: what is said; `question`: the check or
+    search that answers it ("whether the lamp is on"), which the robot makes before it says it. `forbidden`: steps by
+    which it is not to be done (filling at the sink, where it is to be "with coffee"). `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -75,7 +83,10 @@ class GroundTask:
     recipients: tuple[Referent, ...] = ()
     state: str | None = None
     is_denied: bool = False
+    is_only_there: bool = False
     message: str | None = None
+    question: GroundTask | None = None
+    forbidden: tuple[GroundAction, ...] = ()
 
     @property
     def target(self) -> Referent | None:
@@ -101,11 +112,13 @@ class GroundTask:
     def __str__(self) -> str:
         parts = [f"{self.number} {self.type}"]
         parts += [f"object {referent}" for referent in self.objects]
-        parts += [f"at {referent}" for referent in self.places]
+        parts += [f"{'only ' if self.is_only_there else ''}at {referent}" for referent in self.places]
         parts += [f"goal {self.goal}"] if self.goal else []
         parts += [f"to {referent}" for referent in self.recipients]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
+        parts += [f"without {step}" for step in self.forbidden]
+        parts += [f"after ({self.question})"] if self.question else []
         return "; ".join(parts)
 
 

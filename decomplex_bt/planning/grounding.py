@@ -16,7 +16,10 @@ from decomplex_bt.planning.abilities import bringable_values
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of
+from decomplex_bt.planning.others import too_few
+from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of, split_preposition
+from decomplex_bt.planning.pouring import wrong_fillings
+from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.wording import Wording
 
@@ -25,7 +28,8 @@ __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 Ask = Callable[[Missing], str | None]
 """Answers a question about a missing argument, None if it has no answer."""
 
-FILL, EMPTY = "fill", "empty"
+FILL, FULL, EMPTY = "fill", "full", "empty"
+FINDING_OUT = ("searching", "check_state")
 SOMEBODY = "somebody"
 
 
@@ -61,10 +65,14 @@ class _Grounder:
         self.instruction, self.domain, self.ask = instruction, domain, ask
         self.house = domain.house
         self.mentions = {n.task: [instruction.task(i) for i in n.tasks[1:]] for n, _ in instruction.flow.walk()}
-        self.wording, self.referents = Wording(instruction, domain), Referents(instruction.text, domain)
+        self.wording, self.referents = (
+            Wording(instruction, domain),
+            Referents(instruction.text, instruction.flow, domain),
+        )
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
+        self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
@@ -144,7 +152,23 @@ class _Grounder:
     def _taking(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "source", "location")
         objects, inner = self._objects(task, self.referents.is_thing, "be carried")
-        return replace(bare, objects=objects, places=places + inner)
+        return replace(bare, objects=objects, places=places + inner, is_only_there=self._is_only_there(task))
+
+    def _is_only_there(self, task: Task) -> bool:
+        """Whether a later mention asks if the things are where the task takes them from ("if it isn't there")."""
+        sources = {self._place_words(a.value) for a in task.arguments if a.type in ("source", "location")}
+        return bool(sources) and any(
+            self._place_words(argument.value) in sources or self._is_there(argument)
+            for mention in self.mentions.get(task.id, ())
+            if mention.type in FINDING_OUT and (argument := mention.argument("location", "source")) is not None
+        )
+
+    def _place_words(self, words: str) -> str:
+        return split_preposition(words, self.domain)[1]
+
+    def _is_there(self, argument: Argument) -> bool:
+        """Whether a place is said as "there", which a reading may have taken for where the thing goes."""
+        return argument.span is not None and argument.span.of(self.instruction.text).lower() == "there"
 
     def _placing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         grounded = self._taking(task, bare, state)
@@ -163,6 +187,7 @@ class _Grounder:
         if len(people) > 1 or people[0].is_all:
             who = " and ".join(person.phrase for person in people)
             raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
+        self.referents.others.give(grounded.objects)
         return replace(grounded, recipients=people)
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
@@ -177,7 +202,9 @@ class _Grounder:
             if fit is None:
                 raise ImpossibleGoalError(f"nothing here makes {referent.phrase!r} {value}")
         there = places + inner if self.referents.may_move(objects) else ()
-        return replace(bare, objects=tuple(fit for fit in fits if fit is not None), places=there, state=value)
+        able = tuple(fit for fit in fits if fit is not None)
+        forbidden = wrong_fillings(task, able, self.domain) if value == FULL else ()
+        return replace(bare, objects=able, places=there, state=value, forbidden=forbidden)
 
     def _check_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         words, where = task.value("state"), task.value("location")
@@ -259,7 +286,21 @@ class _Grounder:
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         recipient = task.argument("recipient")
         people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
-        return replace(bare, recipients=people, message=task.value("message"))
+        return replace(bare, recipients=people, message=task.value("message"), question=self._question(task, bare))
+
+    def _question(self, task: Task, bare: GroundTask) -> GroundTask | None:
+        """What is to be found out before it is said: where a message asks for what can be seen here; else None."""
+        asked = question_of(task.value("message") or "")
+        if asked is None:
+            return None
+        kind, arguments = asked
+        check = replace(task, type=kind, arguments=arguments)
+        try:
+            if kind == "searching":
+                return self._searching(check, replace(bare, type=kind), None)
+            return self._check_state(check, replace(bare, type=kind), None)
+        except InputError:
+            return None
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""
@@ -300,7 +341,11 @@ class _Grounder:
         return task
 
     def _with_mentions(self, task: Task) -> Task:
-        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …")."""
+        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …"), a
+        search with where they say that it looks ("Open the drawer and look for the pen. If it is there, …")."""
+        if task.type == "searching" and task.argument("location", "source") is None:
+            where = self._mentioned_place(task)
+            return task if where is None else replace(task, arguments=(*task.arguments, where))
         if task.type != "check_state" or not self.wording.is_bare_check(task):
             return task
         for mention in self.mentions.get(task.id, ()):
@@ -313,6 +358,12 @@ class _Grounder:
             if said is not None and is_same and picked_words(said, self.instruction.text, self.domain):
                 task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
         return task
+
+    def _mentioned_place(self, task: Task) -> Argument | None:
+        """Where later mentions of a search say that it looks."""
+        mentions = (m for m in self.mentions.get(task.id, ()) if m.type in FINDING_OUT)
+        places = (place for m in mentions if (place := m.argument("location")) is not None)
+        return next((place for place in places if not self.wording.is_presence(place.value)), None)
 
     def _answer(self, task: Task, argument: str, question: str) -> str:
         missing = next((m for m in self.instruction.missing if (m.task, m.argument) == (task.id, argument)), None)
@@ -353,7 +404,8 @@ class _Grounder:
             return name not in self.house.rooms and bool(pairs & set(self._states(name)))
 
         rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
-        label = f"be {state or words}"
+        values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
+        label = f"be {state or words}: being {values} is not modelled for {{}}"
         return self._objects(task, has_state, label, rooms=rooms)
 
     def _pairs_meant(self, words: str | None, state: str | None) -> set[str]:
@@ -402,8 +454,25 @@ class _Grounder:
                 objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
+        objects = self._joined(objects)
         self._refuse_everything(task, objects, inner)
         return tuple(objects), tuple(inner)
+
+    def _joined(self, objects: list[Referent]) -> list[Referent]:
+        """The objects of one task where one is other than another of them: "a pen and one more" are two pens."""
+        joined: list[Referent] = []
+        for referent in objects:
+            same = next((other for other in joined if other in referent.others), None)
+            if same is None or same.candidates != referent.candidates:
+                joined.append(referent)
+                continue
+            both = replace(same, count=same.count + referent.count)
+            if both.count > len(both.candidates):
+                raise too_few(referent.phrase, both.candidates)
+            self.referents.settle(same, both)
+            self.referents.settle(referent, both)
+            joined[joined.index(same)] = both
+        return joined
 
     def _less(self, grounded: GroundTask, task: Task, left_out: str) -> GroundTask:
         """The grounded task without the objects that are left out."""

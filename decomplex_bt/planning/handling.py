@@ -38,10 +38,26 @@ class Handling(Looking):
                     raise NothingLeftError(self._why(f"{referent.phrase!r}: nothing of it is there", self.wheres))
                 self.bindings = self._bind({referent: there})
 
+    def _look_there(self) -> Pursuit | None:
+        """A look for what is only to be taken from where the task says; None once it is bound to what is there."""
+        for referent in self.task.objects if self.task.is_only_there else ():
+            names = self._fitting(referent)
+            there = [name for name in names if self._is_there(name) or self.belief.carried(name) >= self.since]
+            if len(there) < (1 if referent.is_all else referent.count):
+                place = next_place(names, self.belief, [place for place in self.wheres if self._is_open(place)])
+                if place is not None:
+                    return self._inspect(place, referent.phrase)
+                raise NothingLeftError(self._why(f"{referent.phrase!r} is not there", self.wheres))
+            if not referent.is_all:
+                self.bindings = self._bind({referent: there[: referent.count]})
+        return None
+
     # -- handling things ----------------------------------------------------------------------------------------------
 
     def _put(self, task_type: str) -> Pursuit:
         """Placing and bringing: the things end up at the goal, or with the recipient."""
+        if (search := self._look_there()) is not None:
+            return search
         target = self.task.target
         assert target is not None
         role = "recipient" if self.task.recipients else "goal"

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
@@ -26,6 +27,8 @@ _PICKS = frozenset("some any no none one either neither another".split())
 """Words that pick from what they stand before ("any of the books"): not all of them, and no certain one."""
 _OF_THEM = re.compile(r"\s+of (?:them|these|those)$")
 _HEDGES = _PICKS | frozenset(("a", "an", "more", "other"))
+_OTHER = frozenset("other others another different remaining".split())
+"""Words for those that were not named before ("the other mug")."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +39,9 @@ class NounPhrase:
     `count`: of how many it speaks; `is_definite`: of known ones ("the", "my"). `wanted`: state pairs and values that
     its adjectives ask for. `place`: the place inside it ("the lamp in the bedroom"). `noun`: the words of its noun.
     `choices`: what it chooses among ("the tv or the radio"), any of which will do; it begins with the first.
-    `is_pronoun`: whether it stands for a pronoun, which means what the same words meant before.
+    `is_pronoun`: whether it stands for a pronoun, which means what the same words meant before; `is_picked`: one that
+    picks ("one"), which need not. `is_other`: whether it is of none that was named before `start`, where in the text it
+    stands.
     """
 
     text: str
@@ -51,6 +56,14 @@ class NounPhrase:
     noun: str = ""
     choices: tuple[NounPhrase, ...] = ()
     is_pronoun: bool = False
+    is_picked: bool = False
+    is_other: bool = False
+    start: int | None = None
+
+    @property
+    def is_anew(self) -> bool:
+        """Whether it may be of another one than the same words before ("a pen", "one", but not "it")."""
+        return not (self.is_all or self.is_definite) and (self.is_picked or not self.is_pronoun)
 
     @property
     def is_of_several(self) -> bool:
@@ -77,8 +90,19 @@ def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPh
     preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
     if said == split_preposition(argument.value, domain)[1]:
         return phrases
-    phrases = tuple(replace(p, preposition=p.preposition or preposition, is_pronoun=True) for p in phrases)
     picked = picked_words(argument, text, domain)
+    is_other = _is_other(said.split(), domain)
+    phrases = tuple(
+        replace(
+            p,
+            preposition=p.preposition or preposition,
+            is_pronoun=not is_other,
+            is_picked=bool(picked) or said.startswith(("a ", "an ")),
+            is_other=p.is_other or is_other,
+            wanted=() if _is_bare_other(said, domain) else p.wanted,
+        )
+        for p in phrases
+    )
     if not picked:
         return phrases
     number = _number(picked, domain)
@@ -300,6 +324,7 @@ def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhra
         is_definite=is_definite and count is None,
         count=count or 1,
         wanted=tuple(dict.fromkeys(wanted)),
+        is_other=_is_other(before, domain),
     )
     return phrase if phrase.entities or phrase.plurals else None
 
@@ -334,6 +359,25 @@ def _number(words: list[str], domain: Domain) -> int | None:
         if domain.lexicon.measures.get(word, 1) > 1:
             return domain.lexicon.measures[word]
     return None
+
+
+def _is_other(words: list[str], domain: Domain) -> bool:
+    """Whether words before a noun speak of others than before: "the other", "one more" (but not "some more")."""
+    is_more = any(
+        (word == "more" and _counts(before, domain)) or (before, word) == ("a", "second")
+        for before, word in pairwise(words)
+    )
+    return is_more or not _OTHER.isdisjoint(words)
+
+
+def _is_bare_other(said: str, domain: Domain) -> bool:
+    """Whether words speak of the other of some and not of how it is: that of "the clean mug" need not be clean."""
+    words = said.split()
+    return "other" in words and read_state(said, domain.kinds.state_pairs, domain) is None
+
+
+def _counts(word: str, domain: Domain) -> bool:
+    return word == "one" or _number([word], domain) is not None
 
 
 def _one_more(number: str, domain: Domain) -> str:
@@ -411,7 +455,7 @@ def _unknown(words: str, domain: Domain) -> UnknownWordError:
         (found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None
     )
     if known is not None:
-        return UnknownWordError(words, [_describe(name, domain) for name in (*known[0], *known[1])[:4]])
+        return UnknownWordError(words, _unique(tuple(_describe(name, domain) for name in (*known[0], *known[1])))[:4])
     noun = " ".join(tokens) or words
     return UnknownWordError(words, domain.nouns.nearest(noun) or domain.nouns.nearest(noun.split()[-1]))
 

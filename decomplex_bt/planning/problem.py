@@ -55,9 +55,9 @@ def fact_of(name: str) -> tuple[str, str]:
     return pair, entity
 
 
-def belief_problem(belief: Belief, goal: Iterable[Atom]) -> Problem:
-    """The problem of bringing about `goal` from what is believed; steps that failed for good are forbidden."""
-    return make_problem(SymbolicState.of(belief), goal, forbidden=belief.blocked())
+def belief_problem(belief: Belief, goal: Iterable[Atom], *, forbidden: Iterable[GroundAction] = ()) -> Problem:
+    """The problem of bringing about `goal` from what is believed; steps that failed for good are forbidden as well."""
+    return make_problem(SymbolicState.of(belief), goal, forbidden=(*belief.blocked(), *forbidden))
 
 
 def make_problem(state: SymbolicState, goal: Iterable[Atom], *, forbidden: Collection[GroundAction] = ()) -> Problem:

@@ -86,6 +86,8 @@ class _Pursuer(Handling):
             return Pursuit(PursuitStatus.DONE, truth=False, reason=str(error), bindings=self.bindings)
 
     def _taking(self) -> Pursuit:
+        if (search := self._look_there()) is not None:
+            return search
         return self._handle("taking", lambda name: self.belief.carried(name) >= self.since, {})
 
     def _placing(self) -> Pursuit:
@@ -131,6 +133,11 @@ class _Pursuer(Handling):
         def was_told(person: str) -> bool:
             return self._was_noted("told", person)
 
+        if self.task.question is not None:
+            looking = pursue(self.task.question, self.belief, self.bindings, since=0)  # what was seen is known
+            if looking.status is PursuitStatus.ONGOING:
+                return looking
+            self.bindings = looking.bindings
         return self._with_people(self.task.recipients, lambda who: self._goal({"recipient": who}), was_told)
 
     def _other(self) -> Pursuit:

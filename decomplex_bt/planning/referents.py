@@ -10,9 +10,11 @@ from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.ground_task import Referent
+from decomplex_bt.planning.others import Others
 from decomplex_bt.planning.phrases import (
     DEFINITE,
     NounPhrase,
@@ -23,7 +25,7 @@ from decomplex_bt.planning.phrases import (
 )
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
-Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...]]
+Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...], tuple[Referent, ...]]
 
 
 class Referents:
@@ -33,15 +35,17 @@ class Referents:
     Raises `UnknownWordError` for what names nothing here, `ImpossibleGoalError` for what cannot be what it has to be.
     """
 
-    def __init__(self, text: str, domain: Domain) -> None:
+    def __init__(self, text: str, flow: Flow, domain: Domain) -> None:
         self._text, self._domain, self._house = text, domain, domain.house
         self._rooms_meant: tuple[str, ...] = ()  # of the place named last, where its words leave no doubt
         self._mentioned: dict[Key, Referent] = {}
         self._named: dict[str, Referent] = {}  # by its words, the last one
+        self.others = Others(text, flow, domain)
         self._container: str | None = None  # with a door of its own, where it was named last of all places
 
     def phrases(self, argument: Argument) -> tuple[NounPhrase, ...]:
-        return read_argument(argument, self._text, self._domain)
+        start = argument.span.start if argument.span is not None else None
+        return tuple(replace(phrase, start=start) for phrase in read_argument(argument, self._text, self._domain))
 
     def where(self, phrase: NounPhrase) -> Referent:
         """Where something is looked for: on or in a place, beside a thing or with a person."""
@@ -70,7 +74,9 @@ class Referents:
             near = [place for name in referent.candidates for place in self._beside(name)]
             return replace(referent, candidates=tuple(dict.fromkeys(near)))
         if fit is None or all(self.is_thing(name) for name in fit.candidates):
-            raise ImpossibleGoalError(f"nothing can be put {words!r}: it is neither a surface nor a container here")
+            raise ImpossibleGoalError(
+                f"nothing can be put there: {words!r} names neither a surface nor a container of this house"
+            )
         return fit
 
     def place(self, argument: Argument, *, people: bool = False) -> Referent:
@@ -115,11 +121,14 @@ class Referents:
         is_place: bool,
     ) -> Referent:
         """The referent of a noun phrase: of what it names, what fits; of a pronoun what the same words meant before,
-        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits.
+        wherever the robot has been sent meanwhile. Raises `ImpossibleGoalError` if nothing fits: it "cannot" `ability`,
+        with the kind of what is named in place of "{}".
         """
         words = split_preposition(phrase.text, self._domain)[1]
         is_pronoun = phrase.is_pronoun and not rooms
-        if is_pronoun and (before := self._named.get(words)) is not None and all(map(fits, before.candidates)):
+        before = self._named.get(words) if is_pronoun or (phrase.is_other and phrase.is_definite) else None
+        is_new = before is not None and not phrase.is_other and self.others.are_excluded(phrase, before.candidates)
+        if before is not None and not is_new and all(map(fits, before.candidates)):
             return before
         if self._container is not None and self._is_bare_part(phrase, words):
             phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
@@ -129,14 +138,15 @@ class Referents:
             names = tuple(name for name in self._house.places() if fits(name))  # "turn everything off"
         if not names:
             first = (*phrase.entities, *phrase.plurals)[0]
-            raise ImpossibleGoalError(
-                f"{phrase.text!r} cannot {ability} ({first.replace('_', ' ')} is what it names here)"
-            )
+            kind = self._domain.kind(first).words[0] if self.is_thing(first) else first.replace("_", " ")
+            why = ability.format(kind) if "{}" in ability else f"{ability} ({kind} is what it names here)"
+            raise ImpossibleGoalError(f"{phrase.text!r} cannot {why}")
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
+        named, others = self.others.than(phrase, names)
         if rooms:
-            names = self._in_rooms(names, rooms, words)
-        elif not is_all:
-            names = self._in_context(names)
+            names = self._in_rooms(named, rooms, words)
+        else:
+            names = named if is_all or phrase.is_other else self._in_context(named)
         if phrase.count > len(names):
             raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
         if is_place or all(self.is_fixed(name) for name in names):
@@ -144,9 +154,10 @@ class Referents:
         # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
         where = () if len(names) == 1 and words.split()[0] in DEFINITE else phrase.wanted
         is_any = not (is_all or phrase.is_definite)
-        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where, is_any)
+        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where, is_any, others)
         referent = self._same(referent) if phrase.is_definite else self._first(referent)
         self._named[words] = referent
+        self.others.name(referent)
         return referent
 
     def _is_bare_part(self, phrase: NounPhrase, words: str) -> bool:
@@ -232,4 +243,4 @@ def _named(phrase: NounPhrase, fits: Callable[[str], bool]) -> list[str]:
 
 
 def _key(referent: Referent) -> Key:
-    return referent.candidates, referent.where
+    return referent.candidates, referent.where, referent.others

@@ -9,6 +9,7 @@ from enum import Enum
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import GroundTask, Referent
+from decomplex_bt.planning.others import without_others
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.whereabouts import is_at, likely_places, places_of, room_distances
 
@@ -69,7 +70,10 @@ class Standing:
 
     def _meant(self, referent: Referent | None) -> tuple[str, ...]:
         """What a referent may still mean."""
-        return () if referent is None else self.bindings.get(referent, referent.candidates)
+        if referent is None:
+            return ()
+        names = self.bindings.get(referent, referent.candidates)
+        return without_others(referent, names, self.bindings) if referent.others else names
 
     def _needed(self, referent: Referent) -> int:
         """How many of its candidates are needed."""
@@ -88,7 +92,7 @@ class Standing:
             return pair != changes or self.belief.state_changed(name, pair) < self.since
 
         return tuple(
-            n for n in referent.candidates if not any(differs(n, pair, value) for pair, value in referent.where)
+            n for n in self._meant(referent) if not any(differs(n, pair, value) for pair, value in referent.where)
         )
 
     def _found(self, is_done: Callable[[str], bool]) -> dict[Referent, list[str]] | None:

@@ -15,7 +15,7 @@ class Gazetteer:
     """`verbs`: lemma or "lemma particle" to task types, likeliest first; `nouns`: head word to category ("thing",
     "furniture", "room", ...); `states`: words of state; `changeable`: head word to the state pairs its things have;
     `pairs`: word of state to its state pair; `ending`: verbs as in `verbs` to the task type that ends where the verb
-    itself says ("throw away", "come back"); `colours`: words of colour."""
+    itself says ("throw away", "come back"); `colours`: words of colour; `containers`: words for what has an inside."""
 
     verbs: Mapping[str, tuple[str, ...]]
     nouns: Mapping[str, str]
@@ -24,6 +24,7 @@ class Gazetteer:
     pairs: Mapping[str, str] = field(default_factory=dict)
     ending: Mapping[str, str] = field(default_factory=dict)
     colours: frozenset[str] = frozenset()
+    containers: frozenset[str] = frozenset()
 
     @classmethod
     def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:
@@ -50,6 +51,7 @@ class Gazetteer:
             pairs,
             {verb: sense.tasks[0] for verb, sense in lexicon.verbs.items() if sense.goal is not None},
             frozenset(lexicon.colours),
+            frozenset(word.lower() for kind in kinds.kinds.values() if kind.is_container for word in kind.words),
         )
 
     def senses(self, document: Document, i: int) -> tuple[str, ...]:

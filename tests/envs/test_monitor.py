@@ -39,6 +39,39 @@ def test_motion_to_a_thing_is_done_where_it_lies():
     assert episode.go("study").is_success
 
 
+def test_the_other_mug_is_not_the_one_given_away():
+    one = referent("mug_1", "mug_2", phrase="a mug")
+    other = replace(one, phrase="the other mug", others=(one,))
+    deeds = task(1, "bringing", one, recipient="tom"), task(2, "bringing", other, recipient="user")
+    world = HandWorld({"mug_1": "desk", "mug_2": "counter", "tom": "study"})
+    episode = Episode(world, [1, 2], *deeds)
+    episode.take("mug_1")
+    assert episode.give("mug_1", "tom").met == 1
+    episode.take("mug_1")
+    assert not episode.give("mug_1", "user").is_success
+    episode.take("mug_2")
+    assert episode.give("mug_2", "user").is_success
+
+
+def test_where_either_will_do_the_other_is_what_is_left():
+    one = referent("cup_1", "cup_2", phrase="one cup")
+    other = replace(one, phrase="the other cup", others=(one,))
+    deeds = task(1, "placing", one, goal="sink"), task(2, "placing", other, goal="counter")
+    episode = Episode(HandWorld({"cup_1": "sink", "cup_2": "sink"}), [1, 2], *deeds)
+    episode.take("cup_2")
+    assert episode.put("cup_2", "counter").is_success
+
+
+@pytest.mark.parametrize(("place", "truth"), [("bookshelf", True), ("couch", False)])
+def test_what_is_only_to_be_taken_from_there_cannot_be_from_elsewhere(place: str, truth: bool):
+    book = referent("book_1", "book_2", phrase="the book")
+    fetch = replace(task(1, "bringing", book, at=["bookshelf"], recipient="user"), is_only_there=True)
+    search = task(2, "searching", book, at=["couch"])
+    episode = Episode(HandWorld({"book_1": place}), [{"if": 1, "else": [2]}], fetch, search)
+    assert episode.truths == [(1, truth if truth is False else None, None if truth else "else")]
+    assert episode.see("book_1").is_success is not truth
+
+
 def test_motion_to_several_places_is_done_when_each_was_visited():
     tables = referent("kitchen_table", "coffee_table", "hallway_table", phrase="the two tables", count=2)
     episode = Episode(HandWorld(), [1], task(1, "motion", goal=tables))

@@ -321,6 +321,22 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Heat](1:change_state) [the sofa](1:object)", ImpossibleGoalError, "hot"),
         ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
         ("If it['s](1:check_state) [raining](1:state)", ImpossibleGoalError, "weather"),
+        (
+            "[Fill](1:change_state) [the bowl](1:object) [with soup](1:manner)",
+            ImpossibleGoalError,
+            "nothing here fills 'the bowl' 'with soup'; what there is here to fill things with: coffee, water",
+        ),
+        (
+            "[Fill](1:change_state) [the bottle](1:object) [with coffee](1:manner)",
+            ImpossibleGoalError,
+            "nothing here fills 'the bottle' 'with coffee'",
+        ),
+        ("[Empty](1:change_state) [the box](1:object)", ImpossibleGoalError, "full or empty is not modelled for box"),
+        (
+            "[Put](1:placing) [the pen](1:object) [in the bowl](1:goal)",
+            ImpossibleGoalError,
+            "'in the bowl' names neither a surface nor a container",
+        ),
         ("[Bring](1:bringing) [me](1:recipient) [the fridge](1:object)", ImpossibleGoalError, "cannot be carried"),
         ("[Walk](1:following) [me](1:object) [to the pen](1:goal)", ImpossibleGoalError, "lead the way"),
         ("[Put](1:placing) [the pen](1:object) [on the tv](1:goal)", ImpossibleGoalError, "on the tv"),
@@ -477,3 +493,9 @@ def test_what_is_brought_to_what_holds_nothing_is_laid_beside_it(place: str) -> 
 def test_neither_nor_names_both() -> None:
     task = first("[Is](1:check_state) [the phone](1:object) [neither on the desk nor on the couch](1:location)?")
     assert [place.candidates for place in task.places] == [("desk", "couch")]
+
+
+def test_what_is_suggested_is_named_once() -> None:
+    with pytest.raises(UnknownWordError) as caught:
+        first("[Open](1:change_state) [the red curtains](1:object)")
+    assert str(caught.value).count("bedroom curtains") == 1

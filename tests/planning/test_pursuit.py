@@ -37,10 +37,10 @@ def world(
     return made
 
 
-def run(text: str, inside: AssumedWorld) -> list[Pursuit]:
+def run(text: str, inside: AssumedWorld, flow: list | None = None) -> list[Pursuit]:
     """Pursues all tasks of a marked text one after the other."""
     count = text.count("](") and max(int(part.split(":")[0]) for part in text.split("](")[1:])
-    grounded = ground(read_markup(text, DOMAIN.ontology, flow=list(range(1, count + 1))), DOMAIN)
+    grounded = ground(read_markup(text, DOMAIN.ontology, flow=flow or list(range(1, count + 1))), DOMAIN)
     belief, bindings, results = Belief(DOMAIN), {}, []
     for task in grounded.tasks:
         results.append(inside.run(task, belief, PLANNER, bindings))
@@ -107,6 +107,40 @@ def test_looking_into_a_room_looks_at_everything_in_it() -> None:
     assert opened == {"(open-up washing_machine)", "(open-up medicine_cabinet)"}
 
 
+BRING_BALL = "[Bring](1:bringing) [me](1:recipient) [the ball](1:object) [from the box](1:source). "
+LOOK = "[Open](1:change_state) [the drawer](1:object) and [look](2:searching) [for a pen](2:object). "
+TELL = "[tell](3:informing) [me](3:recipient)"
+LEAVE = "[go](4:motion) [to the kitchen](4:goal)"
+
+
+@pytest.mark.parametrize(
+    "mention",
+    [
+        "If [it](2:object=the ball)['s](2:check_state) not [there](2:location=in the box), ",
+        "If you can't [find](2:searching) [it](2:object=the ball) [there](2:location=the desk), ",
+    ],
+)
+@pytest.mark.parametrize(("place", "truth"), [("box", True), ("couch", False)])
+def test_where_it_is_asked_to_be_a_thing_is_brought_from_there_alone(mention: str, place: str, truth: bool) -> None:
+    inside = world({"ball": place})
+    pursuit = run(BRING_BALL + mention + TELL, inside, [{"if": [1, 2], "else": [3]}])[0]
+    assert pursuit.truth is truth
+    assert (inside.places["ball"] == "user") is truth
+
+
+def test_a_source_that_is_not_asked_about_is_where_to_look_first() -> None:
+    inside = world({"ball": "couch"})
+    text = BRING_BALL + "If you can't [find](2:searching) [it](2:object=the ball), " + TELL
+    assert run(text, inside, [{"if": [1, 2], "else": [3]}])[0].truth is True
+
+
+@pytest.mark.parametrize(("place", "truth"), [("drawer", True), ("couch", False)])
+def test_a_search_looks_where_its_mention_says(place: str, truth: bool) -> None:
+    text = LOOK + "If [it](3:object=a pen)['s](3:check_state) [there](3:location=the drawer), " + LEAVE
+    inside = world({"pen_1": place, "pen_2": None})
+    assert run(text, inside, [1, {"if": [2, 3], "then": [4]}])[1].truth is truth
+
+
 def test_two_things_are_brought_in_one_go() -> None:
     inside = world()
     (brought,) = run("[Bring](1:bringing) [me](1:recipient) [the cup and the plate](1:object)", inside)
@@ -152,6 +186,13 @@ def test_everything_at_a_place_is_what_is_there() -> None:
     assert put.status is DONE
     assert sorted(name for name, place in inside.places.items() if place == "couch" and name in there) == there
     assert sorted(bound(put)["everything on the kitchen table"]) == there
+
+
+@pytest.mark.parametrize(("drink", "place"), [("water", "sink"), ("hot coffee", "coffee_machine")])
+def test_a_thing_is_filled_where_there_is_what_it_is_filled_with(drink: str, place: str) -> None:
+    inside = world({"mug_1": "counter"}, {("mug_1", "fill"): "empty"})
+    run(f"[Fill](1:change_state) [the red mug](1:object) [with {drink}](1:manner)", inside)
+    assert names(inside)[-1] == f"(fill mug_1 {place})"
 
 
 def test_another_device_is_tried_when_one_is_broken() -> None:
@@ -214,6 +255,30 @@ def test_somebody_is_told_where_they_are() -> None:
     (told,) = run("[Tell](1:informing) [Anna](1:recipient) [that dinner is ready](1:message)", inside)
     assert told.status is DONE
     assert names(inside)[-1] == "(say anna)"
+
+
+@pytest.mark.parametrize(
+    ("message", "looked_at"),
+    [
+        ("whether the fan is on", "bedroom"),
+        ("if there is milk in the fridge", "fridge"),
+        ("where the ball is", "study"),
+        ("what's in the wardrobe", "wardrobe"),
+        ("whether the ball is in the box or not", "study"),
+    ],
+)
+def test_what_is_asked_for_is_looked_at_before_it_is_told(message: str, looked_at: str) -> None:
+    inside = world({"ball": "box", "user": "bathroom"})
+    told = run(f"[Tell](1:informing) [me](1:recipient) [{message}](1:message)", inside)[0]
+    assert told.status is DONE
+    assert any(looked_at in step.objects for step in inside.steps[:-1])
+    assert inside.steps[-1].name == "say"
+
+
+@pytest.mark.parametrize("message", ["that the fan is on", "whether it is ready", "dinner is ready", "if you can"])
+def test_what_nobody_can_see_is_told_at_once(message: str) -> None:
+    text = f"[Tell](1:informing) [me](1:recipient) [{message}](1:message)"
+    assert ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks[0].question is None
 
 
 def test_saying_it_for_one_task_is_not_saying_it_for_the_next() -> None:

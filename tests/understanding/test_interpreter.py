@@ -179,6 +179,22 @@ def test_another_one_is_named_by_the_noun_less_what_tells_it_apart(interpreter, 
     assert interpreter.interpret(text).tasks[-1].values("object") == (value,)
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("I don't want the red mug, give me the other one.", "the other mug"),
+        ("Give me a book and then give Anna another one.", "another book"),
+        ("Start the washing machine if the shirt is inside.", "the washing machine"),
+        ("If the soup is inside, turn on the microwave.", "the microwave"),
+        ("Open the desk drawer; if the charger is inside, close it.", "the desk drawer"),
+        ("If the pan is in there, turn off the oven.", "the oven"),
+        ("If Tom is inside, close the fridge.", "inside"),
+    ],
+)
+def test_the_other_one_and_inside_are_settled_by_what_is_named(interpreter, text, value):
+    assert value in [argument.value for task in interpreter.interpret(text).tasks for argument in task.arguments]
+
+
 def test_a_task_keeps_two_arguments_of_a_type_only_where_both_are_likely(interpreter):
     sure, likely, doubtful = (Argument("object", text, None, c) for text, c in (("a", 0.9), ("b", 0.6), ("c", 0.4)))
     place = Argument("goal", "d", None, 0.2)

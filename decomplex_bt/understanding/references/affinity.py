@@ -156,7 +156,10 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     identity = _identity(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
+    containers = _containers(context, gap)
     for candidate in context.pool:
+        if containers and candidate not in containers:
+            continue
         if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
             continue
         if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
@@ -192,7 +195,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    if not (is_pointed and options):
+    if not ((is_pointed or containers) and options):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 
@@ -215,6 +218,39 @@ def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
     is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
     return candidate.text.split()[0].lower() in ANYBODY or (is_same and _kind(context, candidate) in _ANIMATE)
+
+
+def _containers(context: Context, gap: Gap) -> list[Candidate]:
+    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
+    where "there" can be nothing before, the one after.
+
+    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
+    """
+    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
+    if not is_inside or gap.type not in ("location", "source"):
+        return []
+    tokens = context.observed.document.tokens
+    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
+    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
+        return []
+    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
+    if any(_kind(context, candidate) in _ANIMATE for candidate in own):
+        return []
+    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
+    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
+    return next(
+        (
+            found
+            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
+            if (found := [c for c in able if c.owner in tasks])
+        ),
+        [],
+    )
+
+
+def _has_inside(context: Context, candidate: Candidate) -> bool:
+    words = candidate.text.lower().split()
+    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
 
 
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -249,8 +285,15 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     thing itself, and "the black one" no grey hoodie."""
     tokens = observed.document.tokens
     worded = list(spellings(observed.document, gap, candidate))
-    is_further = any(tokens[i].lower == "another" for i in gap.tokens[:1])
-    if tokens[candidate.tokens.start].lower in _LACKING or is_further:  # what there is none of: "no paper? Bring some"
+    words = {tokens[i].lower for i in gap.tokens}
+    if not words.isdisjoint(_OTHER):
+        # "the other one" is none of those named, and in contrast with "the red mug" it is not red
+        is_told = "another" not in words and _modifier(observed, _named(candidate)) == "colour"
+        red = tokens[candidate.head - 1].text if is_told else ""
+        worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
+        worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
     is_measure = (  # "a glass of it" is no bottle
@@ -270,11 +313,14 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
 
 
 _LACKING = frozenset(("no", "few"))
+_OTHER = frozenset(("other", "others", "another"))
+_ONES = frozenset(("one", "ones"))
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
+_PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _TOGETHER = frozenset("both them they those these either".split())
