@@ -162,6 +162,21 @@ def test_run_says_where_nothing_was_left_to_do(capsys: pytest.CaptureFixture[str
     assert said[False].startswith("success (")
 
 
+@pytest.mark.parametrize(
+    ("is_out_of_time", "said"), [(True, "time ran out"), (False, "task 1 (Bring me the apple) was not settled")]
+)
+def test_a_failure_that_nothing_explains_is_not_put_down_to_the_time(is_out_of_time: bool, said: str) -> None:
+    import gymnasium as gym
+
+    from decomplex_bt.cli.episode import Episode
+    from decomplex_bt.cli.reading import read
+
+    reading = read("Bring me the apple.", "household", may_ask=False)
+    episode = Episode(gym.make("decomplex_bt/Household-v0"), reading, 0)
+    episode._is_out_of_time = is_out_of_time
+    assert said in episode.verdict
+
+
 def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("decomplex_bt.cli.film.find_spec", lambda name: None)
     assert main(["run", "Go to the kitchen.", "--record", "film.mp4"]) == 2
