@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+import decomplex_bt
 from decomplex_bt.cli import main
 
 PEN = "Bring me a pen if you can find it on the table, if you cannot find one then search in the drawer."
@@ -334,6 +335,12 @@ def test_help_loads_nothing_heavy() -> None:
     assert done.stderr.strip() == "[]"
     for command in ("run", "parse", "plan", "tree", "train", "corpus", "evaluate"):
         assert f"\n  {command} " in done.stdout
+
+
+@pytest.mark.parametrize("module", ["decomplex_bt", "decomplex_bt.cli"])
+def test_the_package_runs_without_its_console_script(module: str) -> None:
+    done = subprocess.run([sys.executable, "-m", module, "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == decomplex_bt.__version__
 
 
 def test_reader_that_stops_is_no_error() -> None:
