@@ -62,7 +62,7 @@ class Handling(Looking):
         if all(name in self._floors() for name in ends):
             ends.sort(key=self._distance)  # one floor is as good as another
         if not ends and lost:
-            return self._look_for_people(target, lost)
+            return self._fetch(has_arrived) or self._look_for_people(target, lost)
         if not ends:
             raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
         problem: NothingLeftError | None = None
@@ -73,6 +73,16 @@ class Handling(Looking):
                 problem = error
         assert problem is not None
         raise problem
+
+    def _fetch(self, has_arrived: Callable[[str], bool]) -> Pursuit | None:
+        """The things are had first while it is not known where they are to go: who turns up meanwhile is gone to once.
+        None once they are carried, or as many as the robot can take."""
+
+        def is_settled(name: str) -> bool:
+            return has_arrived(name) or self.belief.place_of(name) == ROBOT
+
+        has_room = self.belief.held is None or None in self.belief.tray
+        return self._handle("taking", is_settled, {}) if has_room and self._found(is_settled) is None else None
 
     def _floors(self) -> frozenset[str]:
         return frozenset(self.house.floor_of(room) for room in self.house.rooms)
