@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import wipers_of
 from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import HERE, Referent
@@ -188,7 +189,8 @@ class Handling(Looking):
         goals = [self._atoms("motion", {"goal": end}) for end in ends]
         goal = self._first_open(goals)
         if goal is not None:
-            return self._ongoing(goal, f"going to {target.phrase}")
+            here = target.phrase in self.domain.lexicon.here_words
+            return self._ongoing(goal, f"going {'' if here else 'to '}{target.phrase}")
         lost = [name for name in names if name not in located]
         if lost:
             return self._look_for_people(target, lost)
@@ -227,7 +229,9 @@ class Handling(Looking):
                 return self._look_for_people(referent, lost)
             if not (done and referent.is_all):
                 raise NothingLeftError(
-                    self._why(f"{referent.phrase!r} is not to be found or reached", referent.candidates)
+                    self._why(
+                        f"{referent.phrase!r} {be(referent.phrase)} not to be found or reached", referent.candidates
+                    )
                 )
         return self._done(
             {referent: [name for name in self._meant(referent) if is_done(name)] for referent in referents}
@@ -236,5 +240,5 @@ class Handling(Looking):
     def _look_for_people(self, referent: Referent, lost: Sequence[str]) -> Pursuit:
         place = next_place(lost, self.belief, self._open_for(lost))
         if place is None:
-            raise NothingLeftError(self._why(f"{referent.phrase!r} is nowhere to be found", lost))
+            raise NothingLeftError(self._why(f"{referent.phrase!r} {be(referent.phrase)} nowhere to be found", lost))
         return self._inspect(place, referent.phrase)

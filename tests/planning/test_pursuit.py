@@ -294,7 +294,7 @@ def test_something_to_wipe_with_is_looked_for_first(place: str | None, status: P
 def test_of_two_asked_for_the_one_there_is_will_not_do() -> None:
     inside = world({"cup_2": None})
     (brought,) = run("[Bring](1:bringing) [me](1:recipient) [two cups](1:object)", inside)
-    assert (brought.status, brought.reason) == (FAILED, "'two cups' is nowhere to be found")
+    assert (brought.status, brought.reason) == (FAILED, "'two cups' are nowhere to be found")
 
 
 @pytest.mark.parametrize(("second", "is_so"), [("full", True), ("empty", False)])
