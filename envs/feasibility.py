@@ -215,7 +215,7 @@ def _readings(
         found = outcomes(task, bindings, Omniscient(world.domain, world), is_condition=is_condition)
         yield from ((outcome.truth, outcome.bindings, world) for outcome in found)
         if not found:
-            yield False, bindings, world
+            yield task.is_denied, bindings, world
         return
     if isinstance(possible, Cause):
         yield (False if is_condition else possible), given_up(task, bindings), world

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 from decomplex_bt.domain.loader import Domain
@@ -20,7 +21,7 @@ from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, outcomes
 from decomplex_bt.envs.truth import Moment, Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
@@ -41,7 +42,8 @@ class Reading:
     `agenda`: what is still to come, the task due now first. `since`: the step at which that one became due, `room`
     where the robot was. `is_impossible`: the true world does not allow it. `moment`: the world as it was then, by which
     a condition is judged that finds something out. `tried`: the outcomes it was taken for in other readings.
-    `untold`: conditions that fail for what the world is, which the robot has yet to find out for itself.
+    `untold`: conditions that fail for what the world is, which the robot has yet to find out for itself. `chosen`:
+    phrases that a task has been done with, and that therefore mean one thing, whichever it was.
     """
 
     agenda: tuple[Node, ...]
@@ -54,6 +56,7 @@ class Reading:
     moment: Moment | None = None
     tried: frozenset[tuple[bool, tuple[tuple[str, ...], ...]]] = frozenset()
     untold: tuple[int, ...] = ()
+    chosen: tuple[Referent, ...] = ()
 
     @property
     def due(self) -> Node | None:
@@ -203,14 +206,14 @@ class Monitor:
         followers, is_settled = [], False
         if self._is_beyond_hope(task, reading, is_condition):
             untold = replace(reading, untold=(*reading.untold, task.number))
-            return None, [self._settle(untold, node, task.is_denied, given_up(task, reading.bindings))]
+            return None, list(self._settle(untold, node, task.is_denied, given_up(task, reading.bindings)))
         evidence = self._evidence(reading)
         for outcome in outcomes(task, reading.bindings, evidence, is_condition=is_condition):
             key = (outcome.truth, tuple(candidates(referent, outcome.bindings) for referent in task.referents()))
             if key in reading.tried:
                 continue
             reading = replace(reading, tried=reading.tried | {key})
-            followers.append(self._settle(reading, node, outcome.truth, outcome.bindings))
+            followers.extend(self._settle(reading, node, outcome.truth, outcome.bindings))
             is_settled |= outcome.is_final
         return (None if is_settled else reading), followers
 
@@ -237,18 +240,32 @@ class Monitor:
         among = {referent: candidates(referent, bindings) for referent in task.objects}
         return all(sum(map(is_here, names)) >= needed(referent, names) for referent, names in among.items())
 
-    def _settle(self, reading: Reading, node: Node, truth: bool, bindings: Bindings) -> Reading:
+    def _settle(self, reading: Reading, node: Node, truth: bool, bindings: Bindings) -> Iterator[Reading]:
+        """What comes of a reading whose task due has come out as true or false."""
         branch, ahead = enter(node, truth)
-        follower = replace(
+        chosen = (*reading.chosen, *_chosen_with(self.instruction.task(node.task), truth))
+        settled = replace(
             reading,
             agenda=(*ahead, *reading.agenda[1:]),
             bindings=bindings,
             met=(*reading.met, node.task),
             branches=(*reading.branches, *branch),
+            chosen=tuple(dict.fromkeys(chosen)),
         )
-        follower = self._make_due(follower)
-        self._look(follower)
-        return follower
+        for one in self._taken_apart(settled):
+            follower = self._make_due(one)
+            self._look(follower)
+            yield follower
+
+    def _taken_apart(self, reading: Reading) -> Iterator[Reading]:
+        """The reading or, where something is to be found out about what an earlier task was done with, one for each
+        thing that it may have been: of the cupboard that was closed it is asked what is in it, not of both."""
+        due = None if reading.due is None else self.instruction.task(reading.due.task)
+        asked = due.referents() if due is not None and due.type in FINDING_OUT else ()
+        referents = [referent for referent in reading.chosen if referent in asked]
+        among = [(candidates(referent, reading.bindings), referent.count) for referent in referents]
+        for choice in product(*(combinations(names, min(count, len(names))) for names, count in among)):
+            yield replace(reading, bindings={**reading.bindings, **dict(zip(referents, choice, strict=True))})
 
     def _evidence(self, reading: Reading) -> Evidence:
         return Evidence(self.domain, reading.moment or self.truth, self.record, reading.since)
@@ -371,6 +388,16 @@ class Monitor:
         """The condition that was reached and that nothing has decided yet."""
         if isinstance(reading.due, If):
             yield Branch(reading.due.task, None, None)
+
+
+def _chosen_with(task: GroundTask, truth: bool) -> Iterator[Referent]:
+    """The phrases of a task that mean one thing from when it has come out: that with which it was done or found so."""
+    is_of_value = task.type == "check_state" and task.state != HERE
+    if task.type not in FINDING_OUT:
+        referents = task.referents() if truth else ()
+    else:
+        referents = tuple(r for r in task.objects if truth != task.is_denied or (is_of_value and not r.is_any))
+    yield from (referent for referent in referents if not referent.is_all)
 
 
 def _without_twins(readings: list[Reading]) -> Iterator[Reading]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from decomplex_bt.domain.nouns import be
+
 CauseKind = Literal["thing nowhere", "person out", "device broken", "place not reachable", "goal not possible"]
 """All that makes an instruction infeasible in a world."""
 
@@ -20,9 +22,9 @@ class Cause:
     def __str__(self) -> str:
         name = self.entity.replace("_", " ")
         says = {
-            "thing nowhere": f"{name} is nowhere in the house",
+            "thing nowhere": f"{name} {be(name)} nowhere in the house",
             "person out": f"{name} is out",
-            "device broken": f"{name} is broken",
+            "device broken": f"{name} {be(name)} broken",
             "place not reachable": f"{name} cannot be reached",
             "goal not possible": f"{name} cannot be made so",
         }[self.kind]

@@ -38,6 +38,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "cli": BASIC
     | {"understanding", "planning", "behaviour", "envs", "evaluation", "corpus_statistics"}
     | {"formats", "reproduction", ""},
+    "__main__": frozenset({"cli"}),
 }
 """Which rooms each room may import, itself apart; "" is the package's own front door. Lazy imports count, too."""
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+import decomplex_bt
 from decomplex_bt.cli import main
 
 PEN = "Bring me a pen if you can find it on the table, if you cannot find one then search in the drawer."
@@ -160,6 +161,21 @@ def test_run_says_where_nothing_was_left_to_do(capsys: pytest.CaptureFixture[str
         said[" 1 steps" in last] = last
     assert said[True].startswith("success: nothing was left to do from the first (0.1 s")
     assert said[False].startswith("success (")
+
+
+@pytest.mark.parametrize(
+    ("is_out_of_time", "said"), [(True, "time ran out"), (False, "task 1 (Bring me the apple) was not settled")]
+)
+def test_a_failure_that_nothing_explains_is_not_put_down_to_the_time(is_out_of_time: bool, said: str) -> None:
+    import gymnasium as gym
+
+    from decomplex_bt.cli.episode import Episode
+    from decomplex_bt.cli.reading import read
+
+    reading = read("Bring me the apple.", "household", may_ask=False)
+    episode = Episode(gym.make("decomplex_bt/Household-v0"), reading, 0)
+    episode._is_out_of_time = is_out_of_time
+    assert said in episode.verdict
 
 
 def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -319,6 +335,12 @@ def test_help_loads_nothing_heavy() -> None:
     assert done.stderr.strip() == "[]"
     for command in ("run", "parse", "plan", "tree", "train", "corpus", "evaluate"):
         assert f"\n  {command} " in done.stdout
+
+
+@pytest.mark.parametrize("module", ["decomplex_bt", "decomplex_bt.cli"])
+def test_the_package_runs_without_its_console_script(module: str) -> None:
+    done = subprocess.run([sys.executable, "-m", module, "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == decomplex_bt.__version__
 
 
 def test_reader_that_stops_is_no_error() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from py_trees.common import Status
@@ -19,10 +20,10 @@ from decomplex_bt.behaviour.session import Session
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Doubt, Instruction, Missing
+from decomplex_bt.instruction import Doubt, Instruction, Missing, Task
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.distribution import distributed
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction
+from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
@@ -190,11 +191,17 @@ class TreeAgent:
 
 def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:
     """The tree of a grounded instruction, its nodes named by sentences; it is set up with a session before it ticks."""
+    instruction = distributed(instruction)
     tasks = {task.number: task for task in grounded.tasks}
     prepositions = domain.lexicon.prepositions
     names = {
-        task.id: say_task(task, domain.ontology, state=_spoken_state(tasks[task.id].state), prepositions=prepositions)
-        for task in distributed(instruction).tasks
+        task.id: say_task(
+            _as_spoken(task, instruction),
+            domain.ontology,
+            state=_spoken_state(tasks[task.id], task),
+            prepositions=prepositions,
+        )
+        for task in instruction.tasks
     }
     return compile_flow(
         grounded.flow,
@@ -222,6 +229,17 @@ def _running_leaf(tree: BehaviourTree) -> PlannedTask | None:
     return leaf
 
 
-def _spoken_state(state: str | None) -> str | None:
-    """The state as it belongs into a sentence; that something is there is said without a word."""
-    return None if state == HERE else state
+def _as_spoken(task: Task, instruction: Instruction) -> Task:
+    """The task with its places as they are said where they are named."""
+    places = ("goal", "source", "location")
+    said = (replace(a, value=instruction.spoken(a, task)) if a.type in places else a for a in task.arguments)
+    return replace(task, arguments=tuple(said))
+
+
+def _spoken_state(grounded: GroundTask, task: Task) -> str | None:
+    """The state as it belongs into a sentence; that something is there is said without a word, that it is not with one:
+    "gone", "gone from the table", "not in the kitchen"."""
+    if grounded.state != HERE or not grounded.is_denied:
+        return None if grounded.state == HERE else grounded.state
+    where = task.value("location")
+    return "gone" if where is None or where.startswith(("from ", "out of ")) else "not"

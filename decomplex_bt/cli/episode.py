@@ -49,6 +49,7 @@ class Episode:
         self._nodes = {"/".join(map(str, path)): node for path, node in self.agent.compiled.nodes.items()}
         self.steps = 0
         self.is_over = False
+        self._is_out_of_time = False
 
     def play(self) -> Iterator[Moment]:
         """Runs the episode, one step each time a moment is asked for."""
@@ -60,6 +61,7 @@ class Episode:
                 self._show_what_is_done()
             self._observation, _, terminated, truncated, self.info = self._env.step(action)
             self.steps += 1
+            self._is_out_of_time = truncated and not terminated
             self.is_over = terminated or truncated or self.agent.done
             if terminated and not self.agent.done:
                 self.agent.act(self._observation)  # the judge was first; the tree takes in what its last step did
@@ -86,7 +88,15 @@ class Episode:
         if self.outcome == "success":
             return f"success{': nothing was left to do from the first' if self._was_met else ''} ({spent}; {basis})"
         reasons = [*self.info.get("violations", ()), *map(str, self.agent.failures)]
-        return f"failure: {'; '.join(reasons) or 'time ran out'} ({spent}; {basis})"
+        return f"failure: {'; '.join(reasons) or self._end} ({spent}; {basis})"
+
+    @property
+    def _end(self) -> str:
+        """How an episode ended in which nothing went wrong that the robot or the judge could name."""
+        if self._is_out_of_time:
+            return "time ran out"
+        due = self.info["unsettled"]
+        return f"the robot was content, but task {due} ({self.reading.instruction.phrase(due)}) was not settled"
 
     @property
     def running(self) -> PlannedTask | None:

@@ -15,6 +15,13 @@ _IRREGULAR = {
     "dishes": "dish", "leaves": "leaf", "wives": "wife",
 }  # fmt: skip
 
+_ALWAYS_SINGULAR = frozenset(("news", "gas", "lens"))
+_ONE = frozenset(("a", "an", "one", "each", "every", "either", "neither", "this", "that"))
+_SEVERAL_OF = frozenset(("all", "both", "some", "most", "two", "three", "four", "five", "none"))
+_BEHIND_A_NOUN = frozenset(
+    ("of", "in", "on", "at", "from", "with", "that", "which", "who", "next", "under", "by", "for", "near", "behind")
+)
+
 
 @dataclass(frozen=True)
 class Nouns:
@@ -84,6 +91,21 @@ def singulars(phrase: str) -> tuple[str, ...]:
     if word.endswith("s") and not word.endswith("ss") and len(word) > 2:
         stems.append(word[:-1])
     return tuple(f"{start} {stem}".strip() for stem in stems)
+
+
+def be(phrase: str) -> str:
+    """The form of "to be" that goes with a phrase: "my keys" are, "a box of pens" is."""
+    words = phrase.split()
+    if "and" in words:
+        return "are"
+    if not words or words[0].lower() in _ONE:
+        return "is"
+    end = next((i for i, word in enumerate(words) if i and word in _BEHIND_A_NOUN), len(words))
+    if words[end : end + 1] == ["of"] and words[0].lower() in _SEVERAL_OF:
+        return be(" ".join(words[end + 1 :]))
+    head = next((word for word in reversed(words[:end]) if not word.isdigit()), "")
+    is_plural = head in _IRREGULAR or (head.islower() and head.endswith("s") and head not in _ALWAYS_SINGULAR)
+    return "are" if is_plural and not head.endswith(("ss", "us", "is", "'s", "\u2019s")) else "is"
 
 
 def _spoken(entity: str, is_person: bool) -> str:

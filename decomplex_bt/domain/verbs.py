@@ -12,8 +12,8 @@ _IRREGULAR = {
     **dict.fromkeys(("has", "had"), "have"),
     "lit": "light", "shut": "shut", "shutting": "shut", "put": "put", "putting": "put", "set": "set", "setting": "set",
     "cut": "cut", "cutting": "cut", "froze": "freeze", "frozen": "freeze", "drew": "draw", "drawn": "draw",
-    "swept": "sweep", "does": "do", "went": "go", "took": "take", "gave": "give", "brought": "bring", "left": "leave",
-    "found": "find", "told": "tell", "said": "say", "made": "make", "blew": "blow",
+    "swept": "sweep", "does": "do", "went": "go", "gone": "go", "took": "take", "gave": "give", "brought": "bring",
+    "left": "leave", "found": "find", "told": "tell", "said": "say", "made": "make", "blew": "blow",
 }  # fmt: skip
 
 

@@ -210,6 +210,11 @@ class _Grounder:
         words, where = task.value("state"), task.value("location")
         if where is not None and self.wording.is_presence(where):
             where, words = None, words or (None if self.wording.is_state(task) else where)
+        if where is not None and self.wording.has_absence_verb(task) and self.wording.is_house(where):
+            where = None
+        if where is None and words is None and (particle := self.wording.absence_particle(task)):
+            is_said = self.wording.is_absence(particle) or self._is_state_of_objects(task, particle)
+            words = particle if is_said else None
         if words is not None and self.wording.has_possession_verb(task) and self._asks_who_has(task, words):
             raise ImpossibleGoalError(
                 f"who has a thing cannot be asked here ({bare.phrase!r}); ask whether it is with them or somewhere"
@@ -219,9 +224,10 @@ class _Grounder:
             # a verbless condition is marked on its state: "oven on?", "heater on in the bathroom?"
             words = task.span.of(self.instruction.text)
         places = self._places(task, "location", "source") if where is not None else ()
-        if self._asks_absence(task, words):
+        if self._asks_absence(task, words, where):
             objects, inner = self._objects(task, lambda name: True, "be looked for")
-            return self._absence(replace(bare, objects=objects, places=inner, state=HERE, is_denied=True), task)
+            left = places if where is not None and self.wording.is_left(where) else ()
+            return self._absence(replace(bare, objects=objects, places=left + inner, state=HERE, is_denied=True), task)
         if words is None or (self.wording.is_presence(words) and not self._is_state_of_objects(task, words)):
             objects, inner = self._objects(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
@@ -240,10 +246,13 @@ class _Grounder:
         objects = tuple(replace(referent, is_all=False) for referent in grounded.objects)
         return self._presence(replace(grounded, objects=objects), task)
 
-    def _asks_absence(self, task: Task, words: str | None) -> bool:
-        """Whether a check asks whether somebody or something is not there; a light that is out is off."""
-        if self.wording.has_absence_verb(task) and words in (None, task.span.of(self.instruction.text)):
-            return all(map(self.referents.is_person, self._named(task)))
+    def _asks_absence(self, task: Task, words: str | None, where: str | None) -> bool:
+        """Whether a check asks whether somebody or something is not there; a light that is out is off, and who has
+        gone somewhere is there."""
+        verb = task.span.of(self.instruction.text)
+        if self.wording.has_absence_verb(task) and words in (None, verb):
+            may_go = self.wording.is_absence(verb) or all(map(self.referents.is_person, self._named(task)))
+            return may_go and (where is None or self.wording.is_left(where))
         return words is not None and self.wording.is_absence(words) and not self._is_state_of_objects(task, words)
 
     def _asks_who_has(self, task: Task, words: str) -> bool:

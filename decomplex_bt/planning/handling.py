@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import wipers_of
 from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import HERE, Referent
@@ -78,7 +79,7 @@ class Handling(Looking):
         if all(name in self._floors() for name in ends):
             ends.sort(key=self._distance)  # one floor is as good as another
         if not ends and lost:
-            return self._look_for_people(target, lost)
+            return self._fetch(has_arrived) or self._look_for_people(target, lost)
         if not ends:
             raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
         problem: NothingLeftError | None = None
@@ -89,6 +90,16 @@ class Handling(Looking):
                 problem = error
         assert problem is not None
         raise problem
+
+    def _fetch(self, has_arrived: Callable[[str], bool]) -> Pursuit | None:
+        """The things are had first while it is not known where they are to go: who turns up meanwhile is gone to once.
+        None once they are carried, or as many as the robot can take."""
+
+        def is_settled(name: str) -> bool:
+            return has_arrived(name) or self.belief.place_of(name) == ROBOT
+
+        has_room = self.belief.held is None or None in self.belief.tray
+        return self._handle("taking", is_settled, {}) if has_room and self._found(is_settled) is None else None
 
     def _floors(self) -> frozenset[str]:
         return frozenset(self.house.floor_of(room) for room in self.house.rooms)
@@ -194,7 +205,8 @@ class Handling(Looking):
         goals = [self._atoms("motion", {"goal": end}) for end in ends]
         goal = self._first_open(goals)
         if goal is not None:
-            return self._ongoing(goal, f"going to {target.phrase}")
+            here = target.phrase in self.domain.lexicon.here_words
+            return self._ongoing(goal, f"going {'' if here else 'to '}{target.phrase}")
         lost = [name for name in names if name not in located]
         if lost:
             return self._look_for_people(target, lost)
@@ -233,7 +245,9 @@ class Handling(Looking):
                 return self._look_for_people(referent, lost)
             if not (done and referent.is_all):
                 raise NothingLeftError(
-                    self._why(f"{referent.phrase!r} is not to be found or reached", referent.candidates)
+                    self._why(
+                        f"{referent.phrase!r} {be(referent.phrase)} not to be found or reached", referent.candidates
+                    )
                 )
         return self._done(
             {referent: [name for name in self._meant(referent) if is_done(name)] for referent in referents}
@@ -242,5 +256,5 @@ class Handling(Looking):
     def _look_for_people(self, referent: Referent, lost: Sequence[str]) -> Pursuit:
         place = next_place(lost, self.belief, self._open_for(lost))
         if place is None:
-            raise NothingLeftError(self._why(f"{referent.phrase!r} is nowhere to be found", lost))
+            raise NothingLeftError(self._why(f"{referent.phrase!r} {be(referent.phrase)} nowhere to be found", lost))
         return self._inspect(place, referent.phrase)

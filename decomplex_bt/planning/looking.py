@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.problem import fact_name
@@ -48,7 +49,7 @@ class Looking(Standing):
             return self._inspect(place, self._objects_phrase())
         inspected = [place for place in self.wheres if self._was_inspected(place)]
         if len(inspected) == len(self.wheres) or (inspected and may_be_partial):
-            reason = f"{self._objects_phrase()} is not there"
+            reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not there"
             return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self.bindings)
         raise NothingLeftError(self._why("not all places could be inspected", self.wheres), truth=None)
 
@@ -60,14 +61,15 @@ class Looking(Standing):
                 holder = place if place in self.house.people else None
                 goals = [self._inspected_goal(place or "")] if holder is None else [(Atom("at", (holder,)),)]
                 if place is not None and (goal := self._first_open(goals)) is not None:
-                    return self._ongoing(goal, f"going to where {self._objects_phrase()} is")
+                    return self._ongoing(goal, f"going to where {self._objects_phrase()} {be(self._objects_phrase())}")
             elif (goal := self._first_open([(Atom("at", (name,)),)])) is not None:
                 return self._ongoing(goal, f"going to {self._objects_phrase()}")
         open_places = self._open_for(names)
         place = next_place(names, self.belief, open_places)
         if place is not None:
             return self._inspect(place, self._phrase_of(names))
-        raise NothingLeftError(self._why(f"{self._phrase_of(names)} is nowhere to be found", names))
+        what = self._phrase_of(names)
+        raise NothingLeftError(self._why(f"{what} {be(what)} nowhere to be found", names))
 
     def _inspect(self, place: str | None, what: str) -> Pursuit:
         assert place is not None
@@ -143,5 +145,5 @@ class Looking(Standing):
         return self._is_located(name) or bool(self._open_for([name]))
 
     def _false(self, bound: Mapping[Referent, Sequence[str]]) -> Pursuit:
-        reason = f"{self._objects_phrase()} is not {self.task.state}"
+        reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not {self.task.state}"
         return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self._bind(bound))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 
+from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import GroundTask, Referent
@@ -236,7 +237,7 @@ class Standing:
         summary = (
             f"no way was found to do it with {referent.phrase!r}"
             if is_known
-            else f"{referent.phrase!r} is nowhere to be found"
+            else f"{referent.phrase!r} {be(referent.phrase)} nowhere to be found"
         )
         return self._why(summary, names)
 

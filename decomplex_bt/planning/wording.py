@@ -52,7 +52,7 @@ class Wording:
     def says_state(self, task: Task) -> bool:
         """Whether the word that carries a check says itself what is asked ("oven on?", "any soap left?")."""
         is_presence = self.is_presence(task.span.of(self._instruction.text))
-        return is_presence or self.is_state(task) or self.has_presence_verb(task)
+        return is_presence or self.is_state(task) or self.has_presence_verb(task) or self.has_absence_verb(task)
 
     def is_state(self, task: Task) -> bool:
         """Whether the word that carries a check is one of state ("oven on?")."""
@@ -78,9 +78,26 @@ class Wording:
         return "have" in lemmas(task.span.of(self._instruction.text).lower())
 
     def has_absence_verb(self, task: Task) -> bool:
-        """Whether a check asks by its verb whether somebody is gone ("if Anna has left")."""
-        form = task.span.of(self._instruction.text).lower()
-        return any(lemma in self._domain.lexicon.absence_verbs for lemma in lemmas(form))
+        """Whether a check asks by its verb whether somebody is gone ("if Anna has left", "… has popped out")."""
+        form, particle = task.span.of(self._instruction.text).lower(), self._word_behind(task)
+        verbs = self._domain.lexicon.absence_verbs
+        return any(verb in verbs for lemma in lemmas(form) for verb in (lemma, f"{lemma} {particle}"))
+
+    def absence_particle(self, task: Task) -> str:
+        """The word behind such a verb, which may say how somebody or something has gone: Anna, or a light, goes out."""
+        return self._word_behind(task) if self.has_absence_verb(task) else ""
+
+    def is_left(self, where: str) -> bool:
+        """Whether a place is where somebody has gone from ("from the table"; "has left the kitchen"), and not to."""
+        return split_preposition(where, self._domain)[0] in ("", "from", "out of")
+
+    def is_house(self, where: str) -> bool:
+        """Whether a place is the whole house."""
+        return self.is_presence(f"in {split_preposition(where, self._domain)[1]}")
+
+    def _word_behind(self, task: Task) -> str:
+        match = re.compile(r" +([a-z]+)").match(self._instruction.text.lower(), task.span.end)
+        return match[1] if match else ""
 
     def _particles(self, task: Task) -> list[str]:
         """The words behind the verb, up to the next task or the end of the sentence, that are in no argument."""

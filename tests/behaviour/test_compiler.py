@@ -76,6 +76,15 @@ def task(kind, **arguments):
     [
         (task("searching", object="a pen", location="in the drawer"), None, "look for a pen in the drawer"),
         (task("searching", location="the desk"), None, "look in the desk"),
+        (task("searching", object="for my wallet"), None, "look for my wallet"),
+        (
+            task("check_state", object="my glasses", location="on the desk"),
+            None,
+            "check that my glasses are on the desk",
+        ),
+        (task("check_state", object="Anna", location="home"), None, "check that Anna is home"),
+        (task("check_state", object="Anna", location="to the kitchen"), None, "check that Anna is in the kitchen"),
+        (task("bringing", object="my wallet", recipient="I", goal="here"), None, "bring my wallet to me here"),
         (task("bringing", object="it", recipient="me"), None, "bring it to me"),
         (task("informing", recipient="to Anna", message="that I am late"), None, "tell Anna that I am late"),
         (task("change_state", object="the tv"), "off", "turn the tv off"),
@@ -91,6 +100,12 @@ def task(kind, **arguments):
 )
 def test_names_are_sentences(task, state, sentence):
     assert say_task(task, load_domain("household").ontology, state=state) == sentence
+
+
+def test_several_are_joined():
+    arguments = (Argument("object", "the cup"), Argument("object", "the mug"), Argument("recipient", "me"))
+    several = Task(1, "bringing", Span(0, 1), arguments)
+    assert say_task(several, load_domain("household").ontology) == "bring the cup and the mug to me"
 
 
 def test_conditions_are_sentences():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.domain.nouns import singulars
+from decomplex_bt.domain.nouns import be, singulars
 from decomplex_bt.domain.verbs import sense_of
 
 DOMAIN = load_domain()
@@ -74,3 +74,26 @@ def test_the_nearest_word_to_a_slip_of_the_pen() -> None:
 
 def test_a_word_like_none_still_shows_what_there_is() -> None:
     assert len(DOMAIN.nouns.nearest("xqzzy")) == 3
+
+
+@pytest.mark.parametrize(
+    "phrase",
+    [
+        "my keys",
+        "the living room curtains",
+        "both of the mugs",
+        "two pens",
+        "Anna and Tom",
+        "the dishes",
+        "keys in a box",
+    ],
+)
+def test_several_are(phrase: str) -> None:
+    assert be(phrase) == "are"
+
+
+@pytest.mark.parametrize(
+    "phrase", ["the glass", "a box of pens", "Thomas", "one of the mugs", "glass 1", "all the milk", "the bus", ""]
+)
+def test_one_is(phrase: str) -> None:
+    assert be(phrase) == "is"

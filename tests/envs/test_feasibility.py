@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -60,6 +62,13 @@ def test_causes(world, due, kind, entity):
 )
 def test_what_can_be_done(world, due):
     assert course(world, [1], due).is_feasible
+
+
+def test_what_is_due_where_somebody_is_out_must_be_possible_too():
+    check = replace(task(1, "check_state", "anna", state=HERE), is_denied=True)
+    found = course(HandWorld(), [{"if": 1, "then": [2]}], check, task(2, "informing", recipient="tom"))
+    assert found.tasks == (1, 2)
+    assert str(found.cause) == "task 2: tom is out"
 
 
 def test_a_place_out_of_reach_is_named(monkeypatch):

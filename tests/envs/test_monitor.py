@@ -339,6 +339,34 @@ def test_the_phrase_is_narrowed_to_what_was_found():
     assert episode.give("pen_1", "user").is_success
 
 
+def test_what_a_task_was_done_with_is_what_is_asked_about_from_there_on():
+    cupboard = referent("cupboard", "medicine_cabinet", phrase="the cupboard")
+    closed = {(name, "aperture"): "closed" for name in cupboard.candidates}
+    for inspected in cupboard.candidates:
+        episode = Episode(
+            HandWorld({"plate_1": "sink"}, closed),
+            [1, {"if": 2, "then": [3]}],
+            task(1, "change_state", cupboard, state="closed"),
+            task(2, "check_state", referent("plate_1", "plate_2"), at=[cupboard], state=HERE),
+            task(3, "motion", goal="study"),
+        )
+        assert episode.verdict.met == 1
+        assert episode.inspect(inspected).is_success
+        assert episode.truths == [(2, False, None)]
+
+
+def test_what_no_task_was_done_with_may_be_any_of_what_is_said():
+    tables = referent("kitchen_table", "coffee_table", phrase="the table")
+    episode = Episode(
+        HandWorld(),
+        [{"if": 1, "then": [2]}],
+        task(1, "check_state", "book", at=[tables], state=HERE),
+        task(2, "motion", goal="study"),
+    )
+    assert not episode.inspect("kitchen_table").is_success
+    assert episode.inspect("coffee_table").is_success
+
+
 def test_a_check_is_true_or_false_as_the_world_was_when_it_was_observed():
     flow = [{"if": 1, "then": [2], "else": [3]}]
     tasks = (

@@ -439,6 +439,11 @@ def test_to_come_is_to_come_here_unless_words_say_where(text: str, goal: str) ->
         ("if [the milk](1:object) [is](1:check_state) [gone](1:state)", True),
         ("if [Anna](1:object) [is](1:check_state) [in](1:state)", False),
         ("if there is [any milk](1:object) [left](1:check_state)", False),
+        ("if [Anna](1:object) has [gone](1:check_state) out", True),
+        ("if [Tom](1:object) [went](1:check_state) away", True),
+        ("if [Tom](1:object) has [popped](1:check_state) out", True),
+        ("if [the guest](1:object) has [left](1:check_state) [the house](1:location)", True),
+        ("if [the milk](1:object) has [gone](1:check_state)", True),
         ("if [Tom](1:object) [is](1:check_state) [back](1:state)", False),
     ],
 )
@@ -447,8 +452,24 @@ def test_a_check_may_ask_for_absence(text: str, is_denied: bool) -> None:
     assert (task.state, task.is_denied) == ("here", is_denied)
 
 
+@pytest.mark.parametrize(
+    ("text", "place", "is_denied"),
+    [
+        ("if [Anna](1:object) has [left](1:check_state) [the kitchen](1:location)", "kitchen", True),
+        ("if [the mug](1:object) has [gone](1:check_state) [from the desk](1:location)", "desk", True),
+        ("if [Anna](1:object) has [gone](1:check_state) [to the kitchen](1:location)", "kitchen", False),
+        ("if [Anna](1:object) [went](1:check_state) [into the kitchen](1:location)", "kitchen", False),
+    ],
+)
+def test_who_has_gone_is_not_where_they_went_from(text: str, place: str, is_denied: bool) -> None:
+    task = first(text)
+    assert (task.state, task.places[0].candidates, task.is_denied) == (HERE, (place,), is_denied)
+
+
 def test_a_light_that_is_out_is_off() -> None:
     task = first("if [the kitchen light](1:object) [is](1:check_state) [out](1:state)")
+    assert (task.state, task.is_denied) == ("off", False)
+    task = first("if [the light](1:object) has [gone](1:check_state) out")
     assert (task.state, task.is_denied) == ("off", False)
 
 

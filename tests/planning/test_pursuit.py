@@ -148,6 +148,21 @@ def test_two_things_are_brought_in_one_go() -> None:
     assert sum(step.startswith("(pass living_room_doorway") for step in names(inside)) == 1
 
 
+def test_what_somebody_is_to_get_is_had_before_they_are_looked_for() -> None:
+    inside = world({"letter": "hallway_table", "tom": "bedroom"})
+    assert run("[Bring](1:bringing) [the letter](1:object) [to Tom](1:recipient)", inside)[0].status is DONE
+    steps = [step.name for step in inside.steps]
+    assert steps.index("pick") < steps.index("pass")
+
+
+def test_what_cannot_all_be_carried_at_once_is_brought_all_the_same() -> None:
+    things = [f"{kind}_{number}" for kind in ("cup", "mug", "plate") for number in (1, 2)]
+    inside = world({**dict.fromkeys(things, "counter"), "tom": "bedroom"})
+    text = "[Bring](1:bringing) [all the cups, all the mugs and all the plates](1:object) [to Tom](1:recipient)"
+    assert run(text, inside)[0].status is DONE
+    assert {inside.places[thing] for thing in things} == {"tom"}
+
+
 def test_the_clean_one_is_brought_not_the_dirty_one() -> None:
     values = {("mug_1", "cleanliness"): "dirty", ("mug_2", "cleanliness"): "clean"}
     inside = world({"mug_1": "counter", "mug_2": "desk"}, values)
@@ -344,7 +359,7 @@ def test_something_to_wipe_with_is_looked_for_first(place: str | None, status: P
 def test_of_two_asked_for_the_one_there_is_will_not_do() -> None:
     inside = world({"cup_2": None})
     (brought,) = run("[Bring](1:bringing) [me](1:recipient) [two cups](1:object)", inside)
-    assert (brought.status, brought.reason) == (FAILED, "'two cups' is nowhere to be found")
+    assert (brought.status, brought.reason) == (FAILED, "'two cups' are nowhere to be found")
 
 
 @pytest.mark.parametrize(("second", "is_so"), [("full", True), ("empty", False)])
