@@ -92,7 +92,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if shape == "long":
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
     verbs = frozenset(document.indices(task.span).start for task in tasks)
-    left_out = {i for excluded in exclusions(document, verbs) for i in excluded.tokens}
+    left_out = {i for excluded in exclusions(document, verbs) if excluded.is_part for i in excluded.tokens}
     chunks = [chunk for whole in noun_chunks(document) for chunk in _between(document, whole, verbs)]
     for shape, phrases in (
         ("chunk", chunks),
