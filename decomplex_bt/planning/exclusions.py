@@ -10,13 +10,19 @@ from dataclasses import dataclass, replace
 from decomplex_bt.instruction import Argument, Instruction, Task
 
 _EXCEPT = re.compile(
-    r"[\s,]*\b(?:except(?:ing)?(?: for)?|apart from|other than|save for|"
+    r"[\s,]*\b(?:(?:all )?(?:except(?:ing)?(?: for)?|excluding|apart from|aside from|other than|save for|but for)|"
+    r"(?P<but>(?:all )?but(?= (?:the|my|our|your|his|her|that|those)\b))|"
     r"but not(?! (?:if|when|before|after|until|unless|yet|while)\b)|"
     r"(?P<aside>(?:and )?not(?= (?:the|a|an|any|my|that|those)\b))|"
     r"(?P<clause>(?:that|which)(?: (?:is|are)(?:n['\u2019]t| not)|['\u2019](?:s|re) not)(?: yet)?))\s+",
     re.IGNORECASE,
 )
-_BEING = re.compile(r",?\s+(?:that|which)(?:\s+(?:is|are)|['\u2019](?:s|re))(?:\s+still)?\s+(\w+)\b", re.IGNORECASE)
+_WHOLE = re.compile(r"\b(?:all|every\w*|any\w*|each|no|nothing|both)\b", re.IGNORECASE)
+_BEING = re.compile(
+    r",?\s+(?:that|which)(?:\s+(?:is|are)|['\u2019](?:s|re))(?:\s+(?:still|already|currently))?"
+    r"\s+((?:switched |turned |plugged )?\w+)\b",
+    re.IGNORECASE,
+)
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
 _ENDS_IN_ONE = re.compile(r"\bones?\s*$", re.IGNORECASE)
 _ONE = re.compile(r"\bones?\b", re.IGNORECASE)
@@ -38,7 +44,7 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
         return task, None
     text = instruction.text
     end = scope = min([t.span.start for t in instruction.tasks if t.span.start > said[0].start], default=len(text))
-    match = _EXCEPT.search(text, said[0].start, end)
+    match = next((m for m in _EXCEPT.finditer(text, said[0].start, end) if _is_left_out(text, said[0].start, m)), None)
     if match is None:
         return task, None
     dropped = {"object", "location", *(("state",) if match["clause"] else ())}
@@ -64,6 +70,11 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
     if match["clause"] and len(words.split()) == 1:
         words = f"the {words} one"  # "that is not red"
     return replace(task, arguments=tuple(kept)), Exclusion(words, bool(match["aside"])) if words else None
+
+
+def _is_left_out(text: str, start: int, match: re.Match[str]) -> bool:
+    """Whether a "but" leaves out something of all that is named before it ("every lamp but the one in the hall")."""
+    return match["but"] is None or _WHOLE.search(text, start, match.end()) is not None
 
 
 def with_clauses(instruction: Instruction, task: Task) -> Task:

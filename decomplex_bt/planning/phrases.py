@@ -13,7 +13,9 @@ from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Argument
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|'re)?\s.*$")
-_BEING = re.compile(r"\s(?:that|which)(?:'s|'re|\s+is|\s+are)(?:\s+still)?\s+(\w+)$")
+_STILL = r"(?:\s+(?:still|already|currently))?"
+_BEING = re.compile(rf"\s(?:that|which)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:switched |turned |plugged )?\w+)$")
+_WHICHEVER = re.compile(rf"^(?:whichever|whatever)\s+(.+?)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:\w+ )?\w+)$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
 _CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
 _DESCRIBING = frozenset(("with", "for"))
@@ -189,6 +191,7 @@ def _normal(text: str) -> str:
 def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ...]:
     words = _MORE_THAN.sub(lambda match: _one_more(match[1], domain), _AT_LEAST.sub("", words))
     preposition, rest = split_preposition(words, domain)
+    rest = _WHICHEVER.sub(r"any \1 that is \2", rest)
     rest, clause = _CLAUSE.sub("", rest), _BEING.search(rest)
     parts = [part.strip() for part in _JOINT.split(rest) if part and part.strip()]
     phrases: list[NounPhrase] = []
@@ -197,21 +200,19 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
         later = _read_choice(part, preposition, domain, later, text)
         phrases.append(later)
     if clause is not None:
-        phrases = [_described(phrase, clause[1].split(), domain) for phrase in phrases]
+        phrases = [_described(phrase, clause[1], domain) for phrase in phrases]
     return tuple(reversed(phrases))
 
 
-def _described(phrase: NounPhrase, words: list[str], domain: Domain) -> NounPhrase:
-    """The phrase with colours and states that a clause gives ("that is red"); what else a clause says tells nothing."""
-    states = [read_state(word, domain.kinds.state_pairs, domain) for word in words]
-    colours = {word for word in words if word in domain.lexicon.colours}
-    if not all(state is not None or word in colours for word, state in zip(words, states, strict=True)):
-        return phrase
+def _described(phrase: NounPhrase, words: str, domain: Domain) -> NounPhrase:
+    """The phrase with the colour or the state that a clause gives ("that is red"); what else it says tells nothing."""
+    state = read_state(words, domain.kinds.state_pairs, domain)
+    colours = {words} & set(domain.lexicon.colours)
     return replace(
         phrase,
         entities=tuple(name for name in phrase.entities if _has_colour(name, colours, domain)),
         plurals=tuple(name for name in phrase.plurals if _has_colour(name, colours, domain)),
-        wanted=tuple(dict.fromkeys((*phrase.wanted, *filter(None, states)))),
+        wanted=tuple(dict.fromkeys((*phrase.wanted, *((state,) if state is not None else ())))),
     )
 
 

@@ -10,6 +10,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
+from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
 
@@ -36,7 +37,8 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             given.add("state")
         if task.type == "check_state":
             clause = clause_around(observed.document.text, task.span, verbs)
-            given |= {"object"} if is_of_nobody(clause) else {"state"} if asks_presence(clause) else set()
+            is_presence = asks_presence(clause) or _asks_who(observed, task)
+            given |= {"object"} if is_of_nobody(clause) else {"state"} if is_presence else set()
             if is_of_weather(clause):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
@@ -54,8 +56,18 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     return gap_of(observed.document, task, argument) is not None
 
 
+def _asks_who(observed: Observed, task: Task) -> bool:
+    """Whether a check asks who or what it is, of which "it" names nothing: "if it's the plumber"."""
+    document, verb = observed.document, observed.document.indices(task.span).start
+    said = [document.indices(argument.span) for argument in task.arguments if argument.span is not None]
+    word = document.tokens[verb]
+    is_it = verb > 0 and word.lemma in ("be", "'s") and document.tokens[verb - 1].lower == "it"
+    return (is_it or word.lower == "its") and [words.start for words in said] == [verb + 1]
+
+
 def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
-    """One line each: no task found, a prohibition that is not watched, repetition that is read as once."""
+    """One line each: no task found, a prohibition that is not watched, what has no verb, what is left out, repetition
+    that is read as once."""
     document = observed.document
     for verb in forbidden(observed):
         if is_needless(document, verb):
@@ -67,11 +79,17 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         yield NO_TASK
         return
     starts = {task.span.start for task in tasks}
-    for other in alternatives(observed, {document.indices(task.span).start: task.type for task in tasks}):
+    types = {document.indices(task.span).start: task.type for task in tasks}
+    for other in alternatives(observed, types):
         if other.is_verbal:
             continue
         phrase = document.span(other.tokens.start, other.tokens.stop - 1).of(document.text)
         yield f"{phrase!r} is no task, for it has no verb: say what to do with it"
+    said_of = [argument.span for task in tasks for argument in task.arguments if argument.span is not None]
+    for left_out in exclusions(document, types):
+        span = document.span(left_out.tokens.start, left_out.tokens.stop - 1)
+        if not any(one.start <= span.start and span.end <= one.end for one in said_of):
+            yield f"{span.of(document.text)!r} leaves something out, which no argument says: planning alone heeds it"
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)

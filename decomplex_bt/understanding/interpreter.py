@@ -29,6 +29,8 @@ from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stag
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
+from decomplex_bt.understanding.rules.gapping import gapped
+from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
@@ -164,6 +166,7 @@ class Interpreter:
         tasks = self._references.resolve(
             observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
         )
+        tasks = without_stated(document, tasks)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,
@@ -208,7 +211,9 @@ class Interpreter:
         elif of.type == "check_state":
             own = naming(document, of.token, own)
         chances = [self._calibration.of("argument", chance[argument.tokens.start]) for argument in own]
-        return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
+        found = [_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)]
+        is_gapped = any(pair.verb == of.token for pair in gapped(document, {of.token: of.type}))
+        return tuple(found) if is_gapped else without_rivals(found)
 
 
 def check_text(text: str) -> None:

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.amendments import amended, answered, completed, naming, reported, retracted
 from decomplex_bt.understanding.rules.withdrawals import withdrawals_of
 
@@ -234,3 +235,10 @@ def test_what_is_taken_up_behind_its_verb_and_what_only_tells_the_way_is_no_obje
     expected: set[tuple[str, str]],
 ) -> None:
     assert arguments(parser, text, tasks, *found) == expected
+
+
+def test_where_something_is_spilt_is_where_it_is_cleaned() -> None:
+    text = "someone spilled juice on the rug get a cloth and clean it up before it dries"
+    get, clean = Interpreter.load().interpret(text).tasks
+    assert [(a.type, a.value) for a in get.arguments] == [("object", "a cloth")]
+    assert {(a.type, a.value) for a in clean.arguments} == {("location", "on the rug"), ("object", "juice")}

@@ -20,6 +20,7 @@ from decomplex_bt.understanding.coreference import ReferenceModel, train_referen
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.affinity import Context, options_of
 from decomplex_bt.understanding.references.gaps import gap_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, noun_chunks, noun_of
@@ -313,3 +314,24 @@ def test_what_there_is_has_no_state_that_another_thing_has():
     context = Context(observed, (first, second), Flow.from_json([1, 2]))
     (gap,) = unsaid_gaps(observed, second, load_domain("household").ontology)
     assert {option.text for option in options_of(context, gap)} == {""}
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Start the mower. If it doesn't start, clean the filter and start it again.", "the mower"),
+        ("Unplug the toaster, empty the tray and plug it in again.", "the toaster"),
+        ("Close the window. Open the oven, take out the tray and close it again.", "the oven"),
+        ("Turn off the modem, check the cable and turn it back on.", "the modem"),
+        ("Clean the filter and check it again.", "the filter"),
+        ("The kitchen floor is dirty. Get the broom and sweep it.", "The kitchen floor"),
+        ("If there is water on the floor, get the mop and mop it up.", "water"),
+        ("Get the mop from the closet and clean it.", "the mop"),
+        ("Get a cloth and wash it.", "a cloth"),
+    ],
+)
+def test_what_was_done_before_is_done_again_and_what_cleans_is_not_cleaned(
+    text: str, meant: str, encoder: bool
+) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("object") == meant

@@ -7,11 +7,7 @@ import pytest
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load()
-
-
+@pytest.mark.parametrize("encoder", [False, True])
 @pytest.mark.parametrize(
     ("text", "pairs"),
     [
@@ -31,6 +27,6 @@ def interpreter() -> Interpreter:
         ("Put the book on the shelf, the one in the hall.", [("object", "the book"), ("goal", "on the shelf")]),
     ],
 )  # fmt: skip
-def test_each_thing_has_what_is_told_of_it(interpreter: Interpreter, text: str, pairs: list[tuple[str, str]]) -> None:
-    (task,) = interpreter.interpret(text).tasks
+def test_each_thing_has_what_is_told_of_it(text: str, pairs: list[tuple[str, str]], encoder: bool) -> None:
+    (task,) = Interpreter.load(encoder=encoder).interpret(text).tasks
     assert [(argument.type, argument.value) for argument in task.arguments] == pairs

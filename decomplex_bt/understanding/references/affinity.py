@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
 from decomplex_bt.understanding.references.phrases import (
@@ -21,6 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
     nobody,
     predicates_of,
 )
+from decomplex_bt.understanding.references.relatives import free_relatives
 
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 _GROUPS = {
@@ -154,9 +155,10 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     # "that one" always is one that was named
     is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
-    identity = _identity(context, gap)
+    identity = _identity(context, gap) or _fronted(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = _containers(context, gap)
+    before, instrument = _done_before(context, gap), _instrument(context, gap)
     for candidate in context.pool:
         if containers and candidate not in containers:
             continue
@@ -165,6 +167,12 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
         if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
             continue
         if is_of_nobody and not _is_somebody(context, gap, candidate):
+            continue
+        if before and (candidate.owner, candidate.type) != (before, "object"):
+            continue
+        # "mop it up" is not of the floor, but of what is on it
+        is_wiped_up = bool(instrument) and context.lemmas[gap.task.id].endswith(" up")
+        if candidate.owner == instrument > 0 or (is_wiped_up and candidate.type in ("location", "source")):
             continue
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
@@ -253,6 +261,59 @@ def _has_inside(context: Context, candidate: Candidate) -> bool:
     return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
 
 
+def _fronted(context: Context, gap: Gap) -> range:
+    """The words of a "whichever window is open" right ahead of an order that takes them up ("..., close it"); else
+    empty."""
+    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
+    if gap.word not in _ELSEWHERE - _SOMEBODY or gap.type != "object":
+        return range(0)
+    start = verb
+    while start and (tokens[start - 1].text in MARKS or tokens[start - 1].lower in ("please", "just", "then")):
+        start -= 1
+    return next((words for words in free_relatives(context.observed.document, ()) if words.stop == start), range(0))
+
+
+def _done_before(context: Context, gap: Gap) -> int:
+    """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
+    filter and *start it again*" is of the mower; 0 where none did."""
+    document, verb = context.observed.document, context.lemmas[gap.task.id].split()[0]
+    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or gap.task.type in _HANDLING:
+        return 0
+    behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
+    end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
+    if "again" not in behind[:end] and not (behind[:1] == ["back"] and gap.task.type == "change_state"):
+        return 0
+    earlier = (task.id for task in reversed(context.tasks) if task.id < gap.task.id)
+    last = next((n for n in earlier if _is_of_one_act(context.lemmas[n].split()[0], verb)), 0)
+    return last if any((c.owner, c.type) == (last, "object") for c in context.pool) else 0
+
+
+def _is_of_one_act(one: str, other: str) -> bool:
+    """Whether two verbs do the same, or one undoes what the other does ("plug", "unplug")."""
+    is_undone = one.removeprefix("un") == other.removeprefix("un")
+    return is_undone or any(one in verbs and other in verbs for verbs in _ACTS)
+
+
+def _instrument(context: Context, gap: Gap) -> int:
+    """The task, by its number, that fetched what is cleaned with: "The floor's wet, get the mop and clean it" is of the
+    floor; 0 where nothing else was spoken of before, or what was fetched itself ("the mop is dirty")."""
+    document = context.observed.document
+    if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in _HANDLING - {"taking"}:
+        return 0
+    fetching = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    verb = context.lemmas[gap.task.id].split()[0]
+    if fetching is None or fetching.type not in _HANDLING or verb not in CLEANING:
+        return 0
+    fetched = {document.tokens[c.head].lemma for c in context.pool if (c.owner, c.type) == (fetching.id, "object")}
+    place = document.indices(fetching.span).start
+    others = [
+        c for c in context.pool if c.tokens.stop <= place and context.types.get(c.owner) in (None, *_TELLING, "taking")
+    ]
+    others = [c for c in others if c.type not in ("recipient", "goal") or not c.owner]
+    is_fetched = any(document.tokens[c.head].lemma in fetched for c in others)
+    return fetching.id if fetched & INSTRUMENTS and others and not is_fetched else 0
+
+
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
     is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
@@ -323,6 +384,19 @@ _SOMEBODY = frozenset(("he", "him", "she", "her"))
 _PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
+_ACTS = (
+    frozenset("turn switch start stop restart flick".split()),
+    frozenset(("open", "close", "shut")),
+    frozenset(("fill", "empty")),
+)
+"""Verbs that do the same or undo it."""
+CLEANING = frozenset("clean wipe mop sweep scrub vacuum hoover dust brush dry polish rub soak swab dab".split())
+"""What is done with one of the `INSTRUMENTS`, which is seldom done to one."""
+INSTRUMENTS = frozenset(
+    "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
+)
+"""What things are cleaned with."""
+_TELLING = frozenset(("check_state", "change_state"))
 _TOGETHER = frozenset("both them they those these either".split())
 
 

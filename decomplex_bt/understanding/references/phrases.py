@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.relatives import exclusions, free_relatives
 
 PREPOSITIONS = frozenset(
     "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
@@ -120,6 +121,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             inner = stripped(document, tokens)
             if not inner or is_pointing(document, inner) or is_pronoun(document, inner):
                 continue
+            if document.tokens[inner.start].lower == "who":  # "see *who it is*"
+                continue
             head = head_of(document, inner)
             short = range(inner.start, head + 1)
             shape = "whole" if len(short) == len(inner) else "long"
@@ -129,6 +132,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if shape == "long":
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
     verbs = frozenset(document.indices(task.span).start for task in tasks)
+    left_out = {i for excluded in exclusions(document, verbs) if excluded.is_part for i in excluded.tokens}
     chunks = [chunk for whole in noun_chunks(document) for chunk in _between(document, whole, verbs)]
     for shape, phrases in (
         ("chunk", chunks),
@@ -138,6 +142,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
         ("word", _whole_words(document)),
         ("of", _with_complements(document, chunks)),
         ("cut", _cut(document, chunks)),
+        ("free", free_relatives(document, verbs)),
     ):
         for phrase in phrases:
             if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):
@@ -145,7 +150,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if document.tokens[phrase.stop - 1].lower in _NO_NOUNS:
                 continue
             owner = inside.get(phrase.stop - 1)
-            if owner is None and _is_addressed(document, phrase):
+            if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
                 continue
             if len({inside.get(i) for i in phrase}) > 1:
                 shape = f"across.{shape}"
@@ -254,11 +259,12 @@ def head_of(document: Document, tokens: range) -> int:
         token = document.tokens[i]
         if (token.pos in ("NOUN", "PROPN", "PRON") and token.tag not in ("PRP$", "WDT")) or token.lower in _HEADS:
             head = i
-        elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") and head is not None:
+        elif (token.pos in ("ADP", "VERB", "AUX", "SCONJ") or token.lower in _EXCEPTING) and head is not None:
             break
     return tokens.stop - 1 if head is None else head
 
 
+_EXCEPTING = frozenset(("but", "except", "excepting", "excluding"))
 _HEADS = frozenset("it one ones them they him her he she there mine".split())
 
 

@@ -11,13 +11,22 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_pronoun, nobody
+from decomplex_bt.understanding.references.affinity import CLEANING, INSTRUMENTS
+from decomplex_bt.understanding.references.phrases import (
+    PERSON_NOUNS,
+    degree_asked,
+    is_pronoun,
+    nobody,
+    noun_chunks,
+)
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import gapped, until
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
+from decomplex_bt.understanding.rules.questions import with_questions
+from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
@@ -71,7 +80,9 @@ def amended(
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
     how = means_of(document, tasks)
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
-    kept = [_meant(document, tasks, a) for a in kept]
+    kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
+    kept = with_questions(document, tasks, kept)
+    kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
     kept = [a for a in kept if not _is_of_nobody(document, a)]
     for phrase in withdrawals.corrections:
@@ -154,6 +165,25 @@ def _meant(document: Document, tasks: Mapping[int, str], argument: FoundArgument
     return replace(argument, type="goal") if is_of_somebody else argument
 
 
+def _of_spills(document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments; where something is spilt is where it is cleaned up, not where what it is cleaned with is fetched
+    from ("juice is *on the rug*, get a cloth and wipe it up")."""
+    tokens, kept = document.tokens, list(arguments)
+    for fetching, cleaning in pairwise(sorted(tasks)):
+        if tasks[fetching] not in ("taking", "bringing") or tokens[cleaning].lemma not in CLEANING:
+            continue
+        said = {
+            tokens[a.tokens.stop - 1].lemma for a in kept if a.owner == fetching < a.tokens.start and a.type == "object"
+        }
+        is_taken_up = any(a.owner == cleaning and a.type == "object" and is_pronoun(document, a.tokens) for a in kept)
+        if not said & INSTRUMENTS or not is_taken_up or said & {token.lemma for token in tokens[:fetching]}:
+            continue
+        for i, a in enumerate(kept):
+            if a.owner in (fetching, cleaning) and a.type in _PLACES and a.tokens.stop <= fetching:
+                kept[i] = replace(a, type="location", owner=cleaning)
+    return kept
+
+
 def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
     """The arguments, with what stands right behind a verb of giving as who gets it, then what: "give the dog water",
     "bring the guests towels"; where nothing else says who gets it."""
@@ -185,16 +215,24 @@ def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> li
 
 def _identified(observed: Observed, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
     """The arguments with who or what it is as the state of "it", where somebody was spoken of before: "Somebody is at
-    the door. If it's the plumber, ..."."""
+    the door. If it's the plumber, ..."; where only "who" was asked for, "it" names nothing."""
     tokens = observed.document.tokens
-    is_identity = check > 0 and tokens[check].lower in _BE and tokens[check - 1].lower == "it"
-    if not is_identity or not any(token.lower in _UNNAMED for token in tokens[: check - 1]):
+    is_it = check > 0 and tokens[check].lower in _BE and tokens[check - 1].lower == "it"
+    said = {token.lower for token in tokens[: max(0, check - 1)]}
+    is_asked = said.isdisjoint(_UNNAMED)  # "ask who it is. If it's the plumber, ..."
+    is_typed = is_asked and tokens[check].lower == "its"  # for "it's"
+    if not (is_it or is_typed) or said.isdisjoint(_UNNAMED | {"who"}):
         return list(arguments)
-    own = [a for a in arguments if a.owner == check and a.type in ("object", "state")]
+    it = FoundArgument("object", check, range(check - is_it, check), CERTAIN)
+    own = [a for a in arguments if a.owner == check and a.type in ("object", "state") and a.tokens != it.tokens]
+    if is_asked and not own:
+        names = (chunk for chunk in noun_chunks(observed.document) if chunk.start == check + 1)
+        own = [FoundArgument("object", check, name, CERTAIN) for name in names]
     if len(own) != 1 or own[0].tokens.start != check + 1 or tokens[check + 1].pos not in _NOMINAL:
         return list(arguments)
-    it = FoundArgument("object", check, range(check - 1, check), CERTAIN)
-    others = [a for a in arguments if a is not own[0] and check - 1 not in a.tokens]
+    others = [a for a in arguments if a is not own[0] and set(a.tokens).isdisjoint(it.tokens)]
+    if is_asked:
+        return [*others, replace(own[0], type="object")]
     return [*others, it, replace(own[0], type="state")]
 
 
@@ -310,6 +348,9 @@ def completed(document: Document, tokens: range, taken: Container[int]) -> range
         start += 1
     while stop - start > 1 and document.tokens[stop - 1].lower in ("and", "or", "but"):
         stop -= 1
+    relative = stop - 1 if document.tokens[stop - 1].pos != "AUX" else stop - 2  # "any lamp *that* is on"
+    if start < relative and document.tokens[relative].tag in ("WDT", "WP"):
+        stop = relative
     last = document.tokens[stop - 1].lower
     parts = _NOUN_PARTS if last in _NEEDING_A_NOUN else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
     while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:

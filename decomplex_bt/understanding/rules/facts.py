@@ -12,6 +12,7 @@ from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -64,14 +65,22 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     types_found = {task.token: task.type for task in tasks}
     found: list[FoundTask] = []
     tasks = _with_passives(document, tasks)
+    asked = {question.verb: question for question in questions(document, types_found)}
+    within_asked = {i for question in asked.values() for i in question.tokens}
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
+        if task.token in asked:
+            question = asked[task.token]
+            is_of_somebody = document.tokens[question.tokens.start].lower == "who"
+            is_told = not is_of_somebody and (question.place or question.state) and task.type != "searching"
+            task = replace(task, type="check_state" if is_told else "searching")
         fact = "change_state" if _is_made_sure_too(document, task, found) else _type(observed, task, end)
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
         is_none = (
-            _is_reported_state(document, task, found)
+            task.token in within_asked
+            or _is_reported_state(document, task, found)
             or _is_tag(document, task.token, found)
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None

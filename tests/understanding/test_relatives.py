@@ -1,0 +1,73 @@
+"""What only tells which thing is meant, and which is not, is no state to bring about and nobody's argument."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+def arguments(text: str, encoder: bool, number: int = -1) -> dict[str, str]:
+    """The arguments of one of the tasks by their types."""
+    task = Interpreter.load(encoder=encoder).interpret(text).tasks[number]
+    assert len({argument.type for argument in task.arguments}) == len(task.arguments)
+    return {argument.type: argument.value for argument in task.arguments}
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("Turn off every lamp that is on.", {"object": "every lamp", "state": "off"}),
+        ("Lock every door that's unlocked.", {"object": "every door"}),
+        ("Shut the drawers which are still open.", {"object": "the drawers"}),
+        ("Turn the lamp that is on off.", {"object": "the lamp", "state": "off"}),
+        ("Switch off whichever fan is on.", {"object": "whichever fan is on", "state": "off"}),
+        ("Whichever of the taps is open, close it.", {"object": "Whichever of the taps is open"}),
+        ("Bring me the towel that is dry.", {"object": "the towel", "recipient": "me"}),
+        ("Turn off the lamp that is on the desk.", {"object": "the lamp", "state": "off", "location": "on the desk"}),
+        ("If any lamp that is on is hot, turn on the fan.", {"object": "the fan", "state": "on"}),
+        ("Ask Leo who is in the pool.", {"recipient": "Leo", "message": "who is in the pool"}),
+    ],
+)
+def test_a_clause_that_tells_which_is_meant_brings_about_no_state(
+    text: str, found: dict[str, str], encoder: bool
+) -> None:
+    assert arguments(text, encoder) == found
+
+
+def test_what_a_clause_before_states_is_not_to_be_brought_about() -> None:
+    close, check = Interpreter.load().interpret("the window in the den's open i think close it if it is").tasks
+    assert close.value("state") is None
+    assert check.value("state") == "open"
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Turn off every light but the one in the hall.", "every light but the one in the hall"),
+        ("Water the plants except for the cactus.", "the plants except for the cactus"),
+        ("Wash all the cups apart from the red one.", "all the cups apart from the red one"),
+    ],
+)
+def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str, said: str, encoder: bool) -> None:
+    found = arguments(text, encoder)
+    assert found["object"] == said
+    assert "location" not in found
+    assert not Interpreter.load(encoder=encoder).interpret(text).missing
+
+
+@pytest.mark.parametrize(
+    ("text", "left_out"),
+    [
+        ("Bring me a chair, but not the broken one.", "but not the broken one"),
+        ("Take the boxes to the cellar, all but the small one.", "all but the small one"),
+        ("Bring me the cup, but wash it first.", None),
+        ("Turn off the light, but not before locking the door.", None),
+        ("Turn off everything but leave the fan on.", None),
+    ],
+)
+def test_what_is_left_out_elsewhere_is_warned_of(text: str, left_out: str | None) -> None:
+    warnings = [w for w in Interpreter.load().interpret(text).warnings if "leaves something out" in w]
+    assert [warning.split("'")[1] for warning in warnings] == ([] if left_out is None else [left_out])
