@@ -29,7 +29,6 @@ from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stag
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
-from decomplex_bt.understanding.rules.gapping import gapped
 from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
@@ -211,9 +210,7 @@ class Interpreter:
         elif of.type == "check_state":
             own = naming(document, of.token, own)
         chances = [self._calibration.of("argument", chance[argument.tokens.start]) for argument in own]
-        found = [_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)]
-        is_gapped = any(pair.verb == of.token for pair in gapped(document, {of.token: of.type}))
-        return tuple(found) if is_gapped else without_rivals(found)
+        return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
 
 
 def check_text(text: str) -> None:
