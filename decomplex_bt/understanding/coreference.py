@@ -19,7 +19,8 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.affinity import Context, Option, options_of
+from decomplex_bt.understanding.references.affinity import Option, options_of
+from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
@@ -65,7 +66,7 @@ class ReferenceModel:
                     if option.candidate is not None:
                         value = filled(observed.document, argument, gap, option.text)
                         argument = replace(argument, value=value, confidence=argument.confidence * probability)
-                        context.mention(gap, option)
+                        context.mention(gap, option.candidate, option.text)
                 arguments.append(argument)
             implied = []
             said = {argument.value.lower() for argument in arguments}  # what is put is not where it is put
@@ -73,7 +74,7 @@ class ReferenceModel:
                 option, probability = self._best(context, gap, hints, said)
                 if option.candidate is not None:
                     implied.append(Argument(option.type, option.text, None, probability))
-                    context.mention(gap, option)
+                    context.mention(gap, option.candidate, option.text)
             resolved.append(replace(task, arguments=(*implied, *arguments)))
         return tuple(resolved)
 
@@ -152,7 +153,9 @@ def choices_of(observed: Observed, instruction: Instruction, ontology: Ontology)
             if any(right):
                 if len(options) > 1:
                     yield Choice(gap, options, right)
-                context.mention(gap, options[right.index(True)])
+                chosen = options[right.index(True)]
+                if chosen.candidate is not None:
+                    context.mention(gap, chosen.candidate, chosen.text)
 
 
 def _fitted(choices: Sequence[Choice]) -> Mapping[str, float]:

@@ -21,7 +21,8 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.references.affinity import Context, options_of
+from decomplex_bt.understanding.references.affinity import options_of
+from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import gap_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, noun_chunks, noun_of
 

@@ -3,31 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from decomplex_bt.flow import Flow, If, Node
-from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.certainty import containers_of, is_pointing_back, referable
+from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
-from decomplex_bt.understanding.references.phrases import (
-    ANYBODY,
-    PERSON_NOUNS,
-    Candidate,
-    candidates_of,
-    degree_asked,
-    nobody,
-    predicates_of,
-)
-from decomplex_bt.understanding.references.relatives import free_relatives
-
-_ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
-_GROUPS = {
-    "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
-    "they": "they", "'em": "they", "em": "they", "those": "they", "these": "they", "there": "there",
-}  # fmt: skip
+from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,101 +34,6 @@ class Option:
         return self.type, self.text.lower()
 
 
-@dataclass
-class Context:
-    """What is known while an instruction's gaps are filled from left to right: phrases, mentions and the flow."""
-
-    observed: Observed
-    tasks: Sequence[Task]
-    flow: Flow
-    pool: list[Candidate] = field(init=False)
-    mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
-    fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
-    paths: dict[int, tuple[tuple[int, str], ...]] = field(init=False, default_factory=dict)
-    first: dict[int, int] = field(init=False, default_factory=dict)
-    lemmas: dict[int, str] = field(init=False)
-    topic: str = field(init=False)
-    types: dict[int, str] = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.pool = candidates_of(self.observed, self.tasks)
-        for candidate in self.pool:
-            if candidate.owner:
-                self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
-        for node, path in _walk(self.flow.nodes, ()):
-            for number in node.tasks:
-                self.paths.setdefault(number, path)
-                if isinstance(node, If):
-                    self.first[number] = node.task
-        self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
-        self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
-        self.types = {task.id: task.type for task in self.tasks}
-
-    @cached_property
-    def predicates(self) -> list[Candidate]:
-        return predicates_of(self.observed, self.tasks)
-
-    def _lemma(self, task: Task) -> str:
-        document = self.observed.document
-        i = document.indices(task.span).start
-        particle = self.observed.gazetteer.particle(document, i)
-        return f"{document.tokens[i].lemma} {particle}" if particle else document.tokens[i].lemma
-
-    def mention(self, gap: Gap, option: Option) -> None:
-        """Takes down that a gap is filled: later words may refer to the mention in turn."""
-        if option.candidate is None:
-            return
-        text = option.text.lower()
-        self.fillings.setdefault(gap.task.id, set()).add(text)
-        if gap.type == PREDICATE:
-            return
-        self.mentions.setdefault(text, []).append(_GROUPS.get(gap.word, gap.word))
-        tokens = gap.tokens or range(gap.position, gap.position + 1)
-        self.pool.append(
-            replace(
-                option.candidate,
-                text=option.text,
-                tokens=tokens,
-                owner=gap.task.id,
-                type=gap.type,
-                task_type=gap.task.type,
-                mention=gap.word or "unsaid",
-            )
-        )
-
-    def relation(self, owner: int, number: int) -> str:
-        """How a task lies to another in the flow: in the same branch, in the other one, its condition, ..."""
-        if owner == number:
-            return "self"
-        if not owner:
-            return "outside"
-        path, other = self.paths.get(number, ()), self.paths.get(owner, ())
-        head, far = self.first.get(number), self.first.get(owner)
-        if far is not None and far == head:
-            return "mention" if owner != head else "first"
-        for depth, (condition, side) in enumerate(reversed(path)):
-            if condition == far:
-                return f"condition.{side}.{min(depth, 1)}"
-        if head is not None and any(condition == head for condition, _ in other):
-            return "governed"
-        sides = dict(path)
-        if any(sides.get(condition, side) != side for condition, side in other):
-            return "exclusive"
-        if path == other:
-            return "same"
-        return "inner" if len(other) > len(path) else "outer"
-
-
-def _walk(
-    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
-) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
-    for node in nodes:
-        yield node, path
-        if isinstance(node, If):
-            yield from _walk(node.then, (*path, (node.task, "then")))
-            yield from _walk(node.orelse, (*path, (node.task, "else")))
-
-
 def options_of(context: Context, gap: Gap) -> list[Option]:
     """All ways to fill a gap, leaving it last."""
     if gap.type == PREDICATE:
@@ -152,28 +41,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     options: list[Option] = []
     document = context.observed.document
     own = _modifier(context.observed, gap.tokens)
-    # "that one" always is one that was named
-    is_pointed = {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
-    identity = _identity(context, gap) or _fronted(context, gap)
-    is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
-    containers = _containers(context, gap)
-    before, instrument = _done_before(context, gap), _instrument(context, gap)
-    for candidate in context.pool:
-        if containers and candidate not in containers:
-            continue
-        if is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position):
-            continue
-        if _is_ruled_out(context, gap, candidate) or (identity and candidate.tokens != identity):
-            continue
-        if is_of_nobody and not _is_somebody(context, gap, candidate):
-            continue
-        if before and (candidate.owner, candidate.type) != (before, "object"):
-            continue
-        # "mop it up" is not of the floor, but of what is on it
-        is_wiped_up = bool(instrument) and context.lemmas[gap.task.id].endswith(" up")
-        if candidate.owner == instrument > 0 or (is_wiped_up and candidate.type in ("location", "source")):
-            continue
+    for candidate in referable(context, gap):
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
@@ -185,7 +54,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
         heads: dict[int, int] = {}
         of_kind: dict[str, dict[int, int]] = {}
         for candidate in candidates:
-            kind = _kind(context, candidate)
+            kind = kind_of(context, candidate)
             place = candidate.tokens.stop
             rank = heads.setdefault(place, len(heads))
             ranks = of_kind.setdefault(kind, {})
@@ -203,142 +72,9 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    if not ((is_pointed or containers) and options):
+    if not options or not (is_pointing_back(document, gap) or containers_of(context, gap)):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
-
-
-def _identity(context: Context, gap: Gap) -> range:
-    """The words that say who is meant where a pronoun stands in the branch of "if it's the plumber"; else empty."""
-    path = context.paths.get(gap.task.id, ())
-    if gap.word not in _SOMEBODY or not path or path[-1][1] != "then":
-        return range(0)
-    document = context.observed.document
-    check = next((task for task in context.tasks if task.id == path[-1][0]), None)
-    said = {a.type: document.indices(a.span) for a in check.arguments if a.span} if check else {}
-    is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
-    if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
-        return range(0)
-    return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
-
-
-def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
-    is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
-    return candidate.text.split()[0].lower() in ANYBODY or (is_same and _kind(context, candidate) in _ANIMATE)
-
-
-def _containers(context: Context, gap: Gap) -> list[Candidate]:
-    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
-    where "there" can be nothing before, the one after.
-
-    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
-    """
-    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
-    if not is_inside or gap.type not in ("location", "source"):
-        return []
-    tokens = context.observed.document.tokens
-    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
-    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
-        return []
-    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
-    if any(_kind(context, candidate) in _ANIMATE for candidate in own):
-        return []
-    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
-    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
-    return next(
-        (
-            found
-            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
-            if (found := [c for c in able if c.owner in tasks])
-        ),
-        [],
-    )
-
-
-def _has_inside(context: Context, candidate: Candidate) -> bool:
-    words = candidate.text.lower().split()
-    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
-
-
-def _fronted(context: Context, gap: Gap) -> range:
-    """The words of a "whichever window is open" right ahead of an order that takes them up ("..., close it"); else
-    empty."""
-    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
-    if gap.word not in _ELSEWHERE - _SOMEBODY or gap.type != "object":
-        return range(0)
-    start = verb
-    while start and (tokens[start - 1].text in MARKS or tokens[start - 1].lower in ("please", "just", "then")):
-        start -= 1
-    return next((words for words in free_relatives(context.observed.document, ()) if words.stop == start), range(0))
-
-
-def _done_before(context: Context, gap: Gap) -> int:
-    """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
-    filter and *start it again*" is of the mower; 0 where none did."""
-    document, verb = context.observed.document, context.lemmas[gap.task.id].split()[0]
-    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or gap.task.type in _HANDLING:
-        return 0
-    behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
-    end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
-    if "again" not in behind[:end] and not (behind[:1] == ["back"] and gap.task.type == "change_state"):
-        return 0
-    earlier = (task.id for task in reversed(context.tasks) if task.id < gap.task.id)
-    last = next((n for n in earlier if _is_of_one_act(context.lemmas[n].split()[0], verb)), 0)
-    return last if any((c.owner, c.type) == (last, "object") for c in context.pool) else 0
-
-
-def _is_of_one_act(one: str, other: str) -> bool:
-    """Whether two verbs do the same, or one undoes what the other does ("plug", "unplug")."""
-    is_undone = one.removeprefix("un") == other.removeprefix("un")
-    return is_undone or any(one in verbs and other in verbs for verbs in _ACTS)
-
-
-def _instrument(context: Context, gap: Gap) -> int:
-    """The task, by its number, that fetched what is cleaned with: "The floor's wet, get the mop and clean it" is of the
-    floor; 0 where nothing else was spoken of before, or what was fetched itself ("the mop is dirty")."""
-    document = context.observed.document
-    if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in _HANDLING - {"taking"}:
-        return 0
-    fetching = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
-    verb = context.lemmas[gap.task.id].split()[0]
-    if fetching is None or fetching.type not in _HANDLING or verb not in CLEANING:
-        return 0
-    fetched = {document.tokens[c.head].lemma for c in context.pool if (c.owner, c.type) == (fetching.id, "object")}
-    place = document.indices(fetching.span).start
-    others = [
-        c for c in context.pool if c.tokens.stop <= place and context.types.get(c.owner) in (None, *_TELLING, "taking")
-    ]
-    others = [c for c in others if c.type not in ("recipient", "goal") or not c.owner]
-    is_fetched = any(document.tokens[c.head].lemma in fetched for c in others)
-    return fetching.id if fetched & INSTRUMENTS and others and not is_fetched else 0
-
-
-def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
-    is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
-    before somebody is told or given something ("bring her the cake and tell her ...")."""
-    if gap.word not in _ELSEWHERE:
-        return False
-    if candidate.owner == gap.task.id and not candidate.mention:
-        return True
-    is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
-    is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
-    if (is_ahead or is_given) and _kind(context, candidate) not in _ANIMATE:
-        return True
-    return _is_absent(context, gap, candidate)
-
-
-def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what there is none of where something is switched off or shut: "if there is no steam, turn
-    it off". It may well be fetched, made or put on a list."""
-    if not any(a.type == "state" and a.value.lower() in _ENDED for a in gap.task.arguments):
-        return False
-    start = candidate.tokens.start
-    words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
-    if "no" not in words:
-        return False
-    return context.relation(candidate.owner, gap.task.id).startswith("condition.else")
 
 
 def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -> Iterator[tuple[str, str]]:
@@ -376,27 +112,7 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
 _ONES = frozenset(("one", "ones"))
-_ENDED = frozenset(("off", "down", "shut", "closed"))
 _CERTAIN = frozenset("the this that these those".split())
-_ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
-"""Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
-_SOMEBODY = frozenset(("he", "him", "she", "her"))
-_PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
-_HANDLING = frozenset(("bringing", "taking", "placing"))
-_ANIMATE = frozenset(("person", "animal", "name"))
-_ACTS = (
-    frozenset("turn switch start stop restart flick".split()),
-    frozenset(("open", "close", "shut")),
-    frozenset(("fill", "empty")),
-)
-"""Verbs that do the same or undo it."""
-CLEANING = frozenset("clean wipe mop sweep scrub vacuum hoover dust brush dry polish rub soak swab dab".split())
-"""What is done with one of the `INSTRUMENTS`, which is seldom done to one."""
-INSTRUMENTS = frozenset(
-    "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
-)
-"""What things are cleaned with."""
-_TELLING = frozenset(("check_state", "change_state"))
 _TOGETHER = frozenset("both them they those these either".split())
 
 
@@ -414,7 +130,7 @@ def _features(
     document = context.observed.document
     head = document.tokens[candidate.head]
     word = gap.word or f"unsaid.{gap.type}.{gap.task.type}"
-    group = _GROUPS.get(gap.word, word)
+    group = GROUPS.get(gap.word, word)
     place = f"{side}{min(rank, 4)}"
     sentences = max(-1, min(3, document.sentences[gap.position] - document.sentences[candidate.anchor]))
     number = "plural" if head.tag in ("NNS", "NNPS") else "list" if candidate.shape in ("list", "pair") else "one"
@@ -423,7 +139,7 @@ def _features(
     determiner = _determiner(document, candidate)
     relation = context.relation(candidate.owner, gap.task.id)
     delta = str(max(-2, min(3, gap.task.id - candidate.owner))) if candidate.owner else "none"
-    mention = _GROUPS.get(candidate.mention, candidate.mention)
+    mention = GROUPS.get(candidate.mention, candidate.mention)
     role = document.tokens[candidate.anchor].dep
     gap_role = document.tokens[gap.tokens.stop - 1].dep if gap.tokens else "unsaid"
     verb = context.lemmas[gap.task.id]
@@ -614,23 +330,3 @@ def _modifier(observed: Observed, tokens: range) -> str:
     if token.lower in observed.gazetteer.colours:
         return "colour"
     return {"ADJ": "adjective", "NUM": "number", "NOUN": "noun", "PROPN": "noun"}.get(token.pos, "none")
-
-
-def _kind(context: Context, candidate: Candidate) -> str:
-    """person, animal, name, place, or the category of thing that the words tell."""
-    token = context.observed.document.tokens[candidate.head]
-    category = context.observed.gazetteer.category(token.lemma)
-    if category == "person" or token.lemma in PERSON_NOUNS:
-        return "person"
-    if token.lemma in _ANIMALS:
-        return "animal"
-    is_person = candidate.type == "recipient" or (candidate.task_type == "following" and candidate.type == "object")
-    if is_person and (candidate.shape in ("whole", "short", "long") or candidate.mention):
-        return "person"
-    if candidate.mention in ("him", "he", "she", "her"):
-        return "person"
-    if token.tag in ("NNP", "NNPS") and category == "" and token.text[:1].isupper():
-        return "name"
-    if candidate.type in ("goal", "location", "source", "path"):
-        return f"place.{category}"
-    return category or "thing"

@@ -11,7 +11,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.affinity import CLEANING, INSTRUMENTS
+from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.phrases import (
     PERSON_NOUNS,
     degree_asked,

@@ -1,0 +1,194 @@
+"""Certainty: what English settles of what a gap refers to, whatever a model finds likelier."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
+from decomplex_bt.understanding.references.relatives import free_relatives
+
+_ENDED = frozenset(("off", "down", "shut", "closed"))
+_ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
+"""Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
+_SOMEBODY = frozenset(("he", "him", "she", "her"))
+_PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
+_HANDLING = frozenset(("bringing", "taking", "placing"))
+_ANIMATE = frozenset(("person", "animal", "name"))
+_ACTS = (
+    frozenset("turn switch start stop restart flick".split()),
+    frozenset(("open", "close", "shut")),
+    frozenset(("fill", "empty")),
+)
+"""Verbs that do the same or undo it."""
+CLEANING = frozenset("clean wipe mop sweep scrub vacuum hoover dust brush dry polish rub soak swab dab".split())
+"""What is done with one of the `INSTRUMENTS`, which is seldom done to one."""
+INSTRUMENTS = frozenset(
+    "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
+)
+"""What things are cleaned with."""
+_TELLING = frozenset(("check_state", "change_state"))
+
+
+def referable(context: Context, gap: Gap) -> list[Candidate]:
+    """The candidates that a gap may refer to, as far as English settles it, in the order of the context's pool."""
+    document = context.observed.document
+    # "that one" always is one that was named
+    is_pointed = is_pointing_back(document, gap)
+    identity = _identity(context, gap) or _fronted(context, gap)
+    is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
+    containers = containers_of(context, gap)
+    before, instrument = _done_before(context, gap), _instrument(context, gap)
+    # "mop it up" is not of the floor, but of what is on it
+    is_wiped_up = bool(instrument) and context.lemmas[gap.task.id].endswith(" up")
+
+    def may_be(candidate: Candidate) -> bool:
+        return not (
+            (containers and candidate not in containers)
+            or (is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position))
+            or (identity and candidate.tokens != identity)
+            or (is_of_nobody and not _is_somebody(context, gap, candidate))
+            or (before and (candidate.owner, candidate.type) != (before, "object"))
+            or candidate.owner == instrument > 0
+            or (is_wiped_up and candidate.type in ("location", "source"))
+            or _is_ruled_out(context, gap, candidate)
+        )
+
+    return [candidate for candidate in context.pool if may_be(candidate)]
+
+
+def is_pointing_back(document: Document, gap: Gap) -> bool:
+    return {document.tokens[i].lower for i in gap.tokens} == {"that", "one"}
+
+
+def _identity(context: Context, gap: Gap) -> range:
+    """The words that say who is meant where a pronoun stands in the branch of "if it's the plumber"; else empty."""
+    path = context.paths.get(gap.task.id, ())
+    if gap.word not in _SOMEBODY or not path or path[-1][1] != "then":
+        return range(0)
+    document = context.observed.document
+    check = next((task for task in context.tasks if task.id == path[-1][0]), None)
+    said = {a.type: document.indices(a.span) for a in check.arguments if a.span} if check else {}
+    is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
+    if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
+        return range(0)
+    return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
+
+
+def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
+    is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
+    return candidate.text.split()[0].lower() in ANYBODY or (is_same and kind_of(context, candidate) in _ANIMATE)
+
+
+def containers_of(context: Context, gap: Gap) -> list[Candidate]:
+    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
+    where "there" can be nothing before, the one after.
+
+    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
+    """
+    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
+    if not is_inside or gap.type not in ("location", "source"):
+        return []
+    tokens = context.observed.document.tokens
+    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
+    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
+        return []
+    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
+    if any(kind_of(context, candidate) in _ANIMATE for candidate in own):
+        return []
+    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
+    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
+    return next(
+        (
+            found
+            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
+            if (found := [c for c in able if c.owner in tasks])
+        ),
+        [],
+    )
+
+
+def _has_inside(context: Context, candidate: Candidate) -> bool:
+    words = candidate.text.lower().split()
+    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
+
+
+def _fronted(context: Context, gap: Gap) -> range:
+    """The words of a "whichever window is open" right ahead of an order that takes them up ("..., close it"); else
+    empty."""
+    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
+    if gap.word not in _ELSEWHERE - _SOMEBODY or gap.type != "object":
+        return range(0)
+    start = verb
+    while start and (tokens[start - 1].text in MARKS or tokens[start - 1].lower in ("please", "just", "then")):
+        start -= 1
+    return next((words for words in free_relatives(context.observed.document, ()) if words.stop == start), range(0))
+
+
+def _done_before(context: Context, gap: Gap) -> int:
+    """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
+    filter and *start it again*" is of the mower; 0 where none did."""
+    document, verb = context.observed.document, context.lemmas[gap.task.id].split()[0]
+    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or gap.task.type in _HANDLING:
+        return 0
+    behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
+    end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
+    if "again" not in behind[:end] and not (behind[:1] == ["back"] and gap.task.type == "change_state"):
+        return 0
+    earlier = (task.id for task in reversed(context.tasks) if task.id < gap.task.id)
+    last = next((n for n in earlier if _is_of_one_act(context.lemmas[n].split()[0], verb)), 0)
+    return last if any((c.owner, c.type) == (last, "object") for c in context.pool) else 0
+
+
+def _is_of_one_act(one: str, other: str) -> bool:
+    """Whether two verbs do the same, or one undoes what the other does ("plug", "unplug")."""
+    is_undone = one.removeprefix("un") == other.removeprefix("un")
+    return is_undone or any(one in verbs and other in verbs for verbs in _ACTS)
+
+
+def _instrument(context: Context, gap: Gap) -> int:
+    """The task, by its number, that fetched what is cleaned with: "The floor's wet, get the mop and clean it" is of the
+    floor; 0 where nothing else was spoken of before, or what was fetched itself ("the mop is dirty")."""
+    document = context.observed.document
+    if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in _HANDLING - {"taking"}:
+        return 0
+    fetching = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    verb = context.lemmas[gap.task.id].split()[0]
+    if fetching is None or fetching.type not in _HANDLING or verb not in CLEANING:
+        return 0
+    fetched = {document.tokens[c.head].lemma for c in context.pool if (c.owner, c.type) == (fetching.id, "object")}
+    place = document.indices(fetching.span).start
+    others = [
+        c for c in context.pool if c.tokens.stop <= place and context.types.get(c.owner) in (None, *_TELLING, "taking")
+    ]
+    others = [c for c in others if c.type not in ("recipient", "goal") or not c.owner]
+    is_fetched = any(document.tokens[c.head].lemma in fetched for c in others)
+    return fetching.id if fetched & INSTRUMENTS and others and not is_fetched else 0
+
+
+def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
+    is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
+    before somebody is told or given something ("bring her the cake and tell her ...")."""
+    if gap.word not in _ELSEWHERE:
+        return False
+    if candidate.owner == gap.task.id and not candidate.mention:
+        return True
+    is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
+    is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
+    if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
+        return True
+    return _is_absent(context, gap, candidate)
+
+
+def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what there is none of where something is switched off or shut: "if there is no steam, turn
+    it off". It may well be fetched, made or put on a list."""
+    if not any(a.type == "state" and a.value.lower() in _ENDED for a in gap.task.arguments):
+        return False
+    start = candidate.tokens.start
+    words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
+    if "no" not in words:
+        return False
+    return context.relation(candidate.owner, gap.task.id).startswith("condition.else")

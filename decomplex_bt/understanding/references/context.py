@@ -1,0 +1,132 @@
+"""The context of references: what is known of an instruction's phrases, mentions and flow while its gaps are filled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from decomplex_bt.flow import Flow, If, Node
+from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
+
+GROUPS = {
+    "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
+    "they": "they", "'em": "they", "em": "they", "those": "they", "these": "they", "there": "there",
+}  # fmt: skip
+"""Pronouns to the one that stands for all of their kind."""
+_ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
+
+
+@dataclass
+class Context:
+    """What is known while an instruction's gaps are filled from left to right: phrases, mentions and the flow."""
+
+    observed: Observed
+    tasks: Sequence[Task]
+    flow: Flow
+    pool: list[Candidate] = field(init=False)
+    mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
+    fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
+    paths: dict[int, tuple[tuple[int, str], ...]] = field(init=False, default_factory=dict)
+    first: dict[int, int] = field(init=False, default_factory=dict)
+    lemmas: dict[int, str] = field(init=False)
+    topic: str = field(init=False)
+    types: dict[int, str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.pool = candidates_of(self.observed, self.tasks)
+        for candidate in self.pool:
+            if candidate.owner:
+                self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
+        for node, path in _walk(self.flow.nodes, ()):
+            for number in node.tasks:
+                self.paths.setdefault(number, path)
+                if isinstance(node, If):
+                    self.first[number] = node.task
+        self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
+        self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
+        self.types = {task.id: task.type for task in self.tasks}
+
+    @cached_property
+    def predicates(self) -> list[Candidate]:
+        return predicates_of(self.observed, self.tasks)
+
+    def _lemma(self, task: Task) -> str:
+        document = self.observed.document
+        i = document.indices(task.span).start
+        particle = self.observed.gazetteer.particle(document, i)
+        return f"{document.tokens[i].lemma} {particle}" if particle else document.tokens[i].lemma
+
+    def mention(self, gap: Gap, candidate: Candidate, text: str) -> None:
+        """Takes down that a gap is filled: later words may refer to the mention of the candidate in turn."""
+        self.fillings.setdefault(gap.task.id, set()).add(text.lower())
+        if gap.type == PREDICATE:
+            return
+        self.mentions.setdefault(text.lower(), []).append(GROUPS.get(gap.word, gap.word))
+        tokens = gap.tokens or range(gap.position, gap.position + 1)
+        self.pool.append(
+            replace(
+                candidate,
+                text=text,
+                tokens=tokens,
+                owner=gap.task.id,
+                type=gap.type,
+                task_type=gap.task.type,
+                mention=gap.word or "unsaid",
+            )
+        )
+
+    def relation(self, owner: int, number: int) -> str:
+        """How a task lies to another in the flow: in the same branch, in the other one, its condition, ..."""
+        if owner == number:
+            return "self"
+        if not owner:
+            return "outside"
+        path, other = self.paths.get(number, ()), self.paths.get(owner, ())
+        head, far = self.first.get(number), self.first.get(owner)
+        if far is not None and far == head:
+            return "mention" if owner != head else "first"
+        for depth, (condition, side) in enumerate(reversed(path)):
+            if condition == far:
+                return f"condition.{side}.{min(depth, 1)}"
+        if head is not None and any(condition == head for condition, _ in other):
+            return "governed"
+        sides = dict(path)
+        if any(sides.get(condition, side) != side for condition, side in other):
+            return "exclusive"
+        if path == other:
+            return "same"
+        return "inner" if len(other) > len(path) else "outer"
+
+
+def _walk(
+    nodes: Sequence[Node], path: tuple[tuple[int, str], ...]
+) -> Iterator[tuple[Node, tuple[tuple[int, str], ...]]]:
+    for node in nodes:
+        yield node, path
+        if isinstance(node, If):
+            yield from _walk(node.then, (*path, (node.task, "then")))
+            yield from _walk(node.orelse, (*path, (node.task, "else")))
+
+
+def kind_of(context: Context, candidate: Candidate) -> str:
+    """person, animal, name, place, or the category of thing that the words tell."""
+    token = context.observed.document.tokens[candidate.head]
+    category = context.observed.gazetteer.category(token.lemma)
+    if category == "person" or token.lemma in PERSON_NOUNS:
+        return "person"
+    if token.lemma in _ANIMALS:
+        return "animal"
+    is_person = candidate.type == "recipient" or (candidate.task_type == "following" and candidate.type == "object")
+    if is_person and (candidate.shape in ("whole", "short", "long") or candidate.mention):
+        return "person"
+    if candidate.mention in ("him", "he", "she", "her"):
+        return "person"
+    if token.tag in ("NNP", "NNPS") and category == "" and token.text[:1].isupper():
+        return "name"
+    if candidate.type in ("goal", "location", "source", "path"):
+        return f"place.{category}"
+    return category or "thing"
