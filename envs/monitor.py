@@ -203,7 +203,8 @@ class Monitor:
         assert node is not None
         task = self.instruction.task(node.task)
         is_condition = isinstance(node, If)
-        followers, is_settled = [], False
+        followers: list[Reading] = []
+        is_settled = False
         if self._is_beyond_hope(task, reading, is_condition):
             untold = replace(reading, untold=(*reading.untold, task.number))
             return None, list(self._settle(untold, node, task.is_denied, reading.bindings))
