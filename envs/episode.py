@@ -31,6 +31,9 @@ UNKNOWN_LENGTH = -1.0
 """What `shortest_length` is until there is one: a number that equals itself, or infos could not be compared."""
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Observation = dict[str, Any]
+_FINISH = Interaction.FINISH
+_TOLD = ("seconds", "path_length", "shortest_length", "events", "moved_by_others", "result")
+"""The keys of an info besides those of the judge and those that are constant."""
 
 
 class Episode:
@@ -70,7 +73,7 @@ class Episode:
             whims=lambda: generators.whims.random(),
             stage=home.stage,
         )
-        recording.begin(self.world)
+        recording.begin(self.world, start)
         self.sensor = Sensor(self.world, config.sensing)
         self._add_noise(options)
         self.sensor.look()
@@ -114,10 +117,11 @@ class Episode:
         world.drive(forward, turn)
         self._path_length += hypot(world.robot[0] - x, world.robot[1] - y)
         has_looked = self.sensor.look()
-        is_finished = interaction is Interaction.FINISH
+        is_finished = interaction is _FINISH
         is_late = world.seconds >= self._max_seconds - 1e-9
         before = self.verdict
-        if has_looked or is_finished or is_late or self.has_news():
+        is_news = has_looked or world.event is not None or world.arrangement != self._judged_arrangement
+        if is_news or is_finished or is_late or self.judge.minds_position:
             self._judged_arrangement = world.arrangement
             self.verdict = self.judge.update(world.event)
         self.recording.note(forward, turn, int(interaction), target)
@@ -133,12 +137,6 @@ class Episode:
         if move is not None:
             self.judge.take_in(move.thing)
         return move
-
-    def has_news(self) -> bool:
-        """Whether something happened between two looks that the judge may go by."""
-        world = self.world
-        is_rearranged = world.arrangement != self._judged_arrangement
-        return is_rearranged or world.event is not None or self.judge.minds_position
 
     def _reward(self, before: Verdict, terminated: bool) -> float:
         now = self.verdict
@@ -171,7 +169,7 @@ class Episode:
         speed, turn_rate = world.speed, world.turn_rate
         if not (-MAX_SPEED <= speed <= MAX_SPEED and -MAX_TURN_RATE <= turn_rate <= MAX_TURN_RATE):
             speed, turn_rate = _clip(speed, MAX_SPEED), _clip(turn_rate, MAX_TURN_RATE)
-        numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), dtype=np.float32)
+        numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), np.float32)
         if world.version != self._held_version:
             self._held_version = world.version
             self._held = np.array((world.held, *world.tray), dtype=np.int16)
@@ -196,7 +194,7 @@ class Episode:
     def inform(self) -> dict[str, Any]:
         """The info of this moment, as `HouseholdEnv` describes it; a fresh mapping."""
         world = self.world
-        info = self.judge.report(self._constant_info)
+        info = self.judge.report(self._constant_info, _TOLD)
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
         info["shortest_length"] = self._shortest_length

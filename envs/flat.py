@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from operator import index
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from gymnasium import spaces
@@ -13,6 +13,9 @@ from decomplex_bt.envs.household import HouseholdEnv, Observation
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.spaces import observation_space
 from decomplex_bt.errors import InputError
+
+if TYPE_CHECKING:
+    from decomplex_bt.envs.episode import Episode
 
 SPEEDS = tuple(round(share / 4, 2) for share in range(-4, 5))
 """The nine speeds, as shares of the highest, that a flat action chooses from."""
@@ -76,7 +79,7 @@ class FlatHouseholdEnv(HouseholdEnv):
             highs.append(space.high.ravel() if is_box else np.ones(len(Result)))  # type: ignore[attr-defined]
         return spaces.Box(np.concatenate(lows).astype(np.float32), np.concatenate(highs).astype(np.float32))
 
-    def _observe(self) -> Observation | NDArray[np.float32]:  # type: ignore[override]
-        seen = super()._observe()
+    def _observe(self, episode: Episode) -> Observation | NDArray[np.float32]:  # type: ignore[override]
+        seen = episode.observe()
         seen["result"] = INDICATORS[seen["result"]]
         return np.concatenate([seen[key].ravel() for key in KEPT], dtype=np.float32)

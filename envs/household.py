@@ -222,7 +222,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._tell_bodies()
         if self._camera is not None or self.render_mode is not None:
             self._film()
-        return self._observe(), reward, terminated, truncated, episode.inform()
+        return self._observe(episode), reward, terminated, truncated, episode.inform()
 
     @cached_property
     def observation_space(self) -> gym.Space[Any]:  # type: ignore[override]
@@ -481,7 +481,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
-        return self._observe(), {**episode.inform(), "exempt": episode.world.exempt}
+        return self._observe(episode), {**episode.inform(), "exempt": episode.world.exempt}
 
     def _draw(self, options: Options, rng: np.random.Generator, request: Request | None) -> Callable[[], Episode]:
         """Draws all that an episode in the house of now begins with; what is given back makes it."""
@@ -532,8 +532,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._camera.close()
         self._camera = camera
 
-    def _observe(self) -> Observation:
-        return self._running.observe()
+    def _observe(self, episode: Episode) -> Observation:
+        return episode.observe()
 
     def _scene(self) -> Scene:
         return self.camera.scene(self.world, instruction=self._running.text, **self._running.captions())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -92,8 +92,11 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.minds_position
 
-    def report(self, constant: Mapping[str, Any]) -> dict[str, Any]:
-        """The verdict so far, for an episode's info, beside what is constant in it: a fresh mapping of plain values."""
+    def report(self, constant: Mapping[str, Any], others: Iterable[str]) -> dict[str, Any]:
+        """The verdict so far, for an episode's info, beside what is constant in it: a fresh mapping of plain values.
+
+        It has a place for the `others`, its last keys, which the caller fills in: a mapping that grows takes longer.
+        """
         assert self._monitor is not None
         verdict = self._monitor.verdict
         if verdict is not self._reported:
@@ -106,6 +109,7 @@ class Judge:
                 "goal_conditions_met": verdict.met,
                 "goal_conditions_total": verdict.total,
                 "unsettled": verdict.unsettled or 0,  # one type for each key, or a vector cannot hold them
+                **dict.fromkeys(("branches", "violations", *others)),
             }
         report = self._report.copy()
         report["branches"] = [branch.copy() for branch in self._branches]

@@ -10,6 +10,7 @@ from zlib import crc32
 
 import numpy as np
 from numpy.random import PCG64, Generator
+from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from decomplex_bt.domain.document import Record
@@ -18,7 +19,9 @@ from decomplex_bt.envs.options import Options, Request, read_request
 from decomplex_bt.errors import InputError
 
 if TYPE_CHECKING:
+    from decomplex_bt.envs.chance import Start
     from decomplex_bt.envs.config import HouseholdConfig
+    from decomplex_bt.envs.geometry import Floats
     from decomplex_bt.envs.world import World
 
 FORMAT = 2
@@ -27,15 +30,15 @@ CHECK_EVERY = 50
 
 
 class Recording:
-    """One running episode's recording: `begin` it with its world, `note` every step."""
+    """One running episode's recording: `begin` it with its world and how that began, `note` every step."""
 
     def __init__(self, generator: Mapping[str, Any], request: Request, options: Options) -> None:
         self.generator, self.request, self.options = generator, request, options
         self.actions: list[tuple[float, float, int, int]] = []
 
-    def begin(self, world: World) -> None:
-        self._world = world
-        self._checksums = [checksum(world)]
+    def begin(self, world: World, start: Start) -> None:
+        self._world, self._start = world, start
+        self._checksums: list[int] = []
 
     def note(self, forward: float, turn: float, interaction: int, target: int) -> None:
         self.actions.append((forward, turn, interaction, target))
@@ -45,7 +48,9 @@ class Recording:
     @property
     def checksums(self) -> list[int]:
         """Those of the start, of every fiftieth step and of the last."""
-        return [*self._checksums, checksum(self._world)] if len(self.actions) % CHECK_EVERY else [*self._checksums]
+        start = self._start
+        checksums = [_checksum(start.place, start.position, start.heading, start.states), *self._checksums]
+        return [*checksums, checksum(self._world)] if len(self.actions) % CHECK_EVERY else checksums
 
     def to_dict(self) -> dict[str, Any]:
         """What was asked and done, as plain values, which JSON keeps."""
@@ -162,9 +167,13 @@ class Recorded(Record):
 
 def checksum(world: World) -> int:
     """A number that stands for all positions and states; equal worlds have equal ones."""
-    position = np.append(world.position, world.robot_heading)
-    position[np.isnan(position)] = 0.0
-    return crc32(world.place.tobytes(), crc32(world.states.tobytes(), crc32(position.tobytes())))
+    return _checksum(world.place, world.position, world.robot_heading, world.states)
+
+
+def _checksum(place: NDArray[np.int64], position: Floats, heading: float, states: NDArray[np.int8]) -> int:
+    numbers = np.append(position, heading)
+    numbers[np.isnan(numbers)] = 0.0
+    return crc32(place.tobytes(), crc32(states.tobytes(), crc32(numbers.tobytes())))
 
 
 @lru_cache(maxsize=16)

@@ -63,6 +63,7 @@ class Samples:
     `limit`: from how far what lies at each place can be seen, the last one for what lies at none; `is_floor` likewise.
     `place_at`: of each row the place, that last one for rows that are none.
     `floor_starts`: where each floor begins among all points of floors. `numbers`: as many as there may be points.
+    `never_seen`: of points of floors or of rows the time at which it was seen, to be copied.
     """
 
     def __init__(self, geometry: Geometry, reach: float, inside_reach: float) -> None:
@@ -90,6 +91,7 @@ class Samples:
         self.floor_count = sum(sizes)
         most = sum(block.points.shape[1] for room in self.rooms for block in room.blocks)
         self.numbers = np.arange(most + len(geometry.names))
+        self.never_seen = np.full(max(self.floor_count, len(geometry.names)), -np.inf)
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
         ]
@@ -215,7 +217,7 @@ class Scene:
         self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
         thresholds[:, :fixed] = layout.thresholds
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
-        np.copyto(thresholds[WEDGES:, fixed:], np.where(layout.wedge_rooms == room, SLACK, SLACK - ANYWAY))
+        thresholds[WEDGES:, fixed:] = np.where(layout.wedge_rooms == room, SLACK, SLACK - ANYWAY)
         self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
         self._reach = samples.reach
         self._is_one_way = len(ways) == len(layout.rooms)
@@ -224,8 +226,8 @@ class Scene:
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
         if self.movable.size:
-            self._moving[...] = at = position[self.movable].T
-            np.add(self._limits, (at * at).sum(axis=0), out=self._ranges)
+            self._moving[...] = x, y = position[self.movable].T
+            np.add(self._limits, x * x + y * y, out=self._ranges)
 
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
@@ -242,7 +244,8 @@ class Scene:
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
-        self._asked, self._half_angle, self._beyond = np.array(asked).reshape(-1, 3), half_angle, beyond
+        self._asked = np.fromiter(asked, np.float64, len(asked)).reshape(-1, 3)
+        self._half_angle, self._beyond = half_angle, beyond
         is_within = self._asked.dot(self.points) >= self._thresholds
         in_view = self._all(is_within)
         holding = self.layout.holding_points

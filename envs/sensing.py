@@ -26,12 +26,14 @@ FIRST_STATE = COLUMNS.index(STATE_PAIRS[0])
 Table = NDArray[np.float32]
 MOST_SCENES = 32
 """Scenes kept at once."""
+_NONE = np.empty(0, dtype=np.int64)
 
 
 class Sensor:
     """The robot's eyes in one episode. `look` takes the world in; `table` and the masks hold what came of it.
 
-    `visible`: `(rows,)` what is seen now, `inspected`: `(places,)` whose whole contents are in view. Only what is in
+    `visible`: `(rows,)` what is seen now, `inspected`: `(places,)` whose whole contents are in view; `changes` counts
+    the looks after which one of them was another than before. Only what is in
     rooms in sight is looked at, laid out in a `Scene` for each set of rooms, kept until something is brought into
     another room.
     """
@@ -47,22 +49,29 @@ class Sensor:
         self._half_angle = radians(min(config.field_of_view, 360.0)) / 2
         count = geometry.robot_row - geometry.place_count
         self._shut = np.zeros(self._places + 1, dtype=np.bool_)  # the last one is for what is at no place
-        self._seen_floor = np.full(samples.floor_count, -np.inf)
-        self._seen_when = np.full(count, -np.inf)
-        never = np.zeros(geometry.place_count, dtype=np.bool_)
-        self._full_before = deque([never] * (config.looks - 1), maxlen=config.looks - 1)
-        self._tracked = np.zeros(count, dtype=bool)
-        self._known, self._shown = (table.copy() for table in _tables(geometry))
-        self._now = self._shown[self._movable].copy()
+        self._seen_floor = samples.never_seen[: samples.floor_count].copy()
+        self._seen_when = samples.never_seen[:count].copy()  # of what is out of view; what is in view: by the last look
+        self._seen_at = 0.0
+        self._none_full = np.zeros(self._places, dtype=np.bool_)
+        self._full_before = deque([self._none_full] * (config.looks - 1), maxlen=config.looks - 1)
+        self._tracked = np.zeros(count, dtype=np.bool_)
+        known, shown = _tables(geometry)
+        self._known, self._shown = known.copy(), shown.copy()
+        self._now = shown[self._movable].copy()
+        self.table = known.copy()
+        self._known_rows, self._shown_rows, self._now_rows, self._table_rows = map(
+            _as_rows, (self._known, self._shown, self._now, self.table)
+        )
         self._on_floors = self._floors_at = self._astray = np.empty(0, dtype=np.int64)
         self._version = self._deeds = self._arrangement = self._stirs = -1
         self._looked_at = -config.every
         self._scenes: dict[tuple[int, ...], Scene] = {}
         self._rooms = np.empty(0, dtype=np.int64)
-        self._last_visible = b""
-        self.table = self._known
-        self.visible = np.zeros(len(geometry.names), dtype=bool)
-        self.inspected = np.zeros(geometry.place_count, dtype=bool)
+        self._last_seen = b"", b""
+        self.changes = 0
+        self._robot_alone = np.zeros(len(geometry.names), dtype=np.bool_)
+        self._robot_alone[-1] = True
+        self.visible, self.inspected = self._robot_alone, self._none_full
 
     def look(self) -> bool:
         """Looks if it is time to, or if the robot changed something; says whether it looked.
@@ -131,13 +140,12 @@ class Sensor:
         scene = self._scene_of((room, *[other for other, _ in beyond]))
         layout = scene.layout
         in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
-        visible = self.visible = np.zeros(len(self.visible), dtype=bool)
+        visible = self.visible = self._robot_alone.copy()
         visible[scene.rows] = seen = np.logical_or.reduceat(in_view, scene.starts)
         for segment, row in layout.twins:
             if seen[segment]:
                 visible[row] = True
-        visible[-1] = True
-        is_full = np.zeros(self._places, dtype=bool)
+        is_full = self._none_full.copy()
         is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, layout.holding_starts)
         is_full &= self._is_open
         inspected = is_full
@@ -181,15 +189,18 @@ class Sensor:
         """
         world = self.world
         in_view = self.visible[self._movable]
-        (fresh,) = (in_view > self._tracked).nonzero()
-        if fresh.size and self.missed_detection > 0:
-            in_view[fresh] = world.noise.random(fresh.size) >= self.missed_detection
-        self._tracked = in_view.copy()
-        np.putmask(self._seen_when, in_view, world.seconds)
+        fresh = _NONE
+        if in_view.tobytes() != self._tracked.tobytes():
+            self._seen_when[self._tracked] = self._seen_at
+            (fresh,) = (in_view > self._tracked).nonzero()
+            if fresh.size and self.missed_detection > 0:
+                in_view[fresh] = world.noise.random(fresh.size) >= self.missed_detection
+            self._tracked = in_view.copy()
+        self._seen_at = world.seconds
         if not (is_moved or fresh.size):
             return False
         now, shown = self._now, self._shown[self._movable]
-        np.copyto(shown, now, where=in_view[:, None])
+        np.copyto(self._shown_rows[self._movable], self._now_rows, where=in_view)
         if is_changed or fresh.size:
             at = self._samples.place_at[shown[:, PLACE].astype(np.int64)]
             self._on_floors = self._samples.is_floor[at].nonzero()[0]
@@ -231,13 +242,21 @@ class Sensor:
     def _write(self, is_news: bool) -> None:
         """Brings the table in line: what is known for ever, and what is seen now."""
         world = self.world
-        before, self._last_visible = self._last_visible, self.visible.tobytes()
-        if is_news or before != self._last_visible:
-            self.table = np.where(self.visible[:, None], self._shown, self._known)
-        self.table[: self._places, INSPECTED] = self.inspected
+        before, self._last_seen = self._last_seen, (self.visible.tobytes(), self.inspected.tobytes())
+        is_change = before != self._last_seen
+        self.changes += is_change
+        if is_news or is_change:
+            self._table_rows[...] = self._known_rows
+            np.copyto(self._table_rows, self._shown_rows, where=self.visible)
+            self.table[: self._places, INSPECTED] = self.inspected
         robot = self.table[-1]
         robot[X], robot[Y] = world.robot
         robot[HEADING] = world.robot_heading
+
+
+def _as_rows(table: Table) -> NDArray[np.void]:
+    """The same table with each row as one value: chosen by a mask, it is copied whole, in a quarter of the time."""
+    return table.view(np.dtype((np.void, table.itemsize * table.shape[1])))[:, 0]
 
 
 @lru_cache(maxsize=8)

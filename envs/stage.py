@@ -31,6 +31,8 @@ try:
         _chipmunk.cpPivotJointInit,
         _chipmunk.cpGearJointInit,
         _chipmunk.cpConstraintSetUserData,
+        _chipmunk.cpConstraintSetMaxBias,
+        _chipmunk.cpConstraintSetMaxForce,
     )
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
     _add_shape = _remove_shape = None
@@ -75,8 +77,8 @@ class Stage:
         self._people = {
             row: shaped(pymunk.Circle(ground, PERSON_RADIUS), Collision.PERSON) for row in geometry.people_rows
         }
-        self._robot = _Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
-        self._things: dict[int, _Mover] = {}
+        self._robot = Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
+        self._things: dict[int, Mover] = {}
 
     def set_up(self, space: pymunk.Space) -> None:
         """Moves walls and furniture into a space; the one they were in is emptied."""
@@ -98,30 +100,34 @@ class Stage:
         shape.unsafe_set_offset(position)
         return shape
 
-    def robot(self) -> _Mover:
+    def robot(self) -> Mover:
         """The robot as if it had never moved, in no space yet."""
         if not self._robot.begin(self.ground):
-            self._robot = _Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
+            self._robot = Mover(ROBOT_MASS, ROBOT_RADIUS, Collision.ROBOT)
         return self._robot
 
-    def thing(self, row: int, mass: float, radius: float) -> _Mover:
+    def thing(self, row: int, mass: float, radius: float) -> Mover:
         """A thing that slides on the floor, as if it had never moved, in no space yet."""
         mover = self._things.get(row)
         if mover is None or not mover.begin(self.ground):
-            mover = self._things[row] = _Mover(mass, radius, Collision.THING)
+            mover = self._things[row] = Mover(mass, radius, Collision.THING)
             mover.rub(self.ground)
         return mover
 
 
-class _Mover:
+class Mover:
     """A round body that moves, with its shape and, where it rubs against the floor, its joints to the ground."""
 
     def __init__(self, mass: float, radius: float, category: Collision) -> None:
-        self._mass, self._radius, self._moment = mass, radius, pymunk.moment_for_circle(mass, 0, radius)
+        self._mass, self._moment = mass, pymunk.moment_for_circle(mass, 0, radius)
+        friction = FLOOR_FRICTION * mass * GRAVITY
+        self._forces = friction * 1.0, friction * (radius * 2 / 3)
+        """Beyond which it slides and spins on the floor [N, N m]."""
         self.body = pymunk.Body(mass, self._moment)
         self.shape: pymunk.Shape = shaped(pymunk.Circle(self.body, radius), category)
         self.joints: tuple[pymunk.Constraint, ...] = ()
         self._handles: tuple[Any, ...] = ()
+        self._can_begin = _can_begin(self.body)
 
     def rub(self, ground: pymunk.Body) -> None:
         """Lets it slide with friction: by joints to the ground that give way."""
@@ -130,34 +136,33 @@ class _Mover:
             pymunk.GearJoint(ground, self.body, 0.0, 1.0),
         )
         self.joints = slide, spin
-        if _can_begin(self.body, *self.joints):
+        for joint, force in zip(self.joints, self._forces, strict=True):
+            joint.max_bias, joint.max_force = 0, force
+        self._can_begin = _can_begin(self.body, *self.joints)
+        if self._can_begin:
             names = "cpPivotJoint *", "cpGearJoint *"
             self._handles = tuple(
                 _ffi.cast(name, joint._constraint) for name, joint in zip(names, self.joints, strict=True)
             )
-        self._give_way()
 
     def begin(self, ground: pymunk.Body) -> bool:
         """Makes it as it was when it was new; False where this version of pymunk does not allow it."""
         body: Any = self.body
-        if not _can_begin(body, *self.joints):
+        if not self._can_begin:
             return False
-        begin_body, name_body, begin_slide, begin_spin, name_joint = _begin
+        begin_body, name_body, begin_slide, begin_spin, name_joint, limit_bias, limit_force = _begin
         begin_body(body._body, self._mass, self._moment)
         name_body(body._body, body._data_handle)
         if self.joints:
             slide, spin = self._handles
             begin_slide(slide, ground._body, body._body, (0, 0), (0, 0))
             begin_spin(spin, ground._body, body._body, 0.0, 1.0)
-            for joint in self.joints:
+            joint: Any
+            for joint, force in zip(self.joints, self._forces, strict=True):
                 name_joint(joint._constraint, joint._data_handle)
-            self._give_way()
+                limit_bias(joint._constraint, 0.0)
+                limit_force(joint._constraint, force)
         return True
-
-    def _give_way(self) -> None:
-        for joint, force in zip(self.joints, (1.0, self._radius * 2 / 3), strict=True):
-            joint.max_bias = 0
-            joint.max_force = FLOOR_FRICTION * self._mass * GRAVITY * force
 
 
 def put(space: pymunk.Space, shape: pymunk.Shape) -> None:
@@ -195,7 +200,7 @@ def _is_known(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> bool:
     if _add_shape is None or not hasattr(space, "_space"):
         return False
     # Not by `vars(space)`: a space whose `__dict__` was asked for once is slower from then on.
-    return isinstance(getattr(space, "_shapes", None), dict) and all(hasattr(shape, "_shape") for shape in shapes[:1])
+    return isinstance(getattr(space, "_shapes", None), dict) and (not shapes or hasattr(shapes[0], "_shape"))
 
 
 def _can_begin(body: pymunk.Body, *joints: pymunk.Constraint) -> bool:

@@ -24,7 +24,7 @@ from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.motor import make_motor
 from decomplex_bt.envs.prior import ABSENT, Prior
 from decomplex_bt.envs.spots import PERSON_RADIUS, ROBOT_RADIUS, Disc, Spots
-from decomplex_bt.envs.stage import Collision, Stage, clear, put, shaped
+from decomplex_bt.envs.stage import Collision, Mover, Stage, clear, put, shaped
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
@@ -240,22 +240,21 @@ class World:
             self._swing(name)
         for person in np.flatnonzero(self.home).tolist():
             self._stand(person)
+        robot = stage.robot()
+        self._motor = make_motor(self.space, robot.body)
         places = self.place.tolist()
         for thing in geometry.thing_rows:
             if places[thing] in self._floors:
                 self._add_thing(thing)
-        self._add_robot()
+        self._add_robot(robot)
         self._carried = self._carried_rows()
 
-    def _add_robot(self) -> None:
-        row = self.geometry.robot_row
-        robot = self._stage.robot()
-        body = robot.body
+    def _add_robot(self, robot: Mover) -> None:
+        row, body = self.geometry.robot_row, robot.body
         body.position = self.position[row].tolist()
         body.angle = float(self.heading[row])
         self._add_body(row, body, robot.shape)
         self._robot = body
-        self._motor = make_motor(self.space, body)
         self.robot = (float(body.position.x), float(body.position.y))
 
     def _add_thing(self, thing: int) -> None:
@@ -271,6 +270,7 @@ class World:
         put(self.space, shape)
         if row != self.geometry.robot_row:
             self._loose = sorted((*self._loose, (row, body)), key=itemgetter(0))
+            self._motor.watch(body for _, body in self._loose)
             self._awake.add(row)
         self.arrangement += 1
 
@@ -280,6 +280,7 @@ class World:
         body, parts = self._bodies.pop(row)
         self.space.remove(*parts, body)
         self._loose = [(other, loose) for other, loose in self._loose if other != row]
+        self._motor.watch(body for _, body in self._loose)
         self._awake.discard(row)
         self._moved.discard(row)
         self.arrangement += 1
@@ -339,15 +340,6 @@ class World:
         if self._carried.size:
             position[self._carried] = position[self.place[self._carried]]
 
-    def _is_stirring(self) -> bool:
-        """Whether anything but the robot may have moved."""
-        if self._awake:
-            return True
-        for _, body in self._loose:  # noqa: SIM110 - asked in every step, where `any` takes twice as long
-            if not body.is_sleeping:
-                return True
-        return False
-
     def locate(self) -> None:
         """Brings rooms in line with positions, and the floor a thing lies on with where it was pushed."""
         room, before = self.room, self.robot_room
@@ -356,12 +348,13 @@ class World:
         if here != before:
             room[-1] = here
             self.arrangement += 1
-        if self._is_stale and (self._carried.size or self._is_stirring()):
+        is_carrying = self._carried.size > 0
+        if self._is_stale and (is_carrying or self._awake or self._motor.is_stirring()):
             self._read_all()
         if self._moved:
             self._locate(sorted(self._moved))
             self._moved.clear()
-        if self._carried.size:
+        if is_carrying:
             rooms = room[self.place[self._carried]]
             if not np.array_equal(rooms, room[self._carried]):
                 room[self._carried] = rooms

@@ -27,19 +27,23 @@ class WorldTruth:
         self._row = world.geometry.row
         self._names = world.geometry.names
         self._viewed: tuple[str, ...] | None = None
+        self._changes = -1
 
     @property
     def room(self) -> str:
         return self.geometry.rooms[self.world.robot_room]
 
-    def view(self, names: tuple[str, ...]) -> tuple[int, int, bytes, bytes]:
+    def view(self, names: tuple[str, ...]) -> tuple[int, int, tuple[bytes, bytes]]:
+        world, sensor = self.world, self.sensor
         if names is not self._viewed:
-            self._viewed = names
+            self._viewed, self._changes = names, -1
             self._view_rows = np.array([self._row[name] for name in names if name in self._row], dtype=np.int64)
             self._view_places = self._view_rows[self._view_rows < self.geometry.place_count]
-        world, sensor = self.world, self.sensor
-        seen, inspected = sensor.visible.take(self._view_rows), sensor.inspected.take(self._view_places)
-        return world.version, world.arrangement, seen.tobytes(), inspected.tobytes()
+        if sensor.changes != self._changes:
+            self._changes = sensor.changes
+            seen, inspected = sensor.visible.take(self._view_rows), sensor.inspected.take(self._view_places)
+            self._view = seen.tobytes(), inspected.tobytes()
+        return world.version, world.arrangement, self._view
 
     def is_near(self, name: str) -> bool:
         geometry, world = self.geometry, self.world
