@@ -30,10 +30,10 @@ COLD = (
     "from decomplex_bt.understanding.interpreter import Interpreter;"
     "Interpreter.load(encoder={encoder}).interpret('Close the door.')"
 )
+COLD_BARE = "from decomplex_bt.understanding.document import Parser; Parser()._nlp('Close the door.')"
+PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 MODEL = next(name for name in MODELS.values() if find_spec(name))
 BARE = {"exclude": ["ner", "senter"]}
-COLD_BARE = f"import {MODEL}; {MODEL}.load(**{BARE})('Close the door.')"
-PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 
 
 def seconds(action: Callable[[], object]) -> float:
