@@ -4,8 +4,8 @@
 
 Prints, with the CRFs alone and with the encoder where it is installed: one instruction, text to flow, against
 `nlp(text)` without ner; a batch in one process and in several against one by one, beside what the pipeline itself gains
-by `nlp.pipe`; a cold process that parses one instruction against one that only imports spaCy and loads the model; the
-peak memory of the former.
+by `nlp.pipe`; a cold process that parses one instruction against one that only imports the package and spaCy and
+loads the model; the peak memory of the former.
 """
 
 from __future__ import annotations
