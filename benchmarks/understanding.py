@@ -4,8 +4,8 @@
 
 Prints, with the CRFs alone and with the encoder where it is installed: one instruction, text to flow, against
 `nlp(text)` without ner; a batch in one process and in several against one by one, beside what the pipeline itself gains
-by `nlp.pipe`; a cold process that parses one instruction against one that only imports spaCy and loads the model; the
-peak memory of the former.
+by `nlp.pipe`; a cold process that parses one instruction against one that only imports the package and spaCy and
+loads the model; the peak memory of the former.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ COLD = (
     "from decomplex_bt.understanding.interpreter import Interpreter;"
     "Interpreter.load(encoder={encoder}).interpret('Close the door.')"
 )
+COLD_BARE = "from decomplex_bt.understanding.document import Parser; Parser()._nlp('Close the door.')"
+PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 MODEL = next(name for name in MODELS.values() if find_spec(name))
 BARE = {"exclude": ["ner", "senter"]}
-COLD_BARE = f"import {MODEL}; {MODEL}.load(**{BARE})('Close the door.')"
-PEAK = ";import resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
 
 
 def seconds(action: Callable[[], object]) -> float:
