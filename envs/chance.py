@@ -66,7 +66,8 @@ class Draw:
         start.broken = rng.array(len(prior.broken)) < prior.broken
         is_positive = rng.array(*prior.chance.shape) < prior.chance
         start.states = np.where(prior.has_state, is_positive.view(np.int8), prior.no_states)
-        start.states[start.broken & (start.states[:, POWER] >= 0), POWER] = 0
+        power = start.states[:, POWER]
+        power[start.broken & (power >= 0)] = 0
         self._things(rng)
         self._everybody(rng)
         self._settle()
@@ -159,13 +160,14 @@ class Draw:
         prior, discs, start, random = self.prior, self._discs, self.start, rng.random
         listed, draw_lying = self.spots.listed, self.spots.draw_lying
         rows, last = prior.place_list, len(prior.place_list) - 1
+        things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
         draws = rng.array(len(prior.place_sums)).tolist()
         places: list[int] = []
         at: list[float] = []
-        for thing, sums, draw in zip(self.geometry.thing_rows, prior.place_sums, draws, strict=True):
+        each = zip(self.geometry.thing_rows, prior.radius[things], prior.place_sums, draws, strict=True)
+        for thing, radius, sums, draw in each:
             place = rows[bisect_right(sums, draw, 0, last)]
             spot = NOWHERE
-            radius = prior.radius[thing]
             tries = 0
             while place != ABSENT:
                 there = discs.get(place)
@@ -192,7 +194,6 @@ class Draw:
                 place = rows[_pick_index(sums, rng)]
             places.append(place)
             at += spot
-        things = slice(self.geometry.thing_rows.start, self.geometry.thing_rows.stop)
         start.place[things], start.position[things] = places, np.array(at).reshape(-1, 2)
 
     def _anywhere(self, thing: int, rng: Source) -> tuple[int, tuple[float, float]]:

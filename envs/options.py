@@ -68,6 +68,7 @@ class Options:
         return plain
 
 
+_AS_THEY_ARE = Options()
 HOUSE_KEYS = ("house", "house_seed")
 """The keys that are about which house it is; they are read first, since the others name what is in it."""
 KEYS = (
@@ -92,7 +93,7 @@ KEYS = (
 def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Options:
     """The options as a value. Raises `InputError` for an unknown name or value, naming the nearest known."""
     if not options:
-        return Options()
+        return _AS_THEY_ARE
     given = {key: value for key, value in options.items() if value is not None}
     house = geometry.house
     places = geometry.names[: geometry.place_count]

@@ -3,15 +3,16 @@
 An episode has a fresh `pymunk.Space`, for one that has been used goes its own way; walls and furniture, most of all
 there is in it, need not be made anew for that, nor the leaves of doors, people who stand, what lies on the floor, and
 the robot: what moves is begun again as Chipmunk begins it, for to move it back would leave it the push that its last
-contact gave it. pymunk checks
-and notes down each shape that it adds or removes, which takes five times as long as the Chipmunk function that it calls
-then; here that function is called for all of them in a row. Where a version of pymunk does not have it in the same
-place, pymunk's own calls are made, with the same result.
+contact gave it. pymunk checks each body, joint and shape that it adds or removes, which takes five times as long as the
+Chipmunk function that it calls then; here that function is called, and what is in the space noted where pymunk notes
+it. Where a version of pymunk does not have them in the same place, pymunk's own calls are made, with the same result.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
+from functools import cache
 from typing import Any
 
 import pymunk
@@ -24,7 +25,10 @@ try:
     from pymunk._chipmunk_cffi import lib as _chipmunk
 
     _add_shape: Any = _chipmunk.cpSpaceAddShape
+    _add_body: Any = _chipmunk.cpSpaceAddBody
+    _add_joint: Any = _chipmunk.cpSpaceAddConstraint
     _remove_shape: Any = _chipmunk.cpSpaceRemoveShape
+    _remove_joint: Any = _chipmunk.cpSpaceRemoveConstraint
     _begin: tuple[Any, ...] = (
         _chipmunk.cpBodyInit,
         _chipmunk.cpBodySetUserData,
@@ -35,7 +39,7 @@ try:
         _chipmunk.cpConstraintSetMaxForce,
     )
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
-    _add_shape = _remove_shape = None
+    _add_shape = None
     _begin = ()
 
 GRAVITY = 9.81  # [m/s²] presses things on the floor
@@ -86,12 +90,12 @@ class Stage:
             clear(self._floor.space)
         # A space's own static body could not be taken out of it again.
         space.add(self.ground, self._floor)
-        if not _is_known(space, self._shapes):
+        if not _is_known():
             space.add(*self._shapes)
             return
-        add, chipmunk_space = _add_shape, space._space
+        add, inside = _add_shape, space._space
         for handle in self._handles:
-            add(chipmunk_space, handle)
+            add(inside, handle)
         space._shapes.update(self._noted)
 
     def person(self, row: int, position: tuple[float, float]) -> pymunk.Shape:
@@ -165,12 +169,19 @@ class Mover:
         return True
 
 
-def put(space: pymunk.Space, shape: pymunk.Shape) -> None:
-    """Adds one shape of a stage to a space."""
-    if not _is_known(space, (shape,)):
-        space.add(shape)
+def put(space: Any, shape: Any, body: Any = None, joints: Sequence[Any] = ()) -> None:
+    """Adds a shape to a space; that of something that moves with its body and joints."""
+    if not _is_known():
+        space.add(*(() if body is None else (body,)), *joints, shape)
         return
-    _add_shape(space._space, shape._shape)
+    inside = space._space
+    if body is not None:
+        _add_body(inside, body._body)
+        space._bodies[body] = None
+    for joint in joints:
+        _add_joint(inside, joint._constraint)
+        space._constraints[joint] = None
+    _add_shape(inside, shape._shape)
     space._shapes[shape] = None
 
 
@@ -181,26 +192,34 @@ def shaped(shape: Any, category: Collision) -> Any:
     return shape
 
 
-def clear(space: pymunk.Space) -> None:
+def clear(space: Any) -> None:
     """Takes everything out of a space that is of no more use."""
-    space.remove(*space.constraints)
-    shapes = tuple(space.shapes)
-    if _is_known(space, shapes):
-        remove, chipmunk_space = _remove_shape, space._space
-        for shape in shapes:
-            remove(chipmunk_space, shape._shape)
-        space._shapes.clear()
-    else:
-        space.remove(*shapes)
+    if not _is_known():
+        space.remove(*space.constraints, *space.shapes, *space.bodies)
+        return
+    inside = space._space
+    for joint in space._constraints:
+        _remove_joint(inside, joint._constraint)
+    for shape in space._shapes:
+        _remove_shape(inside, shape._shape)
+    space._constraints.clear()
+    space._shapes.clear()
     space.remove(*space.bodies)
 
 
-def _is_known(space: pymunk.Space, shapes: tuple[pymunk.Shape, ...]) -> bool:
+def _is_known() -> bool:
     """Whether this is a pymunk whose inside is where it is expected."""
-    if _add_shape is None or not hasattr(space, "_space"):
-        return False
-    # Not by `vars(space)`: a space whose `__dict__` was asked for once is slower from then on.
-    return isinstance(getattr(space, "_shapes", None), dict) and (not shapes or hasattr(shapes[0], "_shape"))
+    return _add_shape is not None and _has_known_parts()
+
+
+@cache
+def _has_known_parts() -> bool:
+    space, body = pymunk.Space(), pymunk.Body(1.0, 1.0)
+    shape, joint = pymunk.Circle(body, 1.0), pymunk.PivotJoint(space.static_body, body, (0, 0))
+    parts = (body, "_body"), (shape, "_shape"), (joint, "_constraint")
+    notes = (getattr(space, name, None) for name in ("_bodies", "_shapes", "_constraints"))
+    has_parts = hasattr(space, "_space") and all(hasattr(part, name) for part, name in parts)
+    return has_parts and all(isinstance(note, dict) for note in notes)
 
 
 def _can_begin(body: pymunk.Body, *joints: pymunk.Constraint) -> bool:

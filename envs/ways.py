@@ -64,21 +64,28 @@ class Ways:
         """The free cells that hang together with the first doorway, past the people; None once they touch all `marks`.
 
         Without marks all of them are found. Cells spread along their rows and columns to the next one that is not
-        free, in steps twice as long each time; that is repeated until nothing is added.
+        free, in steps twice as long each time, or at once where an addition's carry goes the same way; that is repeated
+        until nothing is added.
         """
         free = self._passable
         for person in people:
             shadow = self._shadows.get(person)
             free &= ~(self._shadow_at(*person) if shadow is None else shadow)
         rows, columns = self._shape
-        steps: list[tuple[int, int, int]] = []
-        for stride, length in ((1, columns), (columns + 1, rows)):
-            ahead = back = free
-            step = 1
-            while step < length:
-                steps.append((stride * step, ahead, back))
-                ahead, back = ahead & ahead << stride * step, back & back >> stride * step
-                step *= 2
+        along: list[tuple[int, int]] = []
+        ahead = back = free
+        step = 1
+        while step < columns:
+            along.append((step, back))
+            back &= back >> step
+            step *= 2
+        across: list[tuple[int, int, int]] = []
+        back = free
+        step = columns + 1
+        while step < rows * (columns + 1):
+            across.append((step, ahead, back))
+            ahead, back = ahead & ahead << step, back & back >> step
+            step *= 2
         left = list(marks)
         has_marks = bool(left)
         reached, before = self._marks[0] & free, -1
@@ -87,7 +94,10 @@ class Ways:
             if has_marks and not left:
                 return None
             before = reached
-            for step, ahead, back in steps:
+            reached |= free & ~(free + reached)  # the carry of a cell ends behind the last free one of its row
+            for step, back in along:
+                reached |= back & reached >> step
+            for step, ahead, back in across:
                 reached |= ahead & reached << step | back & reached >> step
         return reached
 

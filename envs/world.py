@@ -238,7 +238,7 @@ class World:
         self._moved: set[int] = set()
         for name in geometry.leaves:
             self._swing(name)
-        for person in np.flatnonzero(self.home).tolist():
+        for person in self.home.nonzero()[0].tolist():
             self._stand(person)
         robot = stage.robot()
         self._motor = make_motor(self.space, robot.body)
@@ -251,11 +251,11 @@ class World:
 
     def _add_robot(self, robot: Mover) -> None:
         row, body = self.geometry.robot_row, robot.body
-        body.position = self.position[row].tolist()
-        body.angle = float(self.heading[row])
+        x, y = self.position[row].tolist()
+        self.robot = body.position = x, y
+        body.angle = self.robot_heading
         self._add_body(row, body, robot.shape)
         self._robot = body
-        self.robot = (float(body.position.x), float(body.position.y))
 
     def _add_thing(self, thing: int) -> None:
         """Puts a thing on the floor."""
@@ -266,8 +266,7 @@ class World:
 
     def _add_body(self, row: int, body: pymunk.Body, shape: pymunk.Shape, *joints: pymunk.Constraint) -> None:
         self._bodies[row] = (body, (shape, *joints))
-        self.space.add(body, *joints)
-        put(self.space, shape)
+        put(self.space, shape, body, joints)
         if row != self.geometry.robot_row:
             self._loose = sorted((*self._loose, (row, body)), key=itemgetter(0))
             self._motor.watch(body for _, body in self._loose)
@@ -376,7 +375,7 @@ class World:
         geometry = self.geometry
         self.room[:] = geometry.room_of_place[self.place]
         self.room[: geometry.place_count] = geometry.place_room
-        people = np.flatnonzero(self.home)
+        (people,) = self.home.nonzero()
         for person, (x, y) in zip(people.tolist(), self._position[people].tolist(), strict=True):
             self.room[person] = geometry.room_at(x, y)
         self.robot_room = self.room[-1] = geometry.room_at(*self.robot)
@@ -384,7 +383,8 @@ class World:
             self.locate()
 
     def _carried_rows(self) -> NDArray[np.int64]:
-        return np.flatnonzero(self.place >= self.geometry.people_rows[0])
+        rows: NDArray[np.int64] = (self.place >= self.geometry.user_row).nonzero()[0]
+        return rows
 
 
 def _within(value: float, most: float) -> float:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import hypot
 
 import numpy as np
+from numpy.typing import NDArray
 
+from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.sensing import Sensor
@@ -37,8 +40,7 @@ class WorldTruth:
         world, sensor = self.world, self.sensor
         if names is not self._viewed:
             self._viewed, self._changes = names, -1
-            self._view_rows = np.array([self._row[name] for name in names if name in self._row], dtype=np.int64)
-            self._view_places = self._view_rows[self._view_rows < self.geometry.place_count]
+            self._view_rows, self._view_places = _rows_of(self.geometry, names)
         if sensor.changes != self._changes:
             self._changes = sensor.changes
             seen, inspected = sensor.visible.take(self._view_rows), sensor.inspected.take(self._view_places)
@@ -85,3 +87,10 @@ class WorldTruth:
     def is_inspected(self, place: str) -> bool:
         row = self._row.get(place)
         return row is not None and row < self.geometry.place_count and bool(self.sensor.inspected[row])
+
+
+@lru_cache(maxsize=16)
+def _rows_of(geometry: Geometry, names: tuple[str, ...]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The rows that names stand for, and those of them that are places; each episode asks for the same few."""
+    rows = np.array([geometry.row[name] for name in names if name in geometry.row], dtype=np.int64)
+    return rows, rows[rows < geometry.place_count]
