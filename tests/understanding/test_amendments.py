@@ -68,7 +68,8 @@ def test_how_much_something_is_so_is_asked_of_it(
 def test_no_one_is_no_object(parser: Parser) -> None:
     text = "If no one is in, lock it."
     found = ("object", "one", "is"), ("object", "it", "lock")
-    assert arguments(parser, text, {"is": "check_state", "lock": "change_state"}, *found) == {("object", "it")}
+    tasks = {"is": "check_state", "lock": "change_state"}
+    assert arguments(parser, text, tasks, *found) == {("object", "it"), ("state", "in")}
 
 
 def test_an_idiom_tells_of_its_check_what_a_model_gave_to_another(parser: Parser) -> None:

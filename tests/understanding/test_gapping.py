@@ -22,11 +22,22 @@ from decomplex_bt.understanding.interpreter import Interpreter
          [("object", "a mug"), ("recipient", "to Anna"), ("object", "another mug"), ("recipient", "to Tom")]),
         ("Give Tom the ball, and Lily the kite.",
          [("recipient", "Tom"), ("object", "the ball"), ("recipient", "Lily"), ("object", "the kite")]),
-        ("Put the cup, the plate and the fork in the sink.",
-         [("object", "the cup, the plate and the fork"), ("goal", "in the sink")]),
-        ("Put the book on the shelf, the one in the hall.", [("object", "the book"), ("goal", "on the shelf")]),
     ],
 )  # fmt: skip
 def test_each_thing_has_what_is_told_of_it(text: str, pairs: list[tuple[str, str]], encoder: bool) -> None:
     (task,) = Interpreter.load(encoder=encoder).interpret(text).tasks
     assert [(argument.type, argument.value) for argument in task.arguments] == pairs
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        ("Put the cup, the plate and the fork in the sink.",
+         [("object", "the cup, the plate and the fork"), ("goal", "in the sink")]),
+        ("Put the book on the shelf, the one in the hall.", [("object", "the book"), ("goal", "on the shelf")]),
+        ("Take the cup and the plate to the kitchen.", [("object", "the cup and the plate"), ("goal", "to the kitchen")]),
+    ],
+)  # fmt: skip
+def test_what_is_told_of_several_things_is_told_once(text: str, arguments: list[tuple[str, str]]) -> None:
+    (task,) = Interpreter.load().interpret(text).tasks
+    assert [(argument.type, argument.value) for argument in task.arguments] == arguments
