@@ -17,11 +17,12 @@ import decomplex_bt
 SOURCE = Path(decomplex_bt.__file__).parent
 ENVS = Path(sys.modules["decomplex_bt.envs"].__path__[0])
 
-BASIC = frozenset({"errors", "flow", "instruction", "domain", "corpus"})
+BASIC = frozenset({"errors", "flow", "instruction", "phrases", "domain", "corpus"})
 MAY_IMPORT: dict[str, frozenset[str]] = {
     "errors": frozenset({"instruction"}),
     "flow": frozenset({"errors"}),
-    "instruction": frozenset({"errors", "flow"}),
+    "instruction": frozenset({"errors", "flow", "phrases"}),
+    "phrases": frozenset({"instruction"}),
     "domain": frozenset({"errors", "flow", "instruction", "domains"}),
     "domains": frozenset(),
     "corpus": frozenset({"errors", "flow", "instruction", "domain"}),

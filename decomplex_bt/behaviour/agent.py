@@ -21,6 +21,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Doubt, Instruction, Missing, Task
+from decomplex_bt.phrases import spoken
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
@@ -232,7 +233,7 @@ def _running_leaf(tree: BehaviourTree) -> PlannedTask | None:
 def _as_spoken(task: Task, instruction: Instruction) -> Task:
     """The task with its places as they are said where they are named."""
     places = ("goal", "source", "location")
-    said = (replace(a, value=instruction.spoken(a, task)) if a.type in places else a for a in task.arguments)
+    said = (replace(a, value=spoken(instruction, a, task)) if a.type in places else a for a in task.arguments)
     return replace(task, arguments=tuple(said))
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from decomplex_bt.behaviour.conditional import IfThenElse
 from decomplex_bt.behaviour.planned_task import PlannedTask
+from decomplex_bt.planning.distribution import distributed
 
 if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
@@ -96,7 +97,7 @@ class Episode:
         if self._is_out_of_time:
             return "time ran out"
         due = self.info["unsettled"]
-        return f"the robot was content, but task {due} ({self.reading.instruction.phrase(due)}) was not settled"
+        return f"the robot was content, but task {due} ({distributed(self.reading.instruction).phrase(due)}) was not settled"
 
     @property
     def running(self) -> PlannedTask | None:
