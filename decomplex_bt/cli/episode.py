@@ -97,7 +97,8 @@ class Episode:
         if self._is_out_of_time:
             return "time ran out"
         due = self.info["unsettled"]
-        return f"the robot was content, but task {due} ({distributed(self.reading.instruction).phrase(due)}) was not settled"
+        phrase = distributed(self.reading.instruction).phrase(due)
+        return f"the robot was content, but task {due} ({phrase}) was not settled"
 
     @property
     def running(self) -> PlannedTask | None:
