@@ -244,8 +244,8 @@ class Scene:
         x, y = eye.real, eye.imag
         begin, end = heading - half_angle, heading + half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
-        near = (2 * x, 2 * y, -x * x - y * y)
-        asked = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
+        a, b, c = 2 * x, 2 * y, -x * x - y * y
+        asked = [a, b, c, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, a, b, c]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
