@@ -169,7 +169,7 @@ class Episode:
         speed, turn_rate = world.speed, world.turn_rate
         if not (-MAX_SPEED <= speed <= MAX_SPEED and -MAX_TURN_RATE <= turn_rate <= MAX_TURN_RATE):
             speed, turn_rate = _clip(speed, MAX_SPEED), _clip(turn_rate, MAX_TURN_RATE)
-        numbers = np.array((x, y, world.robot_heading, speed, turn_rate, world.seconds), np.float32)
+        numbers = np.fromiter((x, y, world.robot_heading, speed, turn_rate, world.seconds), np.float32, 6)
         if world.version != self._held_version:
             self._held_version = world.version
             self._held = np.array((world.held, *world.tray), dtype=np.int16)

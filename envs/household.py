@@ -214,7 +214,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Does one action. Raises `InputError` for one that is none, and `gymnasium.error.ResetNeeded` where no episode
         runs: before the first reset, and after an episode's end."""
-        episode = self._running
+        episode = self._episode or self._running
         if episode.is_over:
             raise gym.error.ResetNeeded("the episode is over; call reset() for the next one")
         reward, terminated, truncated = episode.step(action)

@@ -122,10 +122,13 @@ class Samples:
         for wedge, room in enumerate(ways[1:]):
             right = WEDGES + 2 * wedge
             thresholds[right : right + 2] -= np.where(room_of == room, 0.0, ANYWAY)
+        is_in_sight = np.zeros(len(self.rooms), dtype=np.bool_)
+        is_in_sight[list(rooms)] = True
         before = np.cumsum([0, *(len(block.rows) for block in kinds[0])]).tolist()
         return Layout(
             rooms=rooms,
-            wedge_rooms=np.repeat(np.array(ways[1:], dtype=np.int64), 2)[:, None],
+            is_in_sight=is_in_sight,
+            elsewhere=np.where(np.repeat(ways[1:], 2)[:, None] == np.arange(len(self.rooms)), 0.0, ANYWAY),
             points=np.hstack([block.points for block in blocks]),
             thresholds=thresholds,
             rows=rows,
@@ -171,15 +174,17 @@ class Samples:
 
 
 class Layout(NamedTuple):
-    """The fixed places of some rooms, the robot's own first. `wedge_rooms` `(2 * wedges, 1)`: of each edge of a wedge
-    the room it leads into. `points` `(3, n)`. Segment `i` is the entity `rows[i]`,
+    """The fixed places of some rooms, the robot's own first. `is_in_sight`: `(rooms,)` of the house, which are among
+    them. `elsewhere` `(2 * wedges, rooms)`: by how much less is asked of what is in a room by each edge of a wedge,
+    which is nothing less in the room that the wedge leads into. `points` `(3, n)`. Segment `i` is the entity `rows[i]`,
     its points begin at `starts[i]`. `thresholds`: of each question and each point what the answer must not be below.
     `twins`: segments of what stands in two of the rooms, a door, besides its last one, with its row. `holding_rows`:
     of what can be looked over; it has the `holding_points`, among which each begins at `holding_starts`.
     `floor_points`: those of floors, `floor_numbers`: which of all floors' points they are."""
 
     rooms: tuple[int, ...]
-    wedge_rooms: Rows
+    is_in_sight: Bools
+    elsewhere: Floats
     points: Floats
     thresholds: Floats
     rows: Rows
@@ -217,7 +222,7 @@ class Scene:
         self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
         thresholds[:, :fixed] = layout.thresholds
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
-        thresholds[WEDGES:, fixed:] = np.where(layout.wedge_rooms == room, SLACK, SLACK - ANYWAY)
+        np.subtract(SLACK, layout.elsewhere[:, room], out=thresholds[WEDGES:, fixed:])
         self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
         self._reach = samples.reach
         self._is_one_way = len(ways) == len(layout.rooms)
@@ -239,8 +244,8 @@ class Scene:
         x, y = eye.real, eye.imag
         begin, end = heading - half_angle, heading + half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
-        near = (2 * x, 2 * y, -x * x - y * y)
-        asked = [*near, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, *near]
+        a, b, c = 2 * x, 2 * y, -x * x - y * y
+        asked = [a, b, c, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, a, b, c]
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
@@ -253,12 +258,13 @@ class Scene:
 
     def shows(self, spots: Floats, room: Rows) -> Bools:
         """Which of some spots `(n, 2)` on the floors of these rooms the last view took in."""
-        points = np.vstack((spots.T, np.ones(len(spots))))
-        thresholds = np.full((len(self._thresholds), len(spots)), SLACK)
-        thresholds[RANGE] += (spots * spots).sum(axis=1) - self._reach**2
-        thresholds[WEDGES:] -= np.where(self.layout.wedge_rooms == room, 0.0, ANYWAY)
-        is_in_sight = np.logical_or.reduce([room == other for other in self.layout.rooms])
-        return self._all(self._asked.dot(points) >= thresholds) & is_in_sight
+        points = np.empty((3, len(spots)))
+        points[: PLACE_Y + 1], points[ONE] = spots.T, 1.0
+        thresholds = np.empty((len(self._thresholds), len(spots)))
+        thresholds[:RANGE] = SLACK
+        thresholds[RANGE] = SLACK + ((spots * spots).sum(axis=1) - self._reach**2)
+        thresholds[WEDGES:] = SLACK - self.layout.elsewhere[:, room]
+        return self._all(self._asked.dot(points) >= thresholds) & self.layout.is_in_sight[room]
 
     def _all(self, is_within: Bools) -> Bools:
         """Of answers to all that was asked of points, for each point whether it is in view."""

@@ -70,13 +70,13 @@ def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Int
     try:
         drive = np.asarray(action["drive"])
         interact, target = index(action["interact"]), index(action["target"])
-        if drive.shape == (2,) and drive.dtype.kind in _REAL:
+        if drive.shape == (2,) and drive.dtype.kind in _REAL and interact >= 0 and 0 <= target < rows:
             forward, turn = drive.tolist()
-            if 0 <= interact < len(_INTERACTIONS) and 0 <= target < rows:
-                if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0:
-                    return forward, turn, _INTERACTIONS[interact], target
-                if isfinite(forward) and isfinite(turn):
-                    return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), _INTERACTIONS[interact], target
+            interaction = _INTERACTIONS[interact]
+            if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0:
+                return forward, turn, interaction, target
+            if isfinite(forward) and isfinite(turn):
+                return min(max(forward, -1.0), 1.0), min(max(turn, -1.0), 1.0), interaction, target
     except (KeyError, IndexError, TypeError, ValueError):
         pass  # it is none, whatever it is instead
     raise InputError(
