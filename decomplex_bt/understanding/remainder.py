@@ -6,7 +6,7 @@ from collections.abc import Collection, Container, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Span
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 
 COMMA, STOP = -1, -2
@@ -56,7 +56,7 @@ def told(document: Document, sequence: Sequence[Told]) -> Remainder:
         turn = tokens[word.token if word.turn is None else word.turn].start
         is_next = previous + 1 == word.token
         if index:
-            gap = document.text[tokens[previous].end : token.start] if is_next else " "
+            gap = document.text[tokens[previous].end : token.start] if is_next else " " * (token.text not in MARKS)
             characters += gap
             places += range(token.start - len(gap), token.start)
             turns += [turn] * len(gap)

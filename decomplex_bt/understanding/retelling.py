@@ -130,8 +130,8 @@ def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Seque
         (argument, tokens)
         for argument in task.arguments
         if argument.span is not None and argument.type != "manner"
-        for tokens in [document.indices(argument.span)]
-        if verb < tokens.start and tokens.stop <= until
+        for tokens in [_up_to(document, document.indices(argument.span), until)]
+        if verb < tokens.start < until
     ]
     replaced = _replaced(observed, own, found.tokens)
     if replaced is None:
@@ -139,11 +139,20 @@ def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Seque
     behind_verb = (document.tokens[i] for i in document.children[verb] if i < until)
     said = {verb, *(t.i for t in behind_verb if t.dep == "prt" or (t.dep == "advmod" and t.lower in PARTICLES))}
     said.update(i for _, tokens in own if tokens != replaced for i in tokens)
+    said.update(range(verb + 1, replaced.start))  # what stands between, be it found or not: "bring *me* the orange"
     ahead, behind = sorted(i for i in said if i < replaced.start), sorted(i for i in said if i >= replaced.stop)
     is_led = document.tokens[found.tokens.start].lower in PREPOSITIONS
     if document.tokens[replaced.start].lower in PREPOSITIONS | {"for"} and len(replaced) > 1 and not is_led:
         ahead.append(replaced.start)
     return ahead, behind
+
+
+def _up_to(document: Document, tokens: range, stop: int) -> range:
+    """The tokens before another one, without what joins them to it: "the orange*, or* the apple"."""
+    last = min(tokens.stop, stop)
+    while last > tokens.start + 1 and document.tokens[last - 1].lower in _JOINING:
+        last -= 1
+    return range(tokens.start, last)
 
 
 def _replaced(observed: Observed, own: Sequence[tuple[Argument, range]], words: range) -> range | None:
