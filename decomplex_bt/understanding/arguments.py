@@ -26,6 +26,10 @@ FARTHEST_OWNER = 2
 Method = Literal["none", "naive", "split"]
 
 
+CERTAIN = 0.9
+"""The confidence of an argument that no model found, but a rule."""
+
+
 @dataclass(frozen=True, slots=True)
 class FoundArgument:
     """An argument: its type, the token of the task that owns it, and its tokens; `confidence` is the mean marginal."""

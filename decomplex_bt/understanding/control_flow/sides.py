@@ -46,7 +46,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _obstruct,
             _fall_back,
             _follow,
-            _list,
+            _confine,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -295,7 +295,7 @@ def _obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
-def _list(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+def _confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
     wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
     here")."""

@@ -25,6 +25,7 @@ _EXCEPTING = tuple(
         "with the exception of", "but not", "but for", "but",
     )
 )  # fmt: skip
+_FIRST_EXCEPTING = frozenset(first for first, *_ in _EXCEPTING)
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _JOINTS = frozenset(("and", "or", "but", "then", "so", "please", "if", "unless", "when", "before", "after", "until"))
 _POINTING = frozenset(("that", "this", "which", "all"))
@@ -102,6 +103,8 @@ def exclusions(document: Document, tasks: Collection[int]) -> Iterator[Exclusion
     """All that orders leave out, in text order: "except the red one", "but not the radio", "all but the small one"."""
     tokens = document.tokens
     for i in range(1, len(tokens)):
+        if tokens[i].lower not in _FIRST_EXCEPTING:
+            continue
         phrase = next((p for p in _EXCEPTING if tuple(t.lower for t in tokens[i : i + len(p)]) == p), None)
         if phrase is None or i in tasks or not any(_is_before(document, task, i) for task in tasks):
             continue

@@ -58,6 +58,8 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
     if it isn't"). "A or B if C" without a comma is an alternative only where C denies something or names what A does.
     """
     document = observed.document
+    if not any(cue.name in _OPENING | _TURNING for cue in observed.cues):
+        return
     parts = list(_parts(observed, tasks))
     for k, part in enumerate(parts):
         body = _bare(document, part.body, tasks)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import dropwhile, pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.arguments import FoundArgument, FoundArguments
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
@@ -22,7 +22,7 @@ from decomplex_bt.understanding.references.phrases import (
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.gapping import gapped, until
+from decomplex_bt.understanding.rules.gapping import with_gapped
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
@@ -30,8 +30,6 @@ from decomplex_bt.understanding.rules.relatives import told_apart, without_exclu
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
-CERTAIN = 0.9
-"""The confidence of an argument that an idiom tells."""
 _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
@@ -100,11 +98,7 @@ def amended(
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
-    for other in gapped(observed, tasks, kept):
-        begin, end = other.tokens.start, other.tokens.stop
-        before = [until(document, a, begin) for a in kept if a.tokens.start < begin]
-        before = [a for a in before if document.tokens[a.tokens.start].lower not in ("and", "&", ",")]
-        kept = [*before, *other.arguments(CERTAIN), *(a for a in kept if a.tokens.start >= end)]
+    kept = with_gapped(observed, tasks, kept)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSITIONS
@@ -18,6 +18,7 @@ from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSIT
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state"))
 _PAIRED = ("goal", "recipient", "source", "location", "state")
 """What is told beside the thing, anew for each one."""
+_JOINTS = frozenset(("and", "&", ","))
 _TO_WHOM = frozenset(("for", "to"))
 _DETERMINERS = frozenset(
     "the a an my your our their his her its some another that this these those any one two".split()
@@ -41,9 +42,25 @@ class Gapped:
     def tokens(self) -> range:
         return range(min(self.thing.start, self.told.start), max(self.thing.stop, self.told.stop))
 
-    def arguments(self, probability: float) -> Iterator[FoundArgument]:
-        yield FoundArgument("object", self.owner, self.thing, probability)
-        yield FoundArgument(self.type, self.owner, self.told, probability)
+    @property
+    def arguments(self) -> tuple[FoundArgument, FoundArgument]:
+        return (
+            FoundArgument("object", self.owner, self.thing, CERTAIN),
+            FoundArgument(self.type, self.owner, self.told, CERTAIN),
+        )
+
+
+def with_gapped(
+    observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with those of gapped phrases, of whose words no other has any."""
+    document, kept = observed.document, list(arguments)
+    for other in gapped(observed, tasks, kept):
+        begin, end = other.tokens.start, other.tokens.stop
+        before = [_until(document, a, begin) for a in kept if a.tokens.start < begin]
+        before = [a for a in before if document.tokens[a.tokens.start].lower not in _JOINTS]
+        kept = [*before, *other.arguments, *(a for a in kept if a.tokens.start >= end)]
+    return kept
 
 
 def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> Iterator[Gapped]:
@@ -60,7 +77,7 @@ def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[Fou
             continue
         begin = phrases[0][0].start
         own = (a for a in arguments if a.owner == owner and owner < a.tokens.start < begin)
-        first = [until(document, a, begin) for a in own]
+        first = [_until(document, a, begin) for a in own]
         found: list[Gapped] = []
         for phrase, _ in phrases:
             one = _read(observed, owner, phrase, first)
@@ -71,10 +88,10 @@ def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[Fou
             yield from found
 
 
-def until(document: Document, argument: FoundArgument, stop: int) -> FoundArgument:
+def _until(document: Document, argument: FoundArgument, stop: int) -> FoundArgument:
     """An argument as far as it stands before a token, without an "and" or comma at its end."""
     last = min(argument.tokens.stop, stop)
-    while last > argument.tokens.start + 1 and document.tokens[last - 1].lower in ("and", "&", ","):
+    while last > argument.tokens.start + 1 and document.tokens[last - 1].lower in _JOINTS:
         last -= 1
     return replace(argument, tokens=range(argument.tokens.start, last))
 
@@ -93,7 +110,7 @@ def _phrases(observed: Observed, tasks: Mapping[int, str], owner: int) -> Iterat
     first, is_led, begun = owner + 1, False, False
     for i in range(owner + 1, stop + 1):
         is_last = i == stop
-        if not is_last and tokens[i].lower not in ("and", "&", ","):
+        if not is_last and tokens[i].lower not in _JOINTS:
             continue
         phrase = _trimmed(observed.document, range(first, i))
         if begun and phrase and not (is_last and is_cut):

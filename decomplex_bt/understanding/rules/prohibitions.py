@@ -68,6 +68,8 @@ def _is_bare(document: Document, verb: int) -> bool:
 
 def _needless(document: Document) -> list[int]:
     """The verbs of what need not be done: "no need to mop", "it's not necessary to mop"."""
+    if document.words.isdisjoint(_NECESSARY | {"no"}):
+        return []
     words = [normal_form(token.lower) for token in document.tokens]
     return [
         i + 3
@@ -86,6 +88,8 @@ def is_needless(document: Document, verb: int) -> bool:
 def _passed_over(document: Document) -> list[int]:
     """The verbs of what is not done in that something else is: "without opening it", "rather than wash it", "instead of
     washing it"; not "don't leave without locking up"."""
+    if document.words.isdisjoint(("without", "rather", "instead")):
+        return []
     tokens = document.tokens
     found = []
     for i, token in enumerate(tokens[:-1]):

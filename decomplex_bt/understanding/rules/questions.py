@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.relatives import BE
 
-CERTAIN = 0.9
-"""The confidence of an argument that no model found."""
 _FINDING = frozenset("check see look find".split())
 _ASKED = frozenset(("who", "what", "which", "how", "whose"))
-_BE = frozenset("is are was were 's ’s s".split())
 _AMOUNTS = frozenset(("much", "many"))
 _ENDS = MARKS | frozenset("and or but then so if unless when before after because please".split())
 _NOUNS = frozenset(("ADJ", "NOUN", "PROPN"))
@@ -39,7 +37,7 @@ def questions(document: Document, tasks: Collection[int]) -> Iterator[Question]:
     for verb in sorted(tasks):
         if tokens[verb].lemma not in _FINDING:
             continue
-        start = verb + 1 + (tokens[verb + 1 : verb + 2] != () and tokens[verb + 1].lower == "out")
+        start = verb + 1 + (verb + 1 < len(tokens) and tokens[verb + 1].lower == "out")
         if start + 1 >= len(tokens) or tokens[start].lower not in _ASKED:
             continue
         stop = start + 1
@@ -60,7 +58,7 @@ def _question(document: Document, verb: int, words: range) -> Iterator[Question]
         parts = _NOUNS if noun == words.stop or tokens[noun].lower != "of" else _NOUNS | {"ADP", "DET", "NUM"}
         while noun < words.stop and tokens[noun].pos in parts:
             noun += 1
-    be = next((i for i in words if tokens[i].lower in _BE), None)
+    be = next((i for i in words if tokens[i].lower in BE), None)
     behind = range((be or 0) + 1, words.stop)
     is_there = tokens[noun].lower == "there" if noun < words.stop else False
     is_alone = be is not None and be == noun + is_there and bool(behind)

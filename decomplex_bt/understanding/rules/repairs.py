@@ -559,7 +559,7 @@ def _order_before(said: _Said, run: range) -> range:
 def _order_behind(said: _Said, run: range) -> int:
     """Where the verb of an order behind a run would stand: "no, just *put* it here", "no, could you *put* it here"."""
     words, right = said.words, run.stop
-    if words[right : right + 1] != [] and words[right] in _ASKING_FOR and words[right + 1 : right + 2] == ["you"]:
+    if right < len(words) and words[right] in _ASKING_FOR and words[right + 1 : right + 2] == ["you"]:
         right += 2
     while right < len(words) and words[right] in ("just", "please", "then"):
         right += 1
