@@ -14,7 +14,8 @@ from pathlib import Path
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.control_flow.arcs import Arc
-from decomplex_bt.understanding.control_flow.clauses import Clause, MarkedTask, clauses_of
+from decomplex_bt.understanding.control_flow.clause import Clause, MarkedTask
+from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.control_flow.orders import stated_orders

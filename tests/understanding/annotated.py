@@ -6,7 +6,8 @@ from re import findall
 
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.understanding.control_flow.clauses import Clause, clauses_of
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed

@@ -14,7 +14,7 @@ import pytest
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import DataFileError
-from decomplex_bt.understanding.control_flow.clauses import MarkedTask
+from decomplex_bt.understanding.control_flow.clause import MarkedTask
 from decomplex_bt.understanding.dependencies import MAX_FLOWS, FlowModel, marked_tasks
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.encoder.flows import LABELS_FILE, EncoderFlows, FlowNetworkModel, Label

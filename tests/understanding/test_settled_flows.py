@@ -15,7 +15,8 @@ from annotated import DOMAIN, PARSER
 
 from decomplex_bt.corpus import read_corpus, read_voices
 from decomplex_bt.understanding.control_flow.arcs import Arc
-from decomplex_bt.understanding.control_flow.clauses import Clause, clauses_of, wordings_of
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import clauses_of, wordings_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides

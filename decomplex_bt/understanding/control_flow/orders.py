@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.clauses import Clause
+from decomplex_bt.understanding.control_flow.clause import Clause
 
 
 def stated_orders(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
-from decomplex_bt.understanding.control_flow.clauses import Clause, last_named
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import last_named
 
 
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:

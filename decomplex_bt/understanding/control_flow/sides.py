@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
-from decomplex_bt.understanding.control_flow.clauses import Clause, last_named
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
 from decomplex_bt.understanding.cues import are_apart
 

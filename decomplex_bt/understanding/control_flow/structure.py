@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wording, other_orders
-from decomplex_bt.understanding.control_flow.clauses import Clause, wordings_of
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import wordings_of
 from decomplex_bt.understanding.control_flow.reach import left_features, right_features
 from decomplex_bt.understanding.control_flow.resemblance import PRONOUNS, resemblance_features
 from decomplex_bt.understanding.crf import Features

@@ -13,7 +13,8 @@ from typing import Any
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.control_flow.arcs import ORDERS, ROLES, Arc
-from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of, wordings_of
+from decomplex_bt.understanding.control_flow.clause import MarkedTask
+from decomplex_bt.understanding.control_flow.clauses import clauses_of, wordings_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.dependencies import marked_tasks
 from decomplex_bt.understanding.encoder.export import export

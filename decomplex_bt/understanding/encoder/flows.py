@@ -13,7 +13,8 @@ import numpy as np
 
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.understanding.control_flow.arcs import Arc
-from decomplex_bt.understanding.control_flow.clauses import MarkedTask, clauses_of
+from decomplex_bt.understanding.control_flow.clause import MarkedTask
+from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles

@@ -1,0 +1,294 @@
+"""A clause: what surrounds one task, and what its words say for certain of it and of the clauses before."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from decomplex_bt.understanding.control_flow.arcs import Wording
+from decomplex_bt.understanding.cues import OPPOSITES, are_apart
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedTask:
+    """A task as the flow model sees it: its token, its type and the tokens of its arguments as (type, indices)."""
+
+    token: int
+    type: str
+    arguments: tuple[tuple[str, range], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """What surrounds one task, and what its words say for certain. Indices are those of tokens, nouns are lemmas."""
+
+    task: MarkedTask
+    first: int
+    last: int
+    """The bounds of the clause."""
+    far: tuple[str, ...]
+    """The cues between the task before and the last punctuation mark ahead of this one."""
+    near: tuple[str, ...]
+    """The cues from there to the task."""
+    behind: tuple[str, ...]
+    """The cues after the task up to the next punctuation mark or task."""
+    sentence: int
+    boundary: str
+    """The last mark between the task before and this one; "none" without one, "start" for the first task."""
+    wording: Wording
+    objects: tuple[str, ...]
+    """The nouns of its object."""
+    thing: frozenset[str]
+    """All words of its object that tell which one is meant: "small" and "box"."""
+    nouns: frozenset[str]
+    """The nouns of all its arguments."""
+    receivers: frozenset[str]
+    """The nouns of those who get or are told something, and of where something is put."""
+    places: frozenset[str]
+    """The nouns of where it says that something is, is looked for or taken from, and "there" and its kin."""
+    has_pronoun: bool
+    """Whether an argument is a pronoun."""
+    number: str
+    """Whether its object is "one" thing or "many"; "" where the words leave it open."""
+    covers: str
+    """The side, "+" or "-", of all that was ordered before, if that hangs on it ("all this only if ..."), else ""."""
+    ends_sentence: bool
+    """Whether no task follows in its sentence."""
+    is_asked: bool
+    """Whether it orders to check ("see if it is on") or asks ("is it on?")."""
+    is_forbidden: bool
+    """Whether it says not to do something ("don't open it")."""
+    is_otherwise: bool
+    """Whether "otherwise" or the like opens it."""
+    is_of_somebody: bool
+    """Whether its object is "he", "she" or "they"."""
+    is_of_person: bool
+    """Whether its object is "he" or "she"."""
+    asks_where: bool
+    """Whether it asks for nothing but where something is."""
+    says_absent: bool
+    """Whether it says no more than that what was spoken of is not in one of its `places`."""
+    says_named_absent: bool
+    """The same of something that it names."""
+    says_undone: bool
+    """Whether it says no more than that what was spoken of does not do what it was made to ("if it won't open")."""
+    says_named_undone: bool
+    """The same of something that it names ("if the trunk won't open")."""
+    says_only_whether: bool
+    """Whether it says no more than that somebody or something is so, or is not: "if she does", "if he isn't"."""
+    question: frozenset[str]
+    """The words and lemmas of what it asks somebody, where yes or no answers it ("ask Lea if she wants soap")."""
+    is_of_it: bool
+    """Whether its object is a pronoun and no more: "it", not "the other one"."""
+    verb: str
+    """The lemma of its verb."""
+    is_of_nobody: bool = False
+    """Whether it says that nobody is, or does, something."""
+    is_excepted: bool = False
+    """Whether it stands under the "unless" of the clause before it."""
+
+    def names_same(self, other: Clause) -> bool:
+        """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
+        small box" and "the big box"."""
+        is_head = bool(self.objects) and self.objects[-1:] == other.objects[-1:]
+        return is_head and (self.thing <= other.thing or other.thing <= self.thing)
+
+    def is_absence_of(self, before: Clause) -> bool:
+        """Whether it says no more than that whoever the task before should give or tell something to is not there:
+        "take it to Anna, and if she's out, ..."."""
+        if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
+            return False
+        if not self.is_of_person and before.number == "many":
+            return False  # "they" may as well be what is given
+        kinds = {kind for kind, _ in before.task.arguments}
+        # not "in by six"
+        is_all = max((j for _, indices in self.task.arguments for j in indices), default=0) >= self.last
+        is_gone = self.wording.state in _GONE and not self.wording.is_negated
+        is_away = self.wording.is_negated and (self.wording.state in AROUND or not self.places.isdisjoint(AROUND))
+        return bool(kinds & {"recipient", "goal"}) and "unless" not in self.near and is_all and (is_gone or is_away)
+
+    def is_failure_of(self, before: Clause, named: Clause) -> bool:
+        """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
+        the trunk won't open"; `named`: the clause up to there that last names a thing."""
+        is_one = not (self.number and before.number) or self.number == before.number
+        is_opposite = self.wording.state is not None and OPPOSITES.get(self.wording.state) == before.wording.state
+        is_change = before.task.type == "change_state" and is_one and not is_opposite
+        is_of_it = self.says_undone or (self.says_named_undone and self.names_same(named))
+        return is_change and is_of_it and "unless" not in self.near
+
+    def is_guard_of(self, before: Clause) -> bool:
+        """Whether it asks no more than whether the change before it is needed: "wash it if it's dirty", "fill it unless
+        it's full", "turn the tv off if it's on"."""
+        if before.task.type != "change_state" or not self.is_check or self.wording.state is None:
+            return False
+        goals, needs = _NEEDED.get(before.wording.state or before.verb, (_NEVER, _NEVER))
+        is_needed = self.wording.state in (goals if self.wording.is_negated else needs)
+        return is_needed and (self.names_same(before) or (self.has_pronoun and not self.objects))
+
+    def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
+        """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
+        does, ..."), where the `others`, the conditions so far, are of things."""
+        is_fitting = self.verb == "do" or not before.question.isdisjoint((self.verb, "'s", "\u2019s"))
+        is_of_them = self.is_of_somebody and not any(other.number == "many" for other in others)
+        is_answer = self.says_only_whether and bool(before.question) and is_fitting
+        is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
+        return is_answer and is_of_things and (self.is_of_person or is_of_them)
+
+    @property
+    def may_be_of_person(self) -> bool:
+        """Whether it names somebody, or something that may be a person's name."""
+        return not self.number and any(kind == "object" for kind, _ in self.task.arguments)
+
+    def repeats(self, before: Clause) -> bool:
+        """Whether it only says again what is ordered before, to put something ahead of it: "before you bring it"."""
+        is_same = self.verb == before.verb and self.task.type == before.task.type
+        is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
+        return is_same and is_of_it and "before" in self.near
+
+    def may_repeat(self, before: Clause) -> bool:
+        """Whether both may be one and the same order: of one type and of things that are not named apart."""
+        is_same = not (self.objects and before.objects) or self.names_same(before)
+        return self.task.type == before.task.type and is_same
+
+    def is_opposite_of(self, first: Clause) -> bool:
+        """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
+        the tv is on, ..."."""
+        one, other = self.wording, first.wording
+        is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
+        is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
+        is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
+        return self.is_check and first.is_check and is_turned and self.names_same(first)
+
+    @property
+    def is_trailing(self) -> bool:
+        """Whether it stands behind what hangs on it: "bring the dog in if he's still out"."""
+        return self.boundary == "none" and self.ends_sentence
+
+    @property
+    def is_of_whereabouts(self) -> bool:
+        """Whether it asks where somebody or something is."""
+        is_located = any(kind == "location" for kind, _ in self.task.arguments)
+        return self.task.type == "check_state" and (is_located or self.wording.state in _PRESENT)
+
+    def finds_out(self, after: Clause) -> bool:
+        """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
+        from the shed, and if they're not in the shed, ...", "..., and if the tongs aren't there, ..."."""
+        is_place = "there" in after.places or not after.places.isdisjoint(self.places)
+        is_thing = self.task.type == "searching" or not after.is_of_person
+        says_absent = after.says_absent or (after.says_named_absent and after.names_same(self))
+        return says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
+
+    @property
+    def is_check(self) -> bool:
+        """Whether it states what is to be checked ("it is wet"), and is neither an order to check nor a question."""
+        return self.task.type == "check_state" and not self.is_asked
+
+    @property
+    def opening(self) -> tuple[str, ...]:
+        """The cues ahead of its verb but for those that say nothing of other clauses ("or somebody is *still* in")."""
+        return tuple(name for name in self.near if name not in _INNER)
+
+    @property
+    def is_joined_check(self) -> bool:
+        """Whether "and" or "or" may join it to the check before it."""
+        return self.is_check and self.boundary in ("none", ",") and not self.far
+
+    def joining_role(self, before: Clause) -> str:
+        """The role, "and" or "or", of a check that is joined to the one before it under the same "if" or "unless" ("if
+        it is wet or the fan is off"), as parts are joined where both are as stated; "" where nothing settles that:
+        unless it ends the sentence ("open it if it is dry and the fan is on"), the second of two that "and" joins may
+        as well be a condition in the branch of the first."""
+        if not self.is_joined_check or not before.is_check or self.sentence != before.sentence:
+            return ""
+        if self.is_excepted:
+            return self.wording.joins
+        is_bare = self.boundary == "none" and self.opening == (self.wording.joins,)
+        is_certain = is_bare and (self.wording.joins == "or" or self.ends_sentence)
+        return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
+
+    def is_of_other_state(self, first: Clause) -> bool:
+        """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
+        done, and if it's burnt, ...")."""
+        state, other = self.wording.state, first.wording.state
+        if state is None or other is None or "whether" not in first.behind or "still" in self.near:
+            return False
+        return not self.objects and self.has_pronoun and are_apart(state, other)
+
+    def asks_same_of_another(self, first: Clause) -> bool:
+        """Whether it asks of something that it names what the other asks of something else."""
+        is_same = self.verb == first.verb and self.wording.state == first.wording.state and self.places == first.places
+        is_other = bool(self.objects) and bool(first.objects) and set(self.objects).isdisjoint(first.objects)
+        return self.is_check and first.is_check and is_same and is_other and _NO_THINGS.isdisjoint(self.objects)
+
+    def asks_for_what_had_state(self, first: Clause) -> bool:
+        """Whether it asks if something is missing, where the other tests another state of it."""
+        is_of_state = any(kind == "state" for kind, _ in first.task.arguments)
+        return self.wording.state in _MISSING and is_of_state and first.wording.state not in _PRESENT
+
+    def is_of_nobody_at(self, first: Clause) -> bool:
+        """Whether it asks if nobody is, or does, something, where the other tests a state of a thing that has nothing
+        to do with who is there: "if the trunk is shut, ..., and if nobody is sleeping, ..."."""
+        is_of_thing = first.task.type == "check_state" and bool(first.number) and first.wording.state is not None
+        is_of_users = first.wording.state in _USED or not self.nouns.isdisjoint(first.objects)
+        return self.is_check and self.is_of_nobody and is_of_thing and not is_of_users
+
+    def is_of_another(self, first: Clause) -> bool:
+        """Whether its words say that it is no mention of an earlier condition: it asks the same of another thing ("if
+        there's no milk, ..., if there's no tea, ..."), or whether something is missing whose state the other tests, or
+        it tests a state, and that of many things where the other is about one (or the other way round), or of what the
+        other asks the place of."""
+        own = {kind for kind, _ in self.task.arguments}
+        is_of_other = self.asks_same_of_another(first) or self.is_of_nobody_at(first)
+        if is_of_other or self.asks_for_what_had_state(first):
+            return True
+        if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
+            return False
+        state, other = self.wording.state, first.wording.state
+        if state in _PRESENT or set(self.objects) & set(first.objects):
+            return False
+        if (
+            state is not None
+            and other is not None
+            and (state == other or OPPOSITES.get(state) == other or OPPOSITES.get(other) == state)
+        ):
+            return False
+        is_of_others = bool(self.number and first.number) and self.number != first.number
+        return is_of_others or (first.asks_where and "location" not in own)
+
+
+_NEVER: frozenset[str] = frozenset()
+_NEEDED = {
+    verb: (frozenset(goals.split()), frozenset(needs.split()))
+    for verbs, goals, needs in (
+        ("on", "on running lit", "off out"), ("off", "off out", "on running lit"),
+        ("open", "open ajar", "closed shut"), ("close shut", "closed shut", "open ajar"),
+        ("lock bolt", "locked bolted", "unlocked open"), ("unlock unbolt", "unlocked open", "locked bolted shut"),
+        ("heat warm reheat microwave", "hot warm", "cold cool lukewarm tepid chilly"),
+        ("cool chill", "cold cool chilled", "warm hot lukewarm"),
+        ("clean wash rinse wipe scrub mop sweep vacuum hoover dust polish", "clean washed spotless",
+         "dirty filthy muddy dusty sticky stained grubby greasy unwashed"),
+        ("fill refill", "full", "empty low"), ("empty", "empty", "full overflowing"), ("dry", "dry", "wet damp soaked"),
+        ("iron press", "ironed smooth", "wrinkled creased crumpled"),
+        ("charge recharge", "charged full", "flat low dead empty"), ("water", "wet moist damp", "dry thirsty"),
+        ("cover", "covered", "uncovered bare"), ("light", "lit", "unlit out"),
+        ("make", "made", "unmade"), ("plug", "plugged", "unplugged"), ("fold", "folded", "unfolded crumpled"),
+    )
+    for verb in verbs.split()
+}  # fmt: skip
+"""What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
+_IFS = frozenset(("if", "unless", "only_if"))
+_USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
+"""States that tell whether somebody is there."""
+_HANDING = frozenset(("bringing", "informing"))
+_MISSING = frozenset(("missing", "gone", "lost"))
+_NO_THINGS = frozenset("none one some any drop".split())
+_GONE = frozenset(("out", "away", "gone"))
+AROUND = frozenset("in home there here around about back".split())
+"""Words for where somebody is who is here, or home."""
+_FINDING = frozenset(("searching", "bringing", "taking"))
+_INNER = frozenset(("still", "not", "can", "there", "also"))
+_PRESENT = frozenset(
+    "gone up empty out missing in away clear here there home back left present absent around inside outside upstairs "
+    "downstairs free busy finished done available about nearby lost".split()
+)
+"""States that tell whether somebody or something is where they were looked for."""
