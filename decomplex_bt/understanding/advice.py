@@ -100,7 +100,7 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
 
 
-_END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—"))
+_END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "but"))
 
 
 def _says_state(observed: Observed, task: Task) -> bool:

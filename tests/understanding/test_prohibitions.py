@@ -21,6 +21,9 @@ def interpreter() -> Interpreter:
         ("Close the door and do not wash the cup.", "wash", ["Close"]),
         ("Never boil or fry the eggs. Bring me a pen.", "boil", ["Bring"]),
         ("Without opening the fridge, bring me the juice.", "opening", ["bring"]),
+        ("Don't wake Anna, but if she's already up, bring her the tea.", "wake", ["'s", "bring"]),
+        ("Don't empty the bin; if it's full, tell me.", "empty", ["'s", "tell"]),
+        ("Don't give the dog any cake, but if he's hungry, you may bring him a biscuit.", "give", ["'s", "bring"]),
     ],
 )
 def test_a_prohibition_is_no_task_and_is_warned_of(
@@ -70,7 +73,14 @@ def test_the_words_of_what_is_forbidden_are_no_other_tasks(
     assert {(a.type, a.value) for a in task.arguments} == expected
 
 
-@pytest.mark.parametrize("text", ["Don't open the window unless the oven is hot.", "Why don't you bring me a pen?"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Don't open the window unless the oven is hot.",
+        "Why don't you bring me a pen?",
+        "Don't open it, but if it's hot, do.",
+    ],
+)
 def test_what_is_forbidden_only_under_a_condition_or_asked_politely_stays(interpreter: Interpreter, text: str) -> None:
     found = interpreter.interpret(text)
     assert found.tasks

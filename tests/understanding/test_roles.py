@@ -358,11 +358,25 @@ def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
             "nobody [is](3:check_state) [home](3:location)",
             "mention",
         ),
+        (
+            "[the lamp](1:object) [is](1:check_state) [on](1:state)",
+            "it['s](3:check_state) [raining](3:state)",
+            "condition",
+        ),
+        ("it['s](1:check_state) [sunny](1:state)", "it['s](3:check_state) [raining](3:state)", "mention"),
     ],
 )
-def test_whether_nobody_is_there_says_nothing_of_how_a_thing_is(first: str, second: str, role: str) -> None:
+def test_a_check_of_another_matter_is_no_mention(first: str, second: str, role: str) -> None:
     found = clauses(f"If {first}, [go](2:motion) [out](2:goal), and if {second}, [come](4:motion) [back](4:goal).")
     assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == role
+
+
+def test_an_order_to_check_is_no_condition_of_what_hangs_on_the_weather() -> None:
+    found = clauses(
+        "[See](1:check_state) if [the post](1:object) has [come](1:state). "
+        "If it['s](2:check_state) [raining](2:state), [take](3:taking) [the umbrella](3:object)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task")) == ("task", "condition", "task")
 
 
 @pytest.mark.parametrize(

@@ -292,10 +292,11 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
     [
         ("nobody [is](3:check_state) [in](3:location)", "<1+", "top"),
         ("nobody [is](3:check_state) [in](3:location)", "<1-", "<1-"),
+        ("it['s](3:check_state) [sunny](3:state)", "<1+", "top"),
         ("[it](3:object) [is](3:check_state) [hot](3:state)", "<1+", "<1-"),
     ],
 )
-def test_whether_nobody_is_there_is_not_asked_in_the_other_case(check: str, before: str, expected: str) -> None:
+def test_what_is_of_another_matter_is_not_asked_in_the_other_case(check: str, before: str, expected: str) -> None:
     found = clauses(
         f"If [the stove](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object) off and, "
         f"if {check}, [open](4:change_state) [the window](4:object)."

@@ -84,6 +84,8 @@ class Clause:
     """The lemma of its verb."""
     is_of_nobody: bool = False
     """Whether it says that nobody is, or does, something."""
+    is_of_weather: bool = False
+    """Whether it asks about the weather or the day."""
     is_excepted: bool = False
     """Whether it stands under the "unless" of the clause before it."""
 
@@ -232,13 +234,19 @@ class Clause:
         is_of_users = first.wording.state in _USED or not self.nouns.isdisjoint(first.objects)
         return self.is_check and self.is_of_nobody and is_of_thing and not is_of_users
 
+    def is_of_other_matter(self, first: Clause) -> bool:
+        """Whether it has nothing to do with what the other asks: it asks about the weather, or if nobody is there, and
+        that about a thing."""
+        is_other_weather = self.is_of_weather and first.task.type == "check_state" and not first.is_of_weather
+        return is_other_weather or self.is_of_nobody_at(first)
+
     def is_of_another(self, first: Clause) -> bool:
-        """Whether its words say that it is no mention of an earlier condition: it asks the same of another thing ("if
-        there's no milk, ..., if there's no tea, ..."), or whether something is missing whose state the other tests, or
-        it tests a state, and that of many things where the other is about one (or the other way round), or of what the
-        other asks the place of."""
+        """Whether its words say that it is no mention of an earlier condition: it is of another matter, or asks the
+        same of another thing ("if there's no milk, ..., if there's no tea, ..."), or whether something is missing whose
+        state the other tests, or it tests a state, and that of many things where the other is about one (or the other
+        way round), or of what the other asks the place of."""
         own = {kind for kind, _ in self.task.arguments}
-        is_of_other = self.asks_same_of_another(first) or self.is_of_nobody_at(first)
+        is_of_other = self.asks_same_of_another(first) or self.is_of_other_matter(first)
         if is_of_other or self.asks_for_what_had_state(first):
             return True
         if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause, MarkedTask
 from decomplex_bt.understanding.control_flow.denials import WILLING, negations
@@ -201,7 +202,14 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_of_it=_is_of_somebody(document, task, _ITS),
         verb=document.tokens[token].lemma,
         is_of_nobody=bool(nobody(document, token)),
+        is_of_weather=_is_of_weather(document, task, first, own_last),
     )
+
+
+def _is_of_weather(document: Document, task: MarkedTask, first: int, last: int) -> bool:
+    is_of_it = not _nouns(document, task, ("object", "location"))
+    words = {token.lower for token in document.tokens[first : last + 1]}
+    return task.type == "check_state" and is_of_it and not words.isdisjoint(WEATHER)
 
 
 def _places(document: Document, task: MarkedTask) -> frozenset[str]:

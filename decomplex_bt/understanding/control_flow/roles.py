@@ -65,13 +65,14 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """A check whose words are of another matter than those of all conditions before it is no mention of one, but a
     condition of its own; and then what an order to check asks is asked of nothing ("check if it is done, and if it's
     burnt, ...")."""
-    clause = clauses[k]
-    firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
-    if roles[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
-        roles[k] = "condition"
+    clause, before = clauses[k], clauses[k - 1]
     is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
-    if is_bare and clause.is_of_other_state(clauses[k - 1]):
+    is_order_to_check = is_bare and before.is_asked and clause.is_of_other_matter(before)
+    firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
+    if is_order_to_check or (is_bare and clause.is_of_other_state(before)):
         roles[k - 1 : k + 1] = "task", "condition"
+    elif roles[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
+        roles[k] = "condition"
 
 
 def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -252,19 +252,18 @@ def _restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 
 def _go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Whether nobody is there, where that has nothing to do with the condition before, is never asked in the case that
-    was not spoken of last ("if the stove is on, turn it off and, if nobody is in, open the window")."""
+    """What has nothing to do with the condition before is never asked in the case that was not spoken of last: "if the
+    stove is on, turn it off and, if nobody is in, open the window", "If Tom is in, tell him. If it's raining, ..."."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[k] != "condition" or sides[k] not in (_HOLDS, _FAILS):
         return
     leading = {*clause.far, *clause.near}
-    is_added = (
-        {"and", "if"} <= leading
-        and leading & _TURNING <= {"not", "whether"}
-        and clause.sentence == clauses[k - 1].sentence
-    )
-    if not is_added or not clause.is_of_nobody_at(clauses[first]):
+    is_added = {"and", "if"} <= leading and clause.sentence == clauses[k - 1].sentence
+    is_opened = clause.is_of_weather and not leading.isdisjoint(_IFS)
+    if not (is_added or is_opened) or leading & _TURNING - {"not", "whether"}:
+        return
+    if not clause.is_of_other_matter(clauses[first]):
         return
     if first == k - 1:
         sides[k] = _HOLDS

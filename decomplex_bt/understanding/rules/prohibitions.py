@@ -19,6 +19,9 @@ _NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
 _IN_PLACE_OF = frozenset((("rather", "than"), ("instead", "of")))
 _ENDS = MARKS | {"and", "but", "just", "then"}
+_ALLOWING = frozenset("do may can ahead fine okay ok allowed free".split())
+"""What lifts a prohibition where no verb follows: "but if it's hot, do", "... you may"."""
+_ROOTS = frozenset(("ROOT", "conj", "ccomp"))
 _CONDITIONAL = frozenset(
     "if only_if unless when until before before_that before_all after so else fail depending even_if either_way".split()
 )
@@ -30,7 +33,7 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     """The tokens of the verbs that are forbidden whatever happens, in text order.
 
     A rule of grammar: "do not", "must not", "never" and the like ahead of a bare verb, with no subject but "you", in a
-    sentence without a condition, an order or a question; "without", "rather than" and "instead of" ahead of a gerund.
+    clause without a condition, an order or a question; "without", "rather than" and "instead of" ahead of a gerund.
     """
     document = observed.document
     tokens = document.tokens
@@ -38,12 +41,13 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     needless, passed = _needless(document), _passed_over(document)
     if not negations and not needless:
         return tuple(sorted(passed))
-    conditional = {document.sentences[cue.first] for cue in observed.cues if cue.name in _CONDITIONAL}
+    cues = [cue.first for cue in observed.cues if cue.name in _CONDITIONAL]
+    conditional = {document.sentences[cue] for cue in cues}
     found = passed + [
         i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
     ]
     for i in negations:
-        if document.sentences[i] in conditional or observed.question[i]:
+        if any(_may_govern(document, cue, i) for cue in cues) or observed.question[i]:
             continue
         if tokens[i].lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
             continue
@@ -57,6 +61,20 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         if verb < len(tokens) and _is_bare(document, verb) and not _has_subject(document, verb):
             found += [verb, *_joined(document, verb)]
     return tuple(sorted(set(found)))
+
+
+def _may_govern(document: Document, cue: int, negation: int) -> bool:
+    """Whether a cue stands in the sentence of a negation, and neither behind a semicolon nor opens what is contrasted
+    with it: "don't wake her, but if she's up, ..."; not "don't open it, but if it's hot, do"."""
+    if document.sentences[cue] != document.sentences[negation]:
+        return False
+    between = [token.lower for token in document.tokens[negation + 1 : cue]]
+    if between[-1:] != ["but"]:
+        return ";" not in between
+    rest = [t for t in document.tokens[cue:] if document.sentences[t.i] == document.sentences[cue]]
+    bare = [t.i for t in rest if t.tag == "VB" and t.lower not in _ALLOWING]
+    lifting = [t.i for t in rest if t.lower in _ALLOWING and (t.lower != "do" or t.dep in _ROOTS)]
+    return bool(lifting) and max(bare, default=0) < max(lifting)
 
 
 def _is_bare(document: Document, verb: int) -> bool:
