@@ -7,11 +7,11 @@ words are the instruction's own, some of them twice and some in another place.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSITIONS, head_of, is_pronoun
@@ -25,15 +25,20 @@ _JOINING = frozenset(("and", "but", "or", ","))
 _ENDING = frozenset(("source", "goal", "location", "recipient"))
 """Types of arguments that tell from where, where to or to whom."""
 _FROM = frozenset(("from", "off", "out"))
+_INDEFINITE = frozenset(("a", "an", "some"))
+_APPOSING = frozenset((",", ":", "-", "–", "—"))
+_POINTING = frozenset(("this", "that", "these", "those"))
+_SPEAKING = frozenset(("i", "we"))
 
 
 @dataclass(frozen=True, slots=True)
 class Retelling:
     """`told`: the whole; `verbs`: of the orders that the text leaves unsaid, where the word stands that carries each,
-    with the place of the verb that it has."""
+    with the place of the verb that it has; `kinds`: where words begin that only tell the kind of what is then named."""
 
     told: Remainder
     verbs: Mapping[int, int]
+    kinds: frozenset[int] = frozenset()
 
 
 def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
@@ -59,10 +64,18 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         verbs[document.tokens[carrier].start] = document.tokens[order].start
         insertions[place] += [Told(i, place, carrier if i == order else None) for i in words[0]]
         insertions[end] += [Told(i, place) for i in words[1]]
+        if found.mark is not None:
+            moved.add(found.mark)
+            insertions[found.mark].append(Told(STOP))
         stop = max(end, found.condition.stop)
         if _is_whole(observed, stop, order):
             moved.add(stop)
             insertions[stop].append(Told(STOP))
+    kinds = list(_specified(observed, tasks))
+    for kind, mark in kinds:
+        moved.update((*kind, mark))
+        beginning = next(i for i in range(len(document)) if document.sentences[i] == document.sentences[mark])
+        insertions[beginning] += [*map(Told, kind), Told(COMMA)]
     if not insertions:
         return None
     sequence = [
@@ -70,7 +83,23 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         for i in range(len(document) + 1)
         for word in (*insertions.get(i, ()), *([Told(i)] if i < len(document) and i not in moved else ()))
     ]
-    return Retelling(told(document, sequence), verbs)
+    return Retelling(told(document, sequence), verbs, frozenset(document.tokens[kind.start].start for kind, _ in kinds))
+
+
+def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[tuple[range, int]]:
+    """Of every object of which only the kind is said, and behind a mark with a condition which one, the kind and the
+    mark: "bring me *a towel*, the big one if it's dry", told as "a towel, bring me the big one if it's dry"."""
+    document, tokens = observed.document, observed.document.tokens
+    openings = {cue.first for cue in observed.cues if cue.name in _OPENING}
+    for verb, task in tasks.items():
+        for kind in (document.indices(a.span) for a in task.arguments if a.type == "object" and a.span is not None):
+            mark = kind.stop
+            if task.type == "check_state" or verb > kind.start or tokens[kind.start].lower not in _INDEFINITE:
+                continue
+            rest = tokens[mark + 1 : next((i for i in sorted(openings) if i > mark), mark)]
+            is_one = bool(rest) and rest[0].lower == "the" and rest[-1].lower in ("one", "ones")
+            if is_one and tokens[mark].text in _APPOSING and all(token.text not in MARKS for token in rest):
+                yield kind, mark
 
 
 def _carrier(document: Document, words: range) -> int:
@@ -88,7 +117,8 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     openings = [cue.last for cue in observed.cues if cue.name in _OPENING]
     conditions = {min((i for i in tasks if i > last), default=-1) for last in openings}
     orders = [i for i, task in tasks.items() if i < place and task.type != "check_state" and i not in conditions]
-    if not orders or any(token.pos == "ADV" for token in observed.document.tokens[place : found.tokens.stop]):
+    is_vague = any(token.pos == "ADV" for token in observed.document.tokens[place : found.tokens.stop])
+    if not orders or (is_vague and not _is_particle(observed.document, found.tokens)):
         return None  # "the charger's somewhere in here" names nothing to be plugged in
     last = orders[-1]
     leading = [cue.first for cue in observed.cues if cue.name in _OPENING | _TURNING]
@@ -133,11 +163,15 @@ def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Seque
         for tokens in [_up_to(document, document.indices(argument.span), until)]
         if verb < tokens.start < until
     ]
-    replaced = _replaced(observed, own, found.tokens)
+    particles = _particles(document, verb, until)
+    if _is_particle(document, found.tokens):
+        said = [tokens for _, tokens in own if _is_particle(document, tokens)]
+        replaced = next(reversed([*(range(i, i + 1) for i in particles), *said]), None)
+    else:
+        replaced = _replaced(observed, own, found.tokens)
     if replaced is None:
         return None
-    behind_verb = (document.tokens[i] for i in document.children[verb] if i < until)
-    said = {verb, *(t.i for t in behind_verb if t.dep == "prt" or (t.dep == "advmod" and t.lower in PARTICLES))}
+    said = {verb, *particles, *_wishing(document, verb)}.difference(replaced)
     said.update(i for _, tokens in own if tokens != replaced for i in tokens)
     said.update(range(verb + 1, replaced.start))  # what stands between, be it found or not: "bring *me* the orange"
     ahead, behind = sorted(i for i in said if i < replaced.start), sorted(i for i in said if i >= replaced.stop)
@@ -145,6 +179,27 @@ def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Seque
     if document.tokens[replaced.start].lower in PREPOSITIONS | {"for"} and len(replaced) > 1 and not is_led:
         ahead.append(replaced.start)
     return ahead, behind
+
+
+def _particles(document: Document, verb: int, until: int) -> list[int]:
+    """The particles of a verb: "turn it *off*"."""
+    behind = (document.tokens[i] for i in document.children[verb] if verb < i < until)
+    return [t.i for t in behind if t.dep == "prt" or (t.dep == "advmod" and t.lower in PARTICLES)]
+
+
+def _is_particle(document: Document, words: range) -> bool:
+    return len(words) == 1 and document.tokens[words.start].lower in PARTICLES
+
+
+def _wishing(document: Document, verb: int) -> list[int]:
+    """What makes a verb a wish: "*I'd* love", "*could I* have"."""
+    ahead = [i for i in document.children[verb] if i < verb and document.tokens[i].dep in ("nsubj", "aux")]
+    return ahead if any(document.tokens[i].lower in _SPEAKING for i in ahead) else []
+
+
+def _is_plain(document: Document, words: range) -> bool:
+    """Whether a pronoun points at nothing by itself: "it", not "that", which another thing may take the place of."""
+    return is_pronoun(document, words) and document.tokens[words.start].lower not in _POINTING
 
 
 def _up_to(document: Document, tokens: range, stop: int) -> range:
@@ -175,6 +230,6 @@ def _replaced(observed: Observed, own: Sequence[tuple[Argument, range]], words: 
     ending = [tokens for argument, tokens in own if argument.type in _ENDING]
     category = observed.gazetteer.category(last.lemma)
     is_place = category in ("room", "furniture") or (
-        not category and thing is not None and is_pronoun(document, thing) and "recipient" not in by_type
+        not category and thing is not None and _is_plain(document, thing) and "recipient" not in by_type
     )
     return ending[-1] if ending and (is_place or thing is None) else thing

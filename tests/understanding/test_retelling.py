@@ -23,6 +23,18 @@ def interpreter() -> Interpreter:
         ("Bring me tea if there is any, otherwise coffee.", "coffee", "coffee",
          [{"if": 2, "then": [1], "else": [3]}]),
         ("Clean the hob and, if there's time, the oven.", "oven", "the oven", [1, {"if": 2, "then": [3]}]),
+        ("Turn the fan off if it's running, on if it isn't.", "on", "the fan",
+         [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Put the bowls in the rack if they're wet, in the cupboard if they're dry.", "in", "in the cupboard",
+         [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Mop the kitchen, and the hall too if it's dirty.", "hall", "the hall", [1, {"if": 3, "then": [2]}]),
+        ("I'd like a cup of coffee, and if there are any biscuits, two of those as well.", "those", "two biscuits",
+         [1, {"if": 2, "then": [3]}]),
+        ("Could I have some rice, and beans as well if we've got any?", "beans", "beans", [1, {"if": 3, "then": [2]}]),
+        ("Put that in the pan if the trout is fresh, otherwise the cod.", "cod", "the cod",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Bring Tom a cup, the tall one if it's clean, otherwise the small one.", "one", "the small cup",
+         [{"if": 2, "then": [1], "else": [3]}]),
         ("Take the tray to Tom, or to Anna if Tom is out, and then close the door.", "to", "to Anna",
          [{"if": 3, "then": [2], "else": [1]}, 4]),
     ],
@@ -57,9 +69,16 @@ def test_an_order_ahead_of_its_condition_stands_in_place_of_the_one_before(
     assert not any(task.repeats for task in instruction.tasks)
 
 
+def test_what_is_named_behind_its_kind_is_what_is_meant(interpreter: Interpreter) -> None:
+    order, check = interpreter.interpret("Get Tom a towel, the striped one if it's dry.").tasks
+    assert (order.values("object"), check.values("object")) == (("the striped towel",), ("the striped towel",))
+
+
 @pytest.mark.parametrize(
     "text",
     [
+        "If it's the tap, call me, if it's the drain, clear it, anything else just tell Tom.",
+        "Close the shutters if it's windy, and turn the heating on if it's cold.",
         "Bring me a pen or a pencil if you find one.",
         "Turn on the lamp or the radio if it's dark.",
         "Close the door if it's cold, and the window.",

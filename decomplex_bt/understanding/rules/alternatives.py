@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 
 _OPENING = frozenset(("if", "only_if", "unless"))
@@ -22,6 +23,9 @@ _IDLE = frozenset("case course mind time day thank bother worry love".split())
 """What ends phrases that name nothing: "in which case", "of course", "any time"."""
 _NO_PARTS = frozenset(("VERB", "AUX", "SCONJ", "INTJ"))
 _POINTING = frozenset(("that", "those"))
+_SOMETHING = frozenset(("anything", "something"))
+_SHARED = _POINTING | {"them", "these", "it"}
+"""What some is taken of: "two of those"."""
 _DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
 _SUBJECTS = frozenset("it he she they there that this i you we".split())
 _LEFT = frozenset("any one some it that them yet already there".split())
@@ -32,12 +36,15 @@ class Alternative:
     """Tokens of an instruction.
 
     `tokens`: what is named or ordered instead; `condition`: when, with its "if", where that is told behind; else empty;
-    `is_verbal`: whether it has a verb of its own, that is a task.
+    `is_verbal`: whether it has a verb of its own, that is a task; `mark`: where it comes on top of what is ordered
+    before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), the mark that parts
+    them.
     """
 
     tokens: range
     condition: range
-    is_verbal: bool
+    is_verbal: bool = False
+    mark: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,8 +76,10 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         if _is_ahead(document, parts, k, tasks):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, condition, is_verbal)
+        elif not is_verbal and _is_added(document, parts, k, tasks):
+            yield Alternative(body, range(body.stop, body.stop), mark=part.opening.start)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
-            yield Alternative(body, range(body.stop, body.stop), is_verbal)
+            yield Alternative(body, range(body.stop, body.stop))
 
 
 def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
@@ -83,7 +92,24 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
         return _is_either(document, parts[:k], part, condition)
     is_next = part.lead == "mark" and part.body.stop == condition.opening.start and condition.is_last
-    return is_next and _follows_condition(parts, k, tasks) and _is_contrary(document, condition)
+    if is_next and _follows_condition(parts, k, tasks):
+        # "tea if it's morning, *coffee* if it's evening", which an order with a verb says as it stands
+        is_named = condition.lead == "if" and not any(i in tasks for i in part.body)
+        return _is_contrary(document, condition) or (is_named and any(i in tasks for i in condition.body))
+    return False
+
+
+def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
+    """Whether what is named with a condition of its own comes on top of the one order before: "water the roses, *and
+    the tulips too* if they're dry"."""
+    part = parts[k]
+    if part.is_last or part.lead != "mark" or not 0 < k < len(parts) - 1:
+        return False
+    condition, before = parts[k + 1], parts[k - 1]
+    is_next = part.body.stop == condition.opening.start and condition.lead == "if" and condition.is_last
+    is_joined = document.tokens[part.body.start].lower == "and" and before.lead == "start"
+    is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
+    return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
 
 
 def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> bool:
@@ -96,7 +122,8 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
         return False
     if document.tokens[part.body.start].lower == "and":
         return False  # "close it if it's dark, *and the curtains*" goes with it
-    return len(body) > 1 or document.tokens[body.start].lower in _POINTING or _is_joined(document, parts, k)
+    first = document.tokens[body.start].lower
+    return (len(body) > 1 or first in _POINTING or _is_joined(document, parts, k)) and first not in PARTICLES
 
 
 def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
@@ -161,11 +188,15 @@ def _bare(document: Document, body: range, tasks: Mapping[int, str]) -> range:
 def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> bool:
     """Whether the tokens name a thing, a person or a place and nothing else."""
     words = document.tokens[body.start : body.stop]
-    if len(words) == 1 and words[0].lower in _POINTING:
+    if len(words) == 1 and words[0].lower in _POINTING | PARTICLES:
         return True
+    if words[-1].lower in _SHARED and words[-2:-1] and words[-2].lower == "of":
+        return len(words) == 3
     if words[0].lower in _DENYING or words[-1].lemma in _IDLE:
         return False
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
+    if words[0].lower in _SOMETHING and words[-1].lower != "else":
+        return not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
     return (
         (is_led or words[0].pos in _BEGINNING or words[0].tag == "PRP$")
         and any(word.pos in _NAMING or word.lower in _ONE for word in words)
