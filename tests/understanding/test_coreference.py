@@ -336,3 +336,28 @@ def test_what_was_done_before_is_done_again_and_what_cleans_is_not_cleaned(
     text: str, meant: str, encoder: bool
 ) -> None:
     assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("object") == meant
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Take the stew out of the fridge, and if the hob works, reheat it.", "the stew"),
+        ("get the rolls from the freezer and if the oven is hot bake them", "the rolls"),
+        ("Take the rice from the shelf and if the pot is clean, cook it.", "the rice"),
+        ("Carry the tablet to the study, and if the charger is free, charge it.", "the tablet"),
+        ("Take my shirt to the cellar, and if the dryer is empty, dry it.", "my shirt"),
+        ("If the attic is empty and the fan is on, turn the fan off and air it.", "the attic"),
+        ("fetch the telescope up from the cellar and if the lens cap is missing leave it in the hall", "the telescope"),
+        ("Wash the pan, and if there is no soap left, put it on the list.", "soap"),
+        ("Bring me the camera, and if the battery is empty, charge it.", "the battery"),
+        ("Clear the table, and if the freezer is icy, defrost it.", "the freezer"),
+        ("Wash the car, and if the shutter is open, shut it.", "the shutter"),
+        ("Fetch the ladder, and if the key is missing, look for it.", "the key"),
+        ("Rinse the jug, and if the cup is dirty, put it in the dishwasher.", "the cup"),
+    ],
+)
+def test_what_a_thing_is_done_with_or_what_is_missing_is_not_what_it_is_done_to(
+    text: str, meant: str, encoder: bool
+) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("object") == meant

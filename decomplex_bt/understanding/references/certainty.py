@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context, kind_of
-from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_relatives
 
@@ -28,6 +28,15 @@ INSTRUMENTS = frozenset(
 )
 """What things are cleaned with."""
 _TELLING = frozenset(("check_state", "change_state"))
+_COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
+_COOLING = frozenset("freezer fridge refrigerator icebox".split())
+"""Of the machines those that are defrosted."""
+_SOCKETS = frozenset(("socket", "outlet"))
+_MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
+"""By a verb, what it is done with."""
+_NO_AGENTS = frozenset("shutter drawer locker".split())
+"""What is called by what it does, and has it done to it all the same."""
+_ABSENT = frozenset(("missing", "gone", "lost"))
 
 
 def referable(context: Context, gap: Gap) -> list[Candidate]:
@@ -38,7 +47,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     identity = _identity(context, gap) or _fronted(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = containers_of(context, gap)
-    before, instrument = _done_before(context, gap), _instrument(context, gap)
+    before, instrument = _done_before(context, gap) or _listed(context, gap), _instrument(context, gap)
     # "mop it up" is not of the floor, but of what is on it
     is_wiped_up = bool(instrument) and context.lemmas[gap.task.id].endswith(" up")
 
@@ -179,7 +188,69 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    return _is_absent(context, gap, candidate)
+    return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_beside(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate only tells if something can be done to what was handled before: "get the soup, and if the
+    microwave works, *thaw it*", "bring the pram in, and if its hood is missing, *leave it* in the hall"."""
+    if gap.type != "object" or gap.word in _SOMEBODY or not _is_other_named(context, gap, candidate):
+        return False
+    if _is_means(context, gap, candidate):
+        return True
+    owner = next((task for task in context.tasks if task.id == candidate.owner), gap.task)
+    is_absent = any(a.type == "state" and a.value.lower() in _ABSENT for a in owner.arguments)
+    is_missed = is_absent and context.relation(owner.id, gap.task.id).startswith("condition.then")
+    return is_missed and gap.task.type == "placing" and not _is_of_list(context, gap)
+
+
+def _is_other_named(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether another thing, to which the verb may be done, was the object of a task before."""
+    tokens = context.observed.document.tokens
+    return any(
+        c.type == "object"
+        and c.owner != gap.task.id
+        and c.tokens.stop <= gap.position
+        and tokens[c.head].lemma != tokens[candidate.head].lemma
+        and kind_of(context, c) not in _ANIMATE
+        and not _is_means(context, gap, c)
+        for c in context.pool
+    )
+
+
+def _is_means(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what the verb is done with or by, not what it is done to: a toaster is not toasted."""
+    verb = context.lemmas[gap.task.id].split()[0]
+    noun = context.observed.document.tokens[candidate.head].lemma
+    if noun in _MEANS.get(verb, ()) or noun in _agents(verb) - _NO_AGENTS:
+        return True
+    gazetteer = context.observed.gazetteer
+    is_cooked = gazetteer.category(noun) != "furniture" or (noun in _COOLING and candidate.type == "object")
+    return (verb in _COOKING and not is_cooked) or (verb == "air" and "power" in gazetteer.changeable.get(noun, ()))
+
+
+def _agents(verb: str) -> frozenset[str]:
+    """What a verb's doer may be called: "washer", "dryer", "drier", "charger", "mopper"."""
+    stems = (verb, verb.removesuffix("e"), verb + verb[-1], verb.removesuffix("y") + "i")
+    return frozenset(stem + "er" for stem in stems)
+
+
+def _is_of_list(context: Context, gap: Gap) -> bool:
+    """Whether something is put on a list."""
+    spans = [a.span for a in gap.task.arguments if a.type in ("goal", "message", "location") and a.span]
+    document = context.observed.document
+    return any(document.tokens[document.indices(span).stop - 1].lemma == "list" for span in spans)
+
+
+def _listed(context: Context, gap: Gap) -> int:
+    """The check, by its number, that found out what there is none of, where that is put on a list ("if there are no
+    filters left, write it on the list"); 0 where none did."""
+    path = context.paths.get(gap.task.id, ())
+    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or not path or path[-1][1] != "else":
+        return 0
+    check = next((task for task in context.tasks if task.id == path[-1][0] < gap.task.id), None)
+    is_lack = check is not None and says_there_is(context.observed.document, check) and _is_of_list(context, gap)
+    return path[-1][0] if is_lack else 0
 
 
 def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
