@@ -57,7 +57,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
             continue
         condition = [*found.condition, COMMA] if found.condition else []
         moved.update(found.condition)
-        insertions[place] += map(Told, condition)
+        insertions[place] += map(Told, condition if condition or not found.is_run_on else [COMMA])
         if order is None or words is None:
             continue
         carrier = _carrier(document, found.tokens)

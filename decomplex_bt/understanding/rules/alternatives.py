@@ -28,6 +28,8 @@ _SHARED = _POINTING | {"them", "these", "it"}
 """What some is taken of: "two of those"."""
 _DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
 _SUBJECTS = frozenset("it he she they there that this i you we".split())
+_CLOSED = frozenset("any one none some it them there here home left".split())
+"""What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
 _LEFT = frozenset("any one some it that them yet already there".split())
 
 
@@ -38,13 +40,14 @@ class Alternative:
     `tokens`: what is named or ordered instead; `condition`: when, with its "if", where that is told behind; else empty;
     `is_verbal`: whether it has a verb of its own, that is a task; `mark`: where it comes on top of what is ordered
     before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), the mark that parts
-    them.
+    them; `is_run_on`: whether no mark parts it from the condition before it.
     """
 
     tokens: range
     condition: range
     is_verbal: bool = False
     mark: int | None = None
+    is_run_on: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +70,11 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
     document = observed.document
     if not any(cue.name in _OPENING | _TURNING for cue in observed.cues):
         return
-    parts = list(_parts(observed, tasks))
+    parts = list(_split(document, list(_parts(observed, tasks)), tasks))
     for k, part in enumerate(parts):
+        if (rest := _in_any_case(observed, part)) and _is_phrase(document, rest, tasks):
+            yield Alternative(rest, range(rest.stop, rest.stop), mark=part.opening.start)
+            continue
         body = _bare(document, part.body, tasks)
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
         if not body or not (is_verbal or _is_phrase(document, body, tasks)):
@@ -79,7 +85,8 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         elif not is_verbal and _is_added(document, parts, k, tasks):
             yield Alternative(body, range(body.stop, body.stop), mark=part.opening.start)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
-            yield Alternative(body, range(body.stop, body.stop))
+            is_run_on = part.lead == "mark" and not part.opening
+            yield Alternative(body, range(body.stop, body.stop), is_run_on=is_run_on)
 
 
 def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
@@ -115,6 +122,8 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
 def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> bool:
     """Whether an alternative stands behind its condition, or behind an "otherwise"; `body`: its own words."""
     part = parts[k]
+    if part.lead == "mark" and not part.opening:
+        return True
     is_turn = part.lead == "turn" or (part.lead == "mark" and k > 0 and _is_bare_turn(parts[k - 1]))
     if is_turn and (part.is_last or body.stop < part.body.stop or _goes_on(document, parts[k + 1 : k + 2])):
         return True
@@ -123,7 +132,9 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
     if document.tokens[part.body.start].lower == "and":
         return False  # "close it if it's dark, *and the curtains*" goes with it
     first = document.tokens[body.start].lower
-    return (len(body) > 1 or first in _POINTING or _is_joined(document, parts, k)) and first not in PARTICLES
+    if len(body) > 1:
+        return True
+    return first in _POINTING or (first not in PARTICLES and _is_joined(document, parts, k))
 
 
 def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
@@ -152,6 +163,50 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
         i += 1
     if first < len(tokens) or lead == "turn":
         yield _Part(lead, opening, range(first, len(tokens)), is_last=True)
+
+
+def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str]) -> Iterator[_Part]:
+    """The parts, with what is named behind a condition without a mark as one of its own, as if a mark stood there: "or
+    if it's full *the big one*", "the cup if it's clean *the mug* if not"."""
+    for k, part in enumerate(parts):
+        is_joined = k > 0 and document.tokens[part.opening.start - 1].lower in ("and", "or") if part.opening else False
+        is_turned = not part.is_last and k + 1 < len(parts) and parts[k + 1].lead in ("if", "turn")
+        ahead = next((other.body for other in reversed(parts[:k]) if other.body), range(0))
+        start = _inner(document, ahead, part.body, tasks, is_turned=is_turned)
+        if part.lead != "if" or start is None or not (is_joined or is_turned):
+            yield part
+            continue
+        yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
+        yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=part.is_last)
+
+
+def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, str], *, is_turned: bool) -> int | None:
+    """Where in a condition that is said in full a phrase begins that is no part of it; `ahead`: the order before."""
+    said = [i for i in body if i in tasks]
+    if not said or any(tasks[i] not in ("check_state", "searching") for i in said[:1]):
+        return None
+    led = {document.tokens[i].lower for i in ahead} & PREPOSITIONS
+    for i in range(said[0] + 1, min(said[1:2], default=body.stop)):
+        first, before = document.tokens[i], document.tokens[i - 1]
+        is_state = before.pos == "ADJ" or (before.i == said[0] + 1 and document.tokens[said[0]].lower == "its")
+        is_full = is_state or (before.tag == "VBN" and before.i > said[0]) or before.lower in _CLOSED
+        if first.lower in PREPOSITIONS and i + 1 < body.stop:
+            is_start = (is_full or before.pos in _NAMING) and first.lower in led and not is_turned
+        else:
+            is_start = is_full and first.lower not in _ONE and (first.pos in ("DET", "NUM") or first.tag == "PRP$")
+        is_start = is_start or (is_turned and is_state and first.lower in PARTICLES and i + 1 == body.stop)
+        if is_start and (words := _bare(document, range(i, body.stop), tasks)) and _is_phrase(document, words, tasks):
+            return i
+    return None
+
+
+def _in_any_case(observed: Observed, part: _Part) -> range:
+    """What is said behind an "either way" that a mark parts from the rest: "and either way *a spoon*"."""
+    first = next((i for i in part.body if observed.document.tokens[i].lower not in _JOINING), part.body.stop)
+    last = next((cue.last for cue in observed.cues if cue.name == "either_way" and cue.first == first), None)
+    if last is None or part.lead != "mark" or observed.document.tokens[last].tag.startswith("W"):
+        return range(0)  # "whatever the score"
+    return range(last + 1, part.body.stop)
 
 
 def _is_part(tokens: Sequence[Token], i: int) -> bool:
