@@ -288,6 +288,111 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
 
 
 @pytest.mark.parametrize(
+    ("first", "second", "check", "expected"),
+    [
+        # the second takes back the first
+        (
+            "[Light](1:change_state) [the lamp](1:object)",
+            "[blow](2:change_state) [it](2:object) out",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            "top",
+        ),
+        (
+            "[Lock](1:change_state) [the shed](1:object)",
+            "[unlock](2:change_state) [it](2:object)",
+            "when [Ann](3:object) [arrives](3:check_state)",
+            "top",
+        ),
+        (
+            "[Hang](1:placing) [the rug](1:object) [on the line](1:goal)",
+            "[take](2:taking) [it](2:object) down",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            "top",
+        ),
+        (
+            "[Go](1:motion) [to the pond](1:goal)",
+            "[come](2:motion) [back](2:direction)",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            "top",
+        ),
+        (
+            "[Lock](1:change_state) [the shed](1:object)",
+            "[close](2:change_state) [the gate](2:object)",
+            "when [Ann](3:object) [arrives](3:check_state)",
+            ">1+",
+        ),
+        (
+            "[Take](1:taking) [the rug](1:object)",
+            "[put](2:placing) [it](2:object) [back in the hall](2:goal)",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            ">1+",
+        ),
+        # what is asked comes through the first
+        (
+            "[Fill](1:change_state) [the pool](1:object)",
+            "[call](2:informing) Ann",
+            "when [it](3:object)'[s](3:check_state) [full](3:state)",
+            "top",
+        ),
+        (
+            "[Start](1:change_state) [the mixer](1:object)",
+            "[call](2:informing) Ann",
+            "when [it](3:object)'[s](3:check_state) [done](3:state)",
+            "top",
+        ),
+        (
+            "[Send](1:change_state) [the pup](1:object) out",
+            "[call](2:informing) Ann",
+            "when [he](3:object) [comes](3:check_state) back",
+            "top",
+        ),
+        (
+            "[Put](1:placing) [the eggs](1:object) [in the pan](1:goal)",
+            "[call](2:informing) Ann",
+            "when [they](3:object) [are](3:check_state) [firm](3:state)",
+            "top",
+        ),
+        (
+            "[Put](1:placing) [the eggs](1:object) [in the bag](1:goal)",
+            "[call](2:informing) Ann",
+            "when [they](3:object) [are](3:check_state) [firm](3:state)",
+            ">1+",
+        ),
+        (
+            "[Fill](1:change_state) [the pool](1:object)",
+            "[call](2:informing) Ann",
+            "when [it](3:object)'[s](3:check_state) [sunny](3:state)",
+            ">1+",
+        ),
+        # what is asked is of the thing of the second alone
+        (
+            "[Shut](1:change_state) [the gate](1:object)",
+            "[rinse](2:change_state) [the bowl](2:object)",
+            "if [it](3:object)'[s](3:check_state) [dirty](3:state)",
+            "top",
+        ),
+        (
+            "[Get](1:taking) [the sponge](1:object)",
+            "[rinse](2:change_state) [the bowl](2:object)",
+            "if [it](3:object)'[s](3:check_state) [dirty](3:state)",
+            ">1+",
+        ),
+        (
+            "[Shut](1:change_state) [the gate](1:object)",
+            "[rinse](2:change_state) [the bowl](2:object)",
+            "if [it](3:object)'[s](3:check_state) [windy](3:state)",
+            ">1+",
+        ),
+    ],
+)
+def test_a_condition_behind_an_order_is_of_that_alone_where_the_one_before_cannot_hang_on_it(
+    first: str, second: str, check: str, expected: str
+) -> None:
+    found = clauses(f"{first} and {second} {check}.")
+    assert stated_sides(found, ("task", "task", "condition"), (">1+", ">1+", "top")) == (expected, ">1+", "top")
+
+
+@pytest.mark.parametrize(
     ("check", "before", "expected"),
     [
         ("nobody [is](3:check_state) [in](3:location)", "<1+", "top"),

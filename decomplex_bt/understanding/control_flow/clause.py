@@ -88,6 +88,8 @@ class Clause:
     """Whether it asks about the weather or the day."""
     is_excepted: bool = False
     """Whether it stands under the "unless" of the clause before it."""
+    ways: frozenset[str] = frozenset()
+    """The words behind its verb that tell which way: "back", "out"."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
@@ -123,9 +125,55 @@ class Clause:
         it's full", "turn the tv off if it's on"."""
         if before.task.type != "change_state" or not self.is_check or self.wording.state is None:
             return False
-        goals, needs = _NEEDED.get(before.wording.state or before.verb, (_NEVER, _NEVER))
-        is_needed = self.wording.state in (goals if self.wording.is_negated else needs)
+        is_needed = self.wording.state in (before.effects if self.wording.is_negated else before.needs)
         return is_needed and (self.names_same(before) or (self.has_pronoun and not self.objects))
+
+    def undoes(self, before: Clause) -> bool:
+        """Whether it takes back what the order before brings about: "light it" and "blow it out", "put it in the oven"
+        and "take it out", "go there" and "come back"."""
+        is_of_it = self.names_same(before) or (self.is_of_it and not self.objects)
+        one, other = before.task.type, self.task.type
+        if one == other == "change_state":
+            return is_of_it and not before.effects.isdisjoint(self.needs)
+        is_return = not (self.ways.isdisjoint(_RETURNING) or self.nouns - _RETURNING)
+        is_gone = one in _LEADING and before.ways.isdisjoint(_RETURNING)
+        if other == "motion" and is_return:
+            return is_gone
+        return is_of_it and ((one == "placing" and other == "taking") or (other in _LEADING and is_return and is_gone))
+
+    def comes_through(self, before: Clause) -> bool:
+        """Whether what it asks is what the order before brings about: "fill it" and "it's full", "start it" and "it's
+        done", "let her out" and "she's back", "put them in the oven" and "when they're brown"."""
+        is_of_thing = self.names_same(before) or (self.is_of_it and not self.objects)
+        is_sent = before.verb in _SENDING or before.task.type == "following" or "out" in before.ways
+        if "back" in self.ways and is_sent:
+            return is_of_thing or (self.is_of_somebody and not self.objects)
+        is_reached = self.wording.state in before.effects and not self.wording.is_negated
+        is_over = self.wording.state in _OVER or (self.wording.state is None and self.verb in _ENDING)
+        is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(_WORKING) and "when" in self.near
+        if is_worked and self.wording.state is not None and self.number == before.number:
+            return True
+        return is_of_thing and (is_reached or (is_over and "running" in before.effects))
+
+    def is_only_of(self, order: Clause, before: Clause) -> bool:
+        """Whether it asks about the thing of an order alone, and not about that of the order before: "turn the tv off
+        and water the fern if it's dry". What is fetched or turned on may be so for the sake of the other order."""
+        are_two = bool(before.objects) and bool(order.objects) and set(before.objects).isdisjoint(order.objects)
+        is_prepared = before.task.type in _FINDING or "running" in before.effects
+        is_of_it = self.is_guard_of(order) or (
+            order.task.type == "bringing" and self.is_check and self.names_same(order)
+        )
+        return are_two and is_of_it and not is_prepared
+
+    @property
+    def effects(self) -> frozenset[str]:
+        """The states that an order to change something ends in."""
+        return _NEEDED.get(self.wording.state or self.verb, (_NEVER, _NEVER))[0]
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """The states that an order to change something ends."""
+        return _NEEDED.get(self.wording.state or self.verb, (_NEVER, _NEVER))[1]
 
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
@@ -268,23 +316,33 @@ _NEVER: frozenset[str] = frozenset()
 _NEEDED = {
     verb: (frozenset(goals.split()), frozenset(needs.split()))
     for verbs, goals, needs in (
-        ("on", "on running lit", "off out"), ("off", "off out", "on running lit"),
+        ("on start", "on running lit", "off out"), ("off stop", "off out", "on running lit"),
         ("open", "open ajar", "closed shut"), ("close shut", "closed shut", "open ajar"),
         ("lock bolt", "locked bolted", "unlocked open"), ("unlock unbolt", "unlocked open", "locked bolted shut"),
         ("heat warm reheat microwave", "hot warm", "cold cool lukewarm tepid chilly"),
         ("cool chill", "cold cool chilled", "warm hot lukewarm"),
         ("clean wash rinse wipe scrub mop sweep vacuum hoover dust polish", "clean washed spotless",
          "dirty filthy muddy dusty sticky stained grubby greasy unwashed"),
-        ("fill refill", "full", "empty low"), ("empty", "empty", "full overflowing"), ("dry", "dry", "wet damp soaked"),
+        ("fill refill run", "full", "empty low"), ("empty", "empty", "full overflowing"),
+        ("dry", "dry", "wet damp soaked"),
         ("iron press", "ironed smooth", "wrinkled creased crumpled"),
         ("charge recharge", "charged full", "flat low dead empty"), ("water", "wet moist damp", "dry thirsty"),
-        ("cover", "covered", "uncovered bare"), ("light", "lit", "unlit out"),
-        ("make", "made", "unmade"), ("plug", "plugged", "unplugged"), ("fold", "folded", "unfolded crumpled"),
+        ("cover", "covered", "uncovered bare"), ("uncover", "uncovered bare", "covered"),
+        ("light", "lit", "unlit out"), ("blow snuff extinguish", "out unlit", "lit burning"),
+        ("make", "made", "unmade"), ("fold", "folded", "unfolded crumpled"),
+        ("plug", "plugged", "unplugged"), ("unplug", "unplugged", "plugged"),
     )
     for verb in verbs.split()
 }  # fmt: skip
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _IFS = frozenset(("if", "unless", "only_if"))
+_LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
+_SENDING = frozenset(("let", "send"))
+_RETURNING = frozenset(("back", "home"))
+_OVER = frozenset("done finished ready over complete through".split())
+_WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
+"""Places where a thing is put for what becomes of it there."""
+_ENDING = frozenset("finish end stop boil beep".split())
 _USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
 """States that tell whether somebody is there."""
 _HANDING = frozenset(("bringing", "informing"))

@@ -32,6 +32,7 @@ _NONE_OF_IT = frozenset(
 )  # fmt: skip
 _STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
+_WAYS = frozenset(("back", "home", "out"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
@@ -203,6 +204,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         verb=document.tokens[token].lemma,
         is_of_nobody=bool(nobody(document, token)),
         is_of_weather=_is_of_weather(document, task, first, own_last),
+        ways=frozenset(t.lower for t in document.tokens[token + 1 : own_last + 1] if t.lower in _WAYS),
     )
 
 

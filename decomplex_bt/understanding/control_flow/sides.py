@@ -48,6 +48,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _fall_back,
             _follow,
             _confine,
+            _withhold,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -318,6 +319,28 @@ def _confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
             sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
     for j in later:
         sides[j] = f"<2{sides[k][2:]}" if sides[k] in (_HOLDS, _FAILS) else "top"
+
+
+def _withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
+    about ("light the candles and blow them out if they drip"), and where what is asked comes through one ("fill the tub
+    and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
+    empty")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
+    if not is_behind or _OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1":
+        return
+    ahead = list(takewhile(lambda j: _hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
+    if any(order.undoes(clauses[j]) or clause.comes_through(clauses[j]) for j in ahead) or (
+        ahead and clause.is_only_of(order, clauses[ahead[0]])
+    ):
+        for j in ahead:
+            sides[j] = sides[k] if sides[k] in (_HOLDS, _FAILS) else "top"
+
+
+def _hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
+    """Whether an order of this sentence hangs on the condition behind it."""
+    return roles[k] == "task" and sides[k][:2] == ">1" and clauses[k].sentence == sentence
 
 
 def _goes_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
