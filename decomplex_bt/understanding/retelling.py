@@ -165,8 +165,8 @@ def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Seque
     ]
     particles = _particles(document, verb, until)
     if _is_particle(document, found.tokens):
-        said = [tokens for _, tokens in own if _is_particle(document, tokens)]
-        replaced = next(reversed([*(range(i, i + 1) for i in particles), *said]), None)
+        states = [tokens for _, tokens in own if _is_particle(document, tokens)]
+        replaced = next(reversed([*(range(i, i + 1) for i in particles), *states]), None)
     else:
         replaced = _replaced(observed, own, found.tokens)
     if replaced is None:
