@@ -23,7 +23,7 @@ from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
-from decomplex_bt.understanding.rules.idioms import for_somebody, predicated
+from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
@@ -89,6 +89,7 @@ def amended(
         if kind == "bringing":
             kept = _divided(document, kept, token)
             kept = _given(kept, token, for_somebody(document, token))
+            kept = _told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "check_state":
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)

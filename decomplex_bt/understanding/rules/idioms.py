@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import takewhile
 from typing import NamedTuple
 
 from decomplex_bt.domain.clauses import WEATHER
@@ -27,6 +28,10 @@ _SPEAKERS = frozenset(("i", "we"))
 _PRONOUNS = frozenset("it they he she that this these those".split())
 _RELATIVES = frozenset(("that", "which", "who"))
 _LOCATIONS = frozenset("home here there inside outside upstairs downstairs indoors outdoors nearby".split())
+_TROUBLING = frozenset(("bother", "trouble"))
+_FAVOURS = frozenset("hand minute moment second help favour favor word".split())
+"""What is asked for and is no thing to be brought."""
+_PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
 _GETTING = frozenset(("get", "fetch", "grab", "pick"))
 _ONESELF = frozenset(("me", "us"))
 _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
@@ -49,13 +54,15 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
     weather of "should it rain", that nobody is somewhere ("when nobody is in") and what a prohibition waits for ("don't
-    start it before it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing.
+    start it before it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing,
+    "trouble" in "might I trouble you for the salt" bringing.
     """
     checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     return {
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
+        **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(checks, "check_state"),
     }
 
@@ -152,6 +159,23 @@ def _lettings(document: Document) -> list[int]:
     return [
         i for i in range(len(words) - 3) if words[i : i + 3] == ["let", "go", "of"] and not _is_of_others(document, i)
     ]
+
+
+def _troubles(document: Document) -> list[int]:
+    """Every verb of a polite request for something: "could I *bother* you for a glass of water"."""
+    words = [token.lower for token in document.tokens]
+    verbs = [i for i in range(2, len(words) - 3) if words[i] in _TROUBLING and words[i + 1 : i + 3] == ["you", "for"]]
+    return [i for i in verbs if words[i - 1] in _SPEAKERS and words[i - 2] in _MAY | {"can"} and troubled(document, i)]
+
+
+def troubled(document: Document, verb: int) -> range:
+    """What somebody is "troubled for": "the salt", not "a hand"; empty for any other verb."""
+    tokens = document.tokens
+    if tokens[verb].lower not in _TROUBLING:
+        return range(0)
+    words = list(takewhile(lambda token: token.pos in _PHRASE or token.lower == "of", tokens[verb + 3 :]))
+    named = [token for token in words if token.pos in ("NOUN", "PROPN")]
+    return range(verb + 3, named[-1].i + 1) if named and named[0].lower not in _FAVOURS else range(0)
 
 
 def _is_of_others(document: Document, verb: int) -> bool:
