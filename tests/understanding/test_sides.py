@@ -393,6 +393,62 @@ def test_a_condition_behind_an_order_is_of_that_alone_where_the_one_before_canno
 
 
 @pytest.mark.parametrize(
+    ("event", "expected"),
+    [
+        ("after you have [swept](2:change_state) [it](2:object)", "top"),
+        ("once you've [swept](2:change_state) [it](2:object)", "top"),
+        ("when you've [swept](2:change_state) [it](2:object)", "top"),
+        ("after [sweeping](2:change_state) [it](2:object)", "top"),
+        ("when you [sweep](2:change_state) [it](2:object)", "<1+"),
+        ("before you [sweep](2:change_state) [it](2:object)", "<1+"),
+        (", [sweep](2:change_state) [it](2:object) after supper", "<1+"),
+    ],
+)
+def test_what_is_done_before_something_is_asked_does_not_hang_on_it(event: str, expected: str) -> None:
+    found = clauses(
+        f"If [the yard](1:object) [is](1:check_state) [icy](1:state) {event}, [call](3:informing) [Ann](3:recipient)."
+    )
+    roles = ("condition", "task", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1+")) == ("top", expected, "<1+")
+
+
+def test_what_is_done_before_something_is_asked_is_done_in_the_same_branch() -> None:
+    found = clauses(
+        "If [Tom](1:object) [is](1:check_state) [in](1:state), [go](2:motion) [out](2:goal), and if [the yard]"
+        "(3:object) [is](3:check_state) [icy](3:state) after you have [swept](4:change_state) and "
+        "[hosed](5:change_state) [it](5:object), [call](6:informing) him."
+    )
+    roles = ("condition", "task", "condition", "task", "task", "task")
+    sides = ("top", "<1+", "<1+", "<1+", "<1+", "<1+")
+    assert stated_sides(found, roles, sides) == ("top", "<1+", "<1+", "<2+", "<2+", "<1+")
+
+
+@pytest.mark.parametrize(
+    ("order", "joint", "expected"),
+    [
+        ("[Wash](1:change_state) [the van](1:object)", "and [shut](3:change_state) [the gate](3:object)", "top"),
+        ("[Wash](1:change_state) [the van](1:object)", "and [take](3:bringing) [it](3:object) home", "<1+"),
+        ("[Go](1:motion) [to the den](1:goal)", "and [shut](3:change_state) [the gate](3:object)", "<1+"),
+        ("[Wash](1:change_state) [the van](1:object)", "then [shut](3:change_state) [the gate](3:object)", "<1-"),
+        (
+            "[Wash](1:change_state) [the van](1:object)",
+            "in that case [shut](3:change_state) [the gate](3:object)",
+            "<1-",
+        ),
+        ("Don't [wash](1:change_state) [the van](1:object)", "and [shut](3:change_state) [the gate](3:object)", "<1-"),
+    ],
+)
+@pytest.mark.parametrize("state", ["isn't", "is"])
+def test_what_an_and_adds_behind_an_unless_is_not_done_instead(
+    order: str, joint: str, expected: str, state: str
+) -> None:
+    check = "[is](2:check_state)" + "n't" * (state != "is")
+    found = clauses(f"{order}, unless [Tom](2:object) {check} [asleep](2:state), {joint}.")
+    roles = ("task", "condition", "task")
+    assert stated_sides(found, roles, (">1+", "top", "<1-"))[2] == expected
+
+
+@pytest.mark.parametrize(
     ("check", "before", "expected"),
     [
         ("nobody [is](3:check_state) [in](3:location)", "<1+", "top"),

@@ -90,6 +90,8 @@ class Clause:
     """Whether it stands under the "unless" of the clause before it."""
     ways: frozenset[str] = frozenset()
     """The words behind its verb that tell which way: "back", "out"."""
+    is_had_done: bool = False
+    """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the

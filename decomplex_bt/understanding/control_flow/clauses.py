@@ -32,6 +32,9 @@ _NONE_OF_IT = frozenset(
 )  # fmt: skip
 _STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
+_ONCE = frozenset(("after", "when"))
+_PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
+_DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
 _WAYS = frozenset(("back", "home", "out"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _BEING = frozenset(("be", "'s", "'re", "s"))
@@ -205,7 +208,24 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_of_nobody=bool(nobody(document, token)),
         is_of_weather=_is_of_weather(document, task, first, own_last),
         ways=frozenset(t.lower for t in document.tokens[token + 1 : own_last + 1] if t.lower in _WAYS),
+        is_had_done=_is_had_done(document, stretch.cues, token),
     )
+
+
+def _is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
+    """Whether the verb at token `i` tells what the listener has done by then ("after you have mopped it", "once you've
+    swept and *mopped* it", "after mopping it"), where a "when" takes a perfect."""
+    verb = document.tokens[i]
+    if verb.dep == "conj" and verb.tag in ("VBD", "VBN", "VBG") and verb.head < i:
+        return _is_had_done(document, cues, verb.head)
+    opening = max((cue for cue in cues if cue.first < i and cue.name in _ONCE), key=lambda cue: cue.last, default=None)
+    if opening is None or opening.last >= i:
+        return False
+    words = [token.lower for token in document.tokens[opening.last + 1 : i]]
+    if verb.tag == "VBG":
+        return opening.name == "after" and not words
+    is_perfect = not _PERFECT.isdisjoint(words) or opening.name == "after"
+    return words[:1] in (["you"], ["u"]) and _DONE_SO_FAR.issuperset(words[1:]) and is_perfect
 
 
 def _is_of_weather(document: Document, task: MarkedTask, first: int, last: int) -> bool:

@@ -49,6 +49,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _follow,
             _confine,
             _withhold,
+            _go_ahead,
+            _stand_alone,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -336,6 +338,37 @@ def _withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (_HOLDS, _FAILS) else "top"
+
+
+def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be done before something is asked is done whatever the answer ("if the floor is still wet after you
+    have mopped it, ...")."""
+    clause, before = clauses[k], clauses[k - 1]
+    if not (clause.is_had_done and roles[k] == "task" and sides[k] in (_HOLDS, _FAILS) and clause.boundary == "none"):
+        return
+    if roles[k - 1] == "condition" and not _OPENING.isdisjoint(before.near) and before.sentence == clause.sentence:
+        sides[k] = f"<2{sides[k - 1][2:]}" if sides[k - 1] in (_HOLDS, _FAILS) else "top"
+    elif roles[k - 1] == "task" and before.is_had_done and clause.near == ("and",):
+        sides[k] = sides[k - 1]
+
+
+def _stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "and" adds behind "..., unless ..." is not done where that alone keeps from the order before it: it goes
+    with that where it needs it ("go in, unless he's asleep, and make the bed", "iron it unless it's wet and hang it
+    up"), else it stands alone ("bring him tea, unless he's asleep, and shut the door")."""
+    if k < 2 or (roles[k - 2], roles[k - 1]) != ("task", "condition") or "unless" not in clauses[k - 1].near:
+        return
+    order, check = clauses[k - 2 : k]
+    if order.is_forbidden or sides[k - 2] != ">1+" or sides[k - 1] != "top" or order.sentence != check.sentence:
+        return
+    for j in range(k, len(clauses)):
+        clause = clauses[j]
+        words = {*clause.far, *clause.near, *clauses[j - 1].behind}
+        is_added = roles[j] == "task" and sides[j] == _FAILS and clause.sentence == check.sentence and "and" in words
+        if not is_added or words & (_TURNING - {"not"} | {"then"}):
+            return
+        is_of_it = order.task.type == "motion" or (clause.has_pronoun and not check.is_guard_of(order))
+        sides[j] = _HOLDS if is_of_it and clause.task.type != "motion" else "top"
 
 
 def _hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
