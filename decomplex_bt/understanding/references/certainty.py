@@ -5,6 +5,7 @@ from __future__ import annotations
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
+from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_relatives
 
@@ -71,17 +72,22 @@ def is_pointing_back(document: Document, gap: Gap) -> bool:
 
 
 def _identity(context: Context, gap: Gap) -> range:
-    """The words that say who is meant where a pronoun stands in the branch of "if it's the plumber"; else empty."""
+    """The words that say who or what is meant where a pronoun stands in the branch of "if it's the plumber" or "if that
+    noise is the dryer"; else empty."""
     path = context.paths.get(gap.task.id, ())
-    if gap.word not in _SOMEBODY or not path or path[-1][1] != "then":
-        return range(0)
     document = context.observed.document
-    check = next((task for task in context.tasks if task.id == path[-1][0]), None)
-    said = {a.type: document.indices(a.span) for a in check.arguments if a.span} if check else {}
-    is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
-    if not is_asked or document.tokens[said["state"][-1]].pos not in ("NOUN", "PROPN"):
+    check = next((task for task in context.tasks if path and path[-1] == (task.id, "then")), None)
+    if check is None or gap.word not in _ELSEWHERE:
         return range(0)
-    return next((c.tokens for c in context.pool if c.tokens == said["state"]), range(0))
+    said = {a.type: document.indices(a.span) for a in check.arguments if a.span}
+    is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
+    named, identity = range(0), identity_of(document, document.indices(check.span).start)
+    if is_asked and gap.word in _SOMEBODY:
+        named = said["state"] if document.tokens[said["state"][-1]].pos in ("NOUN", "PROPN") else named
+    elif identity is not None and not identity.is_of_order(document):
+        is_meant = identity.is_of_person(document) if gap.word in _SOMEBODY else not identity.is_pronoun(document)
+        named = identity.name if is_meant else named
+    return named if any(c.tokens == named for c in context.pool) else range(0)
 
 
 def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -179,7 +185,9 @@ def _instrument(context: Context, gap: Gap) -> int:
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
     is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
-    before somebody is told or given something ("bring her the cake and tell her ...")."""
+    before somebody is told or given something ("bring her the cake and tell her ..."); and nobody is opened or shut."""
+    if gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and kind_of(context, candidate) in _ANIMATE:
+        return True
     if gap.word not in _ELSEWHERE:
         return False
     if candidate.owner == gap.task.id and not candidate.mention:

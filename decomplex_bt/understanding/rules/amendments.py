@@ -12,6 +12,7 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundAr
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
+from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
     PERSON_NOUNS,
     degree_asked,
@@ -93,7 +94,7 @@ def amended(
         if kind == "check_state":
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
-            kept = _identified(observed, kept, token)
+            kept = _named(document, _identified(observed, kept, token), token)
     for fragment in fragments(document):
         if fragment.carrier in tasks:
             told = {"object": fragment.object, "location": fragment.location}
@@ -229,6 +230,31 @@ def _identified(observed: Observed, arguments: Sequence[FoundArgument], check: i
     if is_asked:
         return [*others, replace(own[0], type="object")]
     return [*others, it, replace(own[0], type="state")]
+
+
+def _named(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with what a condition says something is: the object where "it" names nothing ("if it's *my
+    cousin*"), else the state of what is spoken of ("if that noise is *the dryer*", "if that was *the last one*")."""
+    identity = identity_of(document, check)
+    if identity is None:
+        return list(arguments)
+    order = order_behind(document, identity)
+    said = {*identity.subject, *identity.name, order}
+    kept = [a for a in arguments if a.owner != order or document.tokens[a.tokens.start - 1].lower != "for"]
+    others = [a for a in kept if a.owner != check or said.isdisjoint(a.tokens) or a.type not in _OF_CHECKS]
+    own = {a.type: a for a in kept if a not in others}
+    is_it = document.tokens[identity.subject.start].lower in ("it", "they")
+    is_of_it = "object" in own and own["object"].tokens == identity.subject
+    is_first = not any(a.tokens.stop <= identity.subject.start for a in kept)
+    is_told = is_it and "state" in own and own["state"].tokens.start in identity.name and (is_of_it or not is_first)
+    is_new = is_it and not is_told and not is_of_it and (is_first or not identity.is_of_order(document))
+    is_new = is_new and not any(a.owner == check and a.type == "object" for a in others)
+    if is_new or (is_it and identity.is_of_person(document) and not (is_told and is_of_it)):
+        return [*others, FoundArgument("object", check, identity.name, CERTAIN)]
+    if is_told or (not is_it and identity.is_pronoun(document) and not identity.is_of_order(document)):
+        return kept
+    subject = FoundArgument("object", check, identity.subject, CERTAIN)
+    return [*others, subject, FoundArgument("state", check, identity.name, CERTAIN)]
 
 
 def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, range]) -> list[FoundArgument]:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
@@ -53,13 +54,17 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
-    weather of "should it rain", that nobody is somewhere ("when nobody is in") and what a prohibition waits for ("don't
-    start it before it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing,
-    "trouble" in "might I trouble you for the salt" bringing.
+    weather of "should it rain", that nobody is somewhere ("when nobody is in"), which one of several it is ("if it was
+    the last one") and what a prohibition waits for ("don't start it before it's full"). "Have" in "have a look" is
+    searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing, and
+    "open" in "if it's the plumber open for him" an order.
     """
     checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
+    checks |= _identities(document, tasks)
+    orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
     return {
+        **{i: "change_state" for i in orders if i is not None and i not in tasks},
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
         **dict.fromkeys(_troubles(document), "bringing"),
@@ -96,6 +101,20 @@ def _absences(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         if not any(i < j < stop for j in tasks):
             found.add(verb)
     return frozenset(found)
+
+
+def _identities(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The verbs of "if that was the last one", where no word of it is a task yet; not of what somebody is told or
+    finds out ("check if that was the last one")."""
+    return frozenset(
+        identity.be
+        for identity in identities(document)
+        if identity.is_pronoun(document)
+        and identity.is_of_order(document)
+        and not any(identity.subject.start <= i < identity.name.stop for i in tasks)
+        and not any(tasks.get(identity.subject.start - n) in _ASKING for n in (2, 3))
+        and not _is_told(document, tasks, identity.subject.start)
+    )
 
 
 class _Awaited(NamedTuple):

@@ -1,0 +1,104 @@
+"""Identity: conditions that ask who or what something is, "if it's *the plumber*", "if that was *the last one*"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+
+_OPENING = frozenset("if unless when case".split())
+_POINTING = frozenset("it that this those these they".split())
+_BE = frozenset("is was are were 's \u2019s 're \u2019re".split())
+_BETWEEN = frozenset("only just really indeed actually still even merely n't n\u2019t not".split())
+_DEFINITE = frozenset("the my your his her our their".split())
+_POINTING_AT = frozenset("that this those these the".split())
+_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
+_NAMES = frozenset(("NOUN", "PROPN"))
+_NO_NAMES = WEATHER | frozenset("case turn time morning afternoon evening night".split())
+_ONES = frozenset(("one", "ones"))
+_ORDINAL = frozenset("last only first final wrong right".split())
+_BOTH = frozenset("open shut clean dry warm cool empty".split())
+"""What is a state and an order, both of changing it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """A condition of who or what something is: the verb, the tokens of what is spoken of and of what that may be."""
+
+    be: int
+    subject: range
+    name: range
+
+    def is_pronoun(self, document: Document) -> bool:
+        """Whether it speaks of "it" or "that" alone."""
+        return len(self.subject) == 1 and document.tokens[self.subject.start].lower in _POINTING
+
+    def is_of_person(self, document: Document) -> bool:
+        """Whether it names somebody: "the plumber", "the gas man", "my cousin"."""
+        last = document.tokens[self.name.stop - 1]
+        return last.lemma in PERSON_NOUNS or last.lemma.endswith(("man", "woman"))
+
+    def is_of_order(self, document: Document) -> bool:
+        """Whether it asks which one of several it is: "the last one", "your only key"."""
+        return any(document.tokens[i].lower in _ORDINAL for i in self.name)
+
+
+def identities(document: Document) -> Iterator[Identity]:
+    """All conditions of who or what something is, as far as a definite phrase tells it, in text order."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower not in _OPENING or i + 3 >= len(tokens):
+            continue
+        be = _be(document, i + 1)
+        if be is None:
+            continue
+        start = be + 1
+        while start < len(tokens) and tokens[start].lower in _BETWEEN:
+            start += 1
+        stop = _end(document, start)
+        if stop > start:
+            yield Identity(be, range(i + 1, be), range(start, stop))
+
+
+def identity_of(document: Document, check: int) -> Identity | None:
+    """The identity that a verb asks, or None where it asks something else."""
+    return next((identity for identity in identities(document) if identity.be == check), None)
+
+
+def order_behind(document: Document, identity: Identity) -> int | None:
+    """The verb right behind who somebody is that might be a state of theirs: "if it is the plumber *open* for him"."""
+    at = identity.name.stop
+    if at + 1 >= len(document) or not identity.is_of_person(document):
+        return None
+    is_order = document.tokens[at].lower in _BOTH and document.tokens[at + 1].lower not in MARKS
+    return at if is_order else None
+
+
+def _be(document: Document, start: int) -> int | None:
+    """The "is" behind "it" or a phrase such as "that noise"."""
+    tokens = document.tokens
+    at = start + 1
+    if tokens[start].lower in _POINTING_AT and tokens[at].lower not in _BE:
+        while at < len(tokens) and tokens[at].tag in ("NN", "NNS", "JJ", "VBG"):
+            at += 1
+    elif tokens[start].lower not in _POINTING:
+        return None
+    return at if at < len(tokens) and tokens[at].lower in _BE else None
+
+
+def _end(document: Document, start: int) -> int:
+    """Where a definite phrase ends; its start where none begins there, or what it names goes on ("the lid of")."""
+    tokens = document.tokens
+    if start >= len(tokens) or tokens[start].lower not in _DEFINITE:
+        return start
+    stop = start + 1
+    while stop < len(tokens) and (tokens[stop].pos in _PARTS or tokens[stop].tag in ("POS", "VBG")):
+        stop += 1
+    heads = [i for i in range(start + 1, stop) if tokens[i].pos in _NAMES or tokens[i].lower in _ONES]
+    is_marked = stop == len(tokens) or tokens[stop].lower in MARKS
+    end = heads[-1] + 1 if heads else stop if is_marked else start
+    is_more = end < len(tokens) and tokens[end].lower == "of"
+    return start if is_more or tokens[end - 1].lower in _NO_NAMES else end
