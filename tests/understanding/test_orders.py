@@ -12,6 +12,9 @@ from annotated import clauses
 
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 
+WAX = "[Fetch](1:taking) [the wax](1:object) [from the shed](1:source)"
+CAR = "[polish](2:change_state) [the car](2:object)"
+
 
 @pytest.mark.parametrize(
     ("event", "side", "expected"),
@@ -37,3 +40,41 @@ def test_all_that_is_done_before_something_is_asked_goes_ahead_of_it() -> None:
     )
     roles, sides = ("condition", "task", "task", "task"), ("top", "top", "top", "<1+")
     assert stated_orders(found, roles, sides, ("keep",) * 4) == ("keep", "before", "before", "keep")
+
+
+@pytest.mark.parametrize(
+    ("after", "expected"),
+    [
+        ("in that case [lay](3:placing) [a sheet](3:object) down first", "before"),
+        ("but first [lay](3:placing) [a sheet](3:object) down", "before"),
+        ("but [bring](3:bringing) [the sheets](3:object) first", "before"),
+        ("and [lay](3:placing) [a sheet](3:object) down", "keep"),
+    ],
+)
+def test_what_is_done_first_in_the_same_case_goes_ahead(after: str, expected: str) -> None:
+    found = clauses(
+        f"[Drain](1:change_state) [the boiler](1:object) if [it](2:object) [is](2:check_state) full, {after}."
+    )
+    roles, sides = ("task", "condition", "task"), (">1+", "top", "<1+")
+    assert stated_orders(found, roles, sides, ("keep",) * 3) == ("keep", "keep", expected)
+    assert stated_orders(found, roles, (">1+", "top", "<1-"), ("keep",) * 3)[2] == "keep"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "thing", "expected"),
+    [
+        (WAX, CAR, "the shed", "first"),
+        ("[Rinse](1:change_state) [the jug](1:object)", "[put](2:placing) [it](2:object) away", "the jug", "first"),
+        (WAX, CAR, "the car", "keep"),
+        (WAX, CAR, "the wax", "keep"),
+    ],
+)
+def test_what_clears_the_way_to_the_first_order_goes_ahead_of_all(
+    first: str, second: str, thing: str, expected: str
+) -> None:
+    found = clauses(
+        f"{first} and {second}; if [{thing}](3:object) [is](3:check_state) [wet](3:state), "
+        "[tell](4:informing) Ann first."
+    )
+    roles, sides = ("task", "task", "condition", "task"), ("top", "top", "top", "<1+")
+    assert stated_orders(found, roles, sides, ("keep",) * 4)[2] == expected

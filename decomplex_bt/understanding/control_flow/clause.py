@@ -168,6 +168,13 @@ class Clause:
         return are_two and is_of_it and not is_prepared
 
     @property
+    def needed(self) -> frozenset[str]:
+        """The nouns of what an order needs as it is when it begins: whatever it changes, and its places, not what is
+        only to be had through it ("fetch *the milk*")."""
+        changed = self.objects if self.task.type == "change_state" else ()
+        return self.receivers | self.places | frozenset(changed)
+
+    @property
     def effects(self) -> frozenset[str]:
         """The states that an order to change something ends in."""
         return _NEEDED.get(self.wording.state or self.verb, (_NEVER, _NEVER))[0]
