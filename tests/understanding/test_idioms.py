@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.document import Document, Parser
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, predicated
 
@@ -202,3 +203,35 @@ def test_what_is_asked_how_much_it_is_so(parser: Parser, text: str, verb: str, t
     read = parser.parse(text)
     asked = degree_asked(read, next(token.i for token in read.tokens if token.text == verb))
     assert (read.span(asked.start, asked.stop - 1).of(text) if asked else "") == thing
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Hang the coat on the hook and leave.",
+        "if the twins are asleep drop the bag and leave",
+        "Sweep the floor, then leave without a word.",
+        "If the study is dark, leave; otherwise wipe the desk.",
+        "Sort the post and leave at once.",
+        "Leave and come back later.",
+    ],
+)
+def test_to_leave_and_no_more_is_to_go_away(text: str) -> None:
+    tasks = Interpreter.load().interpret(text).tasks
+    assert [task.type for task in tasks if task.span.of(text).lower() == "leave"] == ["motion"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Wash the pans but leave the plates in the sink.",
+        "Iron the white shirt. The grey ones, leave.",
+        "When I pack up and leave, lock the door.",
+        "The guests eat and leave. Wash the plates.",
+        "Ask the children to finish and leave.",
+        "Cover the dough and leave until it has risen.",
+    ],
+)
+def test_to_leave_something_or_as_others_do_is_not_to_go_away(text: str) -> None:
+    tasks = Interpreter.load().interpret(text).tasks
+    assert "motion" not in [task.type for task in tasks]

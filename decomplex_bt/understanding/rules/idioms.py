@@ -39,6 +39,9 @@ _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
 _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
+_WITHOUT_MORE = frozenset("again quietly silently immediately at once now please straight right away".split())
+_BEFORE_ORDERS = frozenset("and then just please simply".split())
+_CASES = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 _ITS = frozenset(("it", "them"))
 _AWAITING = frozenset(("before", "until", "till"))
@@ -56,8 +59,8 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
     weather of "should it rain", that nobody is somewhere ("when nobody is in"), which one of several it is ("if it was
     the last one") and what a prohibition waits for ("don't start it before it's full"). "Have" in "have a look" is
-    searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing, and
-    "open" in "if it's the plumber open for him" an order.
+    searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing,
+    "leave" in "empty the bin and leave" motion, "open" in "if it's the plumber open for him" an order.
     """
     checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
@@ -67,6 +70,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
+        **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(checks, "check_state"),
     }
@@ -195,6 +199,44 @@ def troubled(document: Document, verb: int) -> range:
     words = list(takewhile(lambda token: token.pos in _PHRASE or token.lower == "of", tokens[verb + 3 :]))
     named = [token for token in words if token.pos in ("NOUN", "PROPN")]
     return range(verb + 3, named[-1].i + 1) if named and named[0].lower not in _FAVOURS else range(0)
+
+
+def _leavings(document: Document, tasks: Mapping[int, str]) -> list[int]:
+    """Every "leave" of an order to go away: no word tells what to leave, behind it ("empty the bin and leave quietly")
+    or put first ("the brown ones, leave"), and nobody else is said or told to."""
+    tokens = document.tokens
+    found = []
+    for i, token in enumerate(tokens):
+        if token.lower != "leave" or (i and tokens[i - 1].lower not in _BEFORE_ORDERS | MARKS):
+            continue
+        end = i + 1
+        while end < len(tokens) and tokens[end].lower in _WITHOUT_MORE:
+            end += 1
+        is_bare = end == len(tokens) or tokens[end].lower in MARKS | _JOINING | {"without"}
+        if is_bare and not (_is_listed(document, i) or _is_of_clause(document, tasks, i)):
+            found.append(i)
+    return found
+
+
+def _is_listed(document: Document, order: int) -> bool:
+    """Whether nothing but names stands ahead of an order in its sentence, up to a mark: "the brown ones, leave"."""
+    words = document.tokens[document.sentences.index(document.sentences[order]) : order]
+    return bool(words) and words[-1].lower in MARKS and not any(token.pos in ("VERB", "AUX") for token in words)
+
+
+def _is_of_clause(document: Document, tasks: Mapping[int, str], verb: int) -> bool:
+    """Whether a verb goes on with what others do or are told ("if they get up *and leave*", "ask him to eat *and
+    leave*"), not with an order."""
+    tokens = document.tokens
+    if verb == 0 or tokens[verb - 1].lower in MARKS or _is_of_others(document, verb):
+        return verb > 0 and tokens[verb - 1].lower not in MARKS
+    start = next((j + 1 for j in range(verb - 1, -1, -1) if tokens[j].lower in MARKS), 0)
+    opening = [j for j in range(start, verb) if tokens[j].lower in _OPENING | _AWAITING | {"after"}]
+    orders = [j for j, kind in tasks.items() if start <= j < verb and kind != "check_state"]
+    is_case = bool(opening) and (not orders or tokens[opening[-1]].lower not in _CASES)
+    others = [j for j in document.children[tokens[verb].head] if tokens[j].dep == "nsubj" and start <= j < verb]
+    is_of_subject = tokens[verb].dep == "conj" and not orders and any(tokens[j].lower != "you" for j in others)
+    return is_case or is_of_subject or _is_told(document, tasks, verb)
 
 
 def _is_of_others(document: Document, verb: int) -> bool:
