@@ -24,6 +24,13 @@ GO = "[Go](1:motion) [out](1:goal)"
         (f"{GO} except if " + WET_OR_DARK.format("or if") + ".", "and", True),
         (f"{GO} if " + WET_OR_DARK.format("or") + ".", "or", False),
         (f"{GO} unless " + WET_OR_DARK.format("and if") + ".", "", False),
+        # behind what the one before says
+        (
+            f"{GO} unless [it](2:object)['s](2:check_state) [after six](2:state) or [the lamp](3:object) "
+            "[is](3:check_state) [off](3:state).",
+            "and",
+            True,
+        ),
         # with a consequence of its own
         (f"{GO} unless " + WET_OR_DARK.format("or if") + " [turn](4:motion) round.", "", False),
         # in another sentence

@@ -386,3 +386,38 @@ def test_an_order_to_check_is_no_condition_of_what_hangs_on_the_weather() -> Non
 def test_what_is_of_another_type_says_no_order_again(order: str, role: str) -> None:
     found = clauses(f"[Close](1:change_state) it. [Fetch](2:bringing) [the crowbar](2:object) and {order} again.")
     assert stated_roles(found, ("condition", "task", "again"))[2] == role
+
+
+HOME = "If [Ada](1:object) [is](1:check_state) [home](1:location), [ring](2:informing) [her](2:recipient)"
+
+
+@pytest.mark.parametrize(
+    ("denial", "joint", "expected"),
+    [
+        ("she [is](3:check_state)n't", ", or if [she](4:object)['s](4:check_state) [ill](4:state)", "or"),
+        ("she [is](3:check_state)n't", ", or [she](4:object)['s](4:check_state) [ill](4:state)", "or"),
+        ("she [is](3:check_state)n't", ", and if [she](4:object)['s](4:check_state) [ill](4:state)", "condition"),
+        (
+            "she['s](3:check_state) [ill](3:state)",
+            ", or if [she](4:object)['s](4:check_state) [in](4:state)",
+            "condition",
+        ),
+    ],
+)
+def test_a_further_case_for_what_is_done_otherwise_is_joined(denial: str, joint: str, expected: str) -> None:
+    found = clauses(f"{HOME}; if {denial}{joint}, [go](5:motion) [out](5:goal).")
+    roles = stated_roles(found, ("condition", "task", "mention", "condition", "task"))
+    assert roles[3] == expected
+    sides = stated_sides(found, roles, ("top", "<1+", "<1", "<1-", "<1+"))
+    assert sides[3] == ("<1+" if expected == "or" else "<1-")
+
+
+@pytest.mark.parametrize(("joint", "expected"), [("or if", "or"), ("and if", "condition")])
+def test_a_further_case_for_what_an_if_not_opens_is_joined(joint: str, expected: str) -> None:
+    found = clauses(
+        f"{HOME}; if not, {joint} [she](3:object)['s](3:check_state) [ill](3:state), [go](4:motion) [out](4:goal)."
+    )
+    roles = stated_roles(found, ("condition", "task", "condition", "task"))
+    assert roles[2] == expected
+    sides = stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))
+    assert sides[2] == ("<1-" if expected == "or" else "<1+")

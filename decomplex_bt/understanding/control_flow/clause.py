@@ -90,6 +90,9 @@ class Clause:
     """Whether it stands under the "unless" of the clause before it."""
     ways: frozenset[str] = frozenset()
     """The words behind its verb that tell which way: "back", "out"."""
+    opening: tuple[str, ...] = ()
+    """The cues ahead of its verb but for those that say nothing of other clauses ("or somebody is *still* in"), or are
+    of what is said in the clause before ("unless it's *after* ten or somebody is in")."""
     is_had_done: bool = False
     """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
 
@@ -243,11 +246,6 @@ class Clause:
         return self.task.type == "check_state" and not self.is_asked
 
     @property
-    def opening(self) -> tuple[str, ...]:
-        """The cues ahead of its verb but for those that say nothing of other clauses ("or somebody is *still* in")."""
-        return tuple(name for name in self.near if name not in _INNER)
-
-    @property
     def is_joined_check(self) -> bool:
         """Whether "and" or "or" may join it to the check before it."""
         return self.is_check and self.boundary in ("none", ",") and not self.far
@@ -264,6 +262,18 @@ class Clause:
         is_bare = self.boundary == "none" and self.opening == (self.wording.joins,)
         is_certain = is_bare and (self.wording.joins == "or" or self.ends_sentence)
         return self.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
+
+    def is_other_case_than(self, before: Clause) -> bool:
+        """Whether it is a further case for what the other, which only says whether something is so, is said for ("if he
+        isn't, *or if he's late*, ...")."""
+        is_added = self.near[:2] == ("or", "if") or self.opening == ("or",)
+        is_next = self.sentence == before.sentence and self.boundary in ("none", ",") and not self.ends_sentence
+        return is_added and is_next and self.is_check and before.says_only_whether and "if" in before.near
+
+    @property
+    def is_added_to_otherwise(self) -> bool:
+        """Whether it is a further case for what an "if not" opens ("if not, *or if he's late*, ...")."""
+        return self.far == ("else",) and self.near[:2] == ("or", "if") and self.is_check and not self.ends_sentence
 
     def is_of_other_state(self, first: Clause) -> bool:
         """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
@@ -361,7 +371,6 @@ _GONE = frozenset(("out", "away", "gone"))
 AROUND = frozenset("in home there here around about back".split())
 """Words for where somebody is who is here, or home."""
 _FINDING = frozenset(("searching", "bringing", "taking"))
-_INNER = frozenset(("still", "not", "can", "there", "also"))
 _PRESENT = frozenset(
     "gone up empty out missing in away clear here there home back left present absent around inside outside upstairs "
     "downstairs free busy finished done available about nearby lost".split()

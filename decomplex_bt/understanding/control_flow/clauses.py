@@ -32,6 +32,7 @@ _NONE_OF_IT = frozenset(
 )  # fmt: skip
 _STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
+_INNER = frozenset(("still", "not", "can", "there", "also"))
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
@@ -208,6 +209,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_of_nobody=bool(nobody(document, token)),
         is_of_weather=_is_of_weather(document, task, first, own_last),
         ways=frozenset(t.lower for t in document.tokens[token + 1 : own_last + 1] if t.lower in _WAYS),
+        opening=tuple(
+            cue.name
+            for cue in stretch.cues
+            if split < cue.first < token and cue.first not in said and cue.name not in _INNER
+        ),
         is_had_done=_is_had_done(document, stretch.cues, token),
     )
 

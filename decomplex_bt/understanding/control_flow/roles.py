@@ -19,9 +19,14 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
 
 
 def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Checks under one "if" or "unless" are one condition of several parts."""
+    """Checks under one "if" or "unless" are one condition of several parts, and so are a mention of one and a further
+    case ("if he isn't, or if he's late, ...", "if not, or if he's late, ...")."""
     if roles[k - 1] in CONDITION_ROLES:
         roles[k] = clauses[k].joining_role(clauses[k - 1]) or roles[k]
+    if roles[k - 1] == "mention" and roles[k] in CONDITION_ROLES and clauses[k].is_other_case_than(clauses[k - 1]):
+        roles[k] = "or"
+    if roles[k] == "condition" and roles[:k] == ["condition", *["task"] * (k - 1)] and clauses[k].is_added_to_otherwise:
+        roles[k] = "or"
 
 
 def _find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -107,8 +107,11 @@ def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int
 def _join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
     makes the side on which it is asked."""
-    if roles[k] in JOINTS and clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES:
+    is_joined = bool(clauses[k].wording.joins) or clauses[k].is_other_case_than(clauses[k - 1])
+    if roles[k] in JOINTS and is_joined and roles[k - 1] in CONDITION_ROLES:
         sides[k] = _HOLDS
+    elif roles[k] in JOINTS and clauses[k].is_added_to_otherwise:
+        sides[k] = _FAILS
 
 
 def _cover(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
