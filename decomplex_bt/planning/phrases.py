@@ -16,7 +16,7 @@ _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|
 _STILL = r"(?:\s+(?:still|already|currently))?"
 _BEING = re.compile(rf"\s(?:that|which)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:switched |turned |plugged )?\w+)$")
 _WHICHEVER = re.compile(rf"^(?:whichever|whatever)\s+(.+?)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:\w+ )?\w+)$")
-_JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|&)\b)\s+")
+_JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|(?:along|together) with|&)\b)\s+")
 _CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
 _DESCRIBING = frozenset(("with", "for"))
 """Prepositions that tell one from another by what it has or is for, and not by where it is."""

@@ -33,6 +33,7 @@ def first(text: str) -> GroundTask:
         ("a pen", [(PENS, False, 1)]),
         ("the red mug", [(("mug_1",), False, 1)]),
         ("the cup and the plate", [(("cup_1", "cup_2"), False, 1), (("plate_1", "plate_2"), False, 1)]),
+        ("the cup together with the plate", [(("cup_1", "cup_2"), False, 1), (("plate_1", "plate_2"), False, 1)]),
         ("the pen, the book and my keys", [(PENS, False, 1), (("book_1", "book_2"), False, 1), (("keys",), False, 1)]),
         ("all the mugs", [(MUGS, True, 1)]),
         ("the mugs", [(MUGS, True, 1)]),

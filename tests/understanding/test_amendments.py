@@ -243,3 +243,25 @@ def test_where_something_is_spilt_is_where_it_is_cleaned() -> None:
     get, clean = Interpreter.load().interpret(text).tasks
     assert [(a.type, a.value) for a in get.arguments] == [("object", "a cloth")]
     assert {(a.type, a.value) for a in clean.arguments} == {("location", "on the rug"), ("object", "juice")}
+
+
+@pytest.mark.parametrize(
+    ("text", "objects"),
+    [
+        ("Fetch the drill along with the long cable.", ["the drill along with the long cable"]),
+        ("Carry the stretcher together with a blanket to the gate.", ["the stretcher together with a blanket"]),
+        ("Put the candles in the box along with the matches.", ["the candles", "the matches"]),
+        ("Take it to him together with his cap and his scarf.", ["it", "his cap and his scarf"]),
+        ("Bring the salad with the blue lid.", ["the salad with the blue lid"]),
+        ("Put the lids and the pots together.", ["the lids and the pots"]),
+        ("Take the photo along to Grandma.", ["the photo"]),
+    ],
+)
+def test_what_comes_along_with_a_thing_is_handled_too(text: str, objects: list[str]) -> None:
+    (task,) = Interpreter.load().interpret(text).tasks
+    assert [a.span.of(text) for a in task.arguments if a.type == "object" and a.span] == objects
+
+
+def test_who_somebody_walks_along_with_is_followed() -> None:
+    (task,) = Interpreter.load().interpret("Walk along with the nurse to the gate.").tasks
+    assert (task.type, task.value("object")) == ("following", "with the nurse")

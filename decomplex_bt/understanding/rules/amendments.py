@@ -9,7 +9,7 @@ from itertools import dropwhile, pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
-from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
@@ -47,6 +47,8 @@ _BEFORE_WEATHER = frozenset(
 """What may stand between the verb of a check and the word for the weather or the day."""
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
+_HANDLING = frozenset(("bringing", "taking", "placing"))
+_ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
 _ANIMALS = frozenset(
@@ -100,7 +102,7 @@ def amended(
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
-    kept = with_gapped(observed, tasks, kept)
+    kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 
@@ -199,6 +201,41 @@ def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: i
     others = [a for a in arguments if a is not both]
     recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[-1].i))
     return [*others, recipient, replace(both, tokens=range(nouns[-1].i, both.tokens.stop))]
+
+
+def _accompanied(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with what is handled along with a thing: part of its words where it stands right behind them
+    ("fetch *the drill along with the cable*"), else another object ("carry it out together with *the flowers*")."""
+    tokens, kept = document.tokens, list(arguments)
+    phrases = {phrase.start: phrase for phrase in noun_chunks(document)}
+    for i in range(1, len(tokens) - 2):
+        phrase = phrases.get(i + 2)
+        if tokens[i].lower not in _ALONG or tokens[i + 1].lower != "with" or phrase is None:
+            continue
+        verb = max((token for token in tasks if token < i), default=None)
+        if verb is None or tasks[verb] not in _HANDLING or not _is_of_clause(document, verb, i):
+            continue
+        if any(not set(a.tokens).isdisjoint(phrase) for a in kept if a.owner != verb or a.tokens.start < i):
+            continue
+        things = [a for a in kept if (a.owner, a.type) == (verb, "object") and a.tokens.start < i]
+        if not things:
+            continue
+        known = (a.tokens.stop for a in kept if a.type == "object" and a.tokens.start in (i + 1, phrase.start))
+        phrase = range(phrase.start, max(phrase.stop, *known, 0))
+        kept = [a for a in kept if set(a.tokens).isdisjoint(range(i, phrase.stop))]
+        last = things[-1]
+        if last.tokens.stop == i and not is_pronoun(document, last.tokens):
+            kept = [replace(a, tokens=range(a.tokens.start, phrase.stop)) if a is last else a for a in kept]
+        else:
+            kept.append(FoundArgument("object", verb, phrase, CERTAIN))
+    return kept
+
+
+def _is_of_clause(document: Document, verb: int, at: int) -> bool:
+    """Whether a word stands in the clause of a verb before it."""
+    return not any(token.lower in MARKS - {"-"} for token in document.tokens[verb:at])
 
 
 def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:
