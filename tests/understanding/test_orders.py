@@ -48,6 +48,7 @@ def test_all_that_is_done_before_something_is_asked_goes_ahead_of_it() -> None:
         ("in that case [lay](3:placing) [a sheet](3:object) down first", "before"),
         ("but first [lay](3:placing) [a sheet](3:object) down", "before"),
         ("but [bring](3:bringing) [the sheets](3:object) first", "before"),
+        ("but first [lay](3:placing) [a sheet](3:object) down and call Ann", "before"),
         ("and [lay](3:placing) [a sheet](3:object) down", "keep"),
     ],
 )
@@ -58,6 +59,15 @@ def test_what_is_done_first_in_the_same_case_goes_ahead(after: str, expected: st
     roles, sides = ("task", "condition", "task"), (">1+", "top", "<1+")
     assert stated_orders(found, roles, sides, ("keep",) * 3) == ("keep", "keep", expected)
     assert stated_orders(found, roles, (">1+", "top", "<1-"), ("keep",) * 3)[2] == "keep"
+
+
+def test_what_is_to_be_done_first_takes_along_what_is_joined_to_it() -> None:
+    found = clauses(
+        "[Drain](1:change_state) [the boiler](1:object) if [it](2:object) [is](2:check_state) [full](2:state), but "
+        "first [lay](3:placing) [a sheet](3:object) down and [fold](4:change_state) [it](4:object)."
+    )
+    roles, sides = ("task", "condition", "task", "task"), (">1+", "top", "<1+", "<1+")
+    assert stated_orders(found, roles, sides, ("keep",) * 4)[2:] == ("before+", "keep")
 
 
 @pytest.mark.parametrize(

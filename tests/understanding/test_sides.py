@@ -327,6 +327,19 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
             "if [Ann](3:object) [sneezes](3:check_state)",
             ">1+",
         ),
+        # done at a stretch
+        (
+            "[Lock](1:change_state) [the shed](1:object)",
+            "[unlock](2:change_state) [it](2:object) again",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            ">1+",
+        ),
+        (
+            "[Empty](1:change_state) [the vase](1:object)",
+            "[fill](2:change_state) [it](2:object)",
+            "if [Ann](3:object) [sneezes](3:check_state)",
+            ">1+",
+        ),
         # what is asked comes through the first
         (
             "[Fill](1:change_state) [the pool](1:object)",

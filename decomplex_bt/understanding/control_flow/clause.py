@@ -138,8 +138,11 @@ class Clause:
         and "take it out", "go there" and "come back"."""
         is_of_it = self.names_same(before) or (self.is_of_it and not self.objects)
         one, other = before.task.type, self.task.type
-        if one == other == "change_state":
-            return is_of_it and not before.effects.isdisjoint(self.needs)
+        if (
+            one == other == "change_state"
+        ):  # but "turn it off and on again", "empty it and fill it" is done at a stretch
+            is_renewed = not self.ways.isdisjoint(("again", "back")) or "empty" in before.effects
+            return is_of_it and not is_renewed and not before.effects.isdisjoint(self.needs)
         is_return = not (self.ways.isdisjoint(_RETURNING) or self.nouns - _RETURNING)
         is_gone = one in _LEADING and before.ways.isdisjoint(_RETURNING)
         if other == "motion" and is_return:

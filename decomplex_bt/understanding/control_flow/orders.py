@@ -51,7 +51,8 @@ def _prepare(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[st
     is_ahead = roles[k - 2] == "task" and sides[k - 2][:2] == ">1" and is_alone
     leads_on = k + 1 < len(clauses) and not _LEADING_ON.isdisjoint((*clauses[k + 1].far, *clauses[k + 1].near))
     if is_ahead and sides[k] == f"<1{sides[k - 2][2:]}" and not leads_on:
-        orders[k] = "before"
+        takes_along = k + 1 < len(clauses) and clauses[k + 1].boundary == "none" and bool(_FIRST & {*clause.near})
+        orders[k] = "before+" if takes_along else "before"
 
 
 def _clear_way(
@@ -76,8 +77,9 @@ def _clear_way(
 
 def _is_first(clause: Clause) -> bool:
     """Whether it is to be done "first" or "before that"."""
-    is_said = not {"first", "before_that"}.isdisjoint((*clause.near, *clause.behind))
+    is_said = not _FIRST.isdisjoint((*clause.near, *clause.behind))
     return is_said and {"first", "before"} <= set(clause.wording.orders)
 
 
+_FIRST = frozenset(("first", "before_that"))
 _LEADING_ON = frozenset(("then", "after_that"))
