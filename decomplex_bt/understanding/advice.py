@@ -53,7 +53,12 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     """Whether its words mean something else, and nothing in the instruction says what: "put it on the table"."""
     if argument.span is None or argument.value != argument.span.of(observed.document.text):
         return False
-    return gap_of(observed.document, task, argument) is not None
+    gap = gap_of(observed.document, task, argument)
+    return gap is not None and gap.word not in _NAMING
+
+
+_NAMING = frozenset(("machine", "place"))
+"""What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free"."""
 
 
 def _asks_who(observed: Observed, task: Task) -> bool:

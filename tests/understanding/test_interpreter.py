@@ -132,6 +132,11 @@ def test_being_there_needs_no_state_one_of_several_no_name_and_what_is_so_was_sa
     assert interpreter.interpret(text).missing == ()
 
 
+def test_the_machine_is_named_where_it_stands_for_nothing(interpreter):
+    assert interpreter.interpret("If the machine's free, wash my towel.").missing == ()
+    assert [m.argument for m in interpreter.interpret("Bring it to me.").missing] == ["object"]
+
+
 def test_what_is_put_is_not_where_it_is_put(interpreter):
     task = interpreter.interpret("Pick up the ball and drop it.").tasks[-1]
     assert task.value("object") == "the ball"
