@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.agreement import meant, other_place, pair_meant
 from decomplex_bt.understanding.references.certainty import containers_of, is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
@@ -41,14 +42,18 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     options: list[Option] = []
     document = context.observed.document
     own = _modifier(context.observed, gap.tokens)
+    other = other_place(context, gap)
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in referable(context, gap):
         if candidate.tokens.stop <= gap.position:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
             of_side["after"].append(candidate)
+    pair = None
     if gap.word in _TOGETHER:
-        of_side["before"].extend(_together(document, of_side["before"]))
+        pairs = list(_together(document, of_side["before"]))
+        pair = pair_meant(context, gap, pairs)
+        of_side = {"before": [pair], "after": []} if pair else {**of_side, "before": [*of_side["before"], *pairs]}
     of_side["before"].sort(key=lambda candidate: -candidate.tokens.stop)
     for side, candidates in of_side.items():
         heads: dict[int, int] = {}
@@ -63,7 +68,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
             contrast = f"{own}.{_modifier(context.observed, _named(candidate))}" if gap.tokens else ""
-            for text, way in _worded(context.observed, gap, candidate, contrast):
+            is_contrasted = contrast == "colour.colour" or (candidate.tokens == other and gap.form == "one")
+            for text, way in _worded(context.observed, gap, candidate, is_contrasted):
                 more = (
                     f"way:{way}.{gap.form}",
                     f"way:{way}.{word}.{determiner}",
@@ -72,12 +78,14 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    if not options or not (is_pointing_back(document, gap) or containers_of(context, gap)):
+    if not options or not (
+        pair or meant(context, gap) or is_pointing_back(document, gap) or containers_of(context, gap)
+    ):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
 
 
-def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -> Iterator[tuple[str, str]]:
+def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: bool) -> Iterator[tuple[str, str]]:
     """The spellings of a candidate for a gap, none of which says what the gap's words rule out: "another" is not the
     thing itself, and "the black one" no grey hoodie."""
     tokens = observed.document.tokens
@@ -101,7 +109,7 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, contrast: str) -
     if is_measure or (gap.word == "another" and certain):
         yield from ((worded[0][0] if way == "same" else text, way) for text, way in worded)
         return
-    colour = tokens[candidate.head - 1] if contrast == "colour.colour" else None
+    colour = tokens[candidate.head - 1] if is_contrasted else None
     if colour is None or colour.lower == tokens[gap.tokens.stop - 2].lower:
         yield from worded
         return

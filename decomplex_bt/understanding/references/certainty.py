@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.agreement import is_of_other_gender, meant
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
@@ -45,7 +46,8 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     document = context.observed.document
     # "that one" always is one that was named
     is_pointed = is_pointing_back(document, gap)
-    identity = _identity(context, gap) or _fronted(context, gap)
+    settled = meant(context, gap)
+    identity = settled or _identity(context, gap) or _fronted(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = containers_of(context, gap)
     before, instrument = _done_before(context, gap) or _listed(context, gap), _instrument(context, gap)
@@ -61,7 +63,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
             or (before and (candidate.owner, candidate.type) != (before, "object"))
             or candidate.owner == instrument > 0
             or (is_wiped_up and candidate.type in ("location", "source"))
-            or _is_ruled_out(context, gap, candidate)
+            or (not settled and _is_ruled_out(context, gap, candidate))
         )
 
     return [candidate for candidate in context.pool if may_be(candidate)]
@@ -191,6 +193,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if gap.word not in _ELSEWHERE:
         return False
     if candidate.owner == gap.task.id and not candidate.mention:
+        return True
+    if is_of_other_gender(context.observed.document, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING

@@ -1,0 +1,226 @@
+"""Agreement: what gender, number and contrast settle of what a word refers to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.context import GROUPS, Context
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, WHOLE, Candidate
+
+_FEMALE = frozenset(
+    "wife mother mom mum mama mummy mommy daughter sister woman lady girl grandma granny gran nan grandmother aunt "
+    "auntie niece girlfriend granddaughter mrs ms miss mrs. ms.".split()
+)
+_MALE = frozenset(
+    "husband father dad papa daddy son brother man guy boy grandpa grandad granddad grandfather uncle nephew boyfriend "
+    "grandson gentleman waiter mr mr.".split()
+)
+_TITLES = frozenset("mrs mrs. ms ms. miss mr mr.".split())
+_PLACES = frozenset(("goal", "location", "source"))
+_ANY = frozenset(("a", "an", "one"))
+_SEVERAL = frozenset("and or every each any some all both no these those".split()) | WHOLE
+_GROUPS = frozenset(
+    "laundry washing furniture luggage cutlery crockery china family couple pair set team crew group staff stuff "
+    "delegation recycling rubbish trash shopping post mail cattle police".split()
+)
+"""Nouns in the singular for several."""
+_HANDLING = frozenset(("bringing", "placing"))
+_OUT_OF = frozenset((("out", "of"), ("empty", "of"), ("short", "of"), ("low", "on"), ("short", "on")))
+"""What stands before the thing of which there is too little."""
+_BEING_WITHOUT = frozenset("be 's \u2019s 're \u2019re run go".split())
+"""What is said with `_OUT_OF`, of which "take the milk out of the fridge" is none."""
+
+
+def meant(context: Context, gap: Gap) -> range:
+    """The words of the one phrase that a gap must refer to; empty where English leaves it open."""
+    return (
+        _own(context, gap)
+        or other_place(context, gap)
+        or _removed(context, gap)
+        or _lacked(context, gap)
+        or _somebody(context, gap)
+    )
+
+
+def is_of_other_gender(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "her" cannot mean a candidate because that is a man, or several people: "find *Alice and her brother*;
+    bring *him* the cap"."""
+    group = GROUPS.get(gap.word, "")
+    if group not in ("he", "she"):
+        return False
+    is_named = not candidate.mention
+    if is_named and any(document.tokens[i].lower == "and" for i in candidate.tokens):
+        return True
+    return _gender(document, candidate) not in ("", group)
+
+
+def _gender(document: Document, candidate: Candidate) -> str:
+    """The pronoun of a person as far as the noun, a title or "John and *his* wife" tells it."""
+    tokens = document.tokens
+    words = {tokens[candidate.head].lemma.lower()}
+    if not candidate.mention:
+        words |= {tokens[candidate.tokens.start].lower} & _TITLES
+        behind = [token.lower for token in tokens[candidate.tokens.stop : candidate.tokens.stop + 2]]
+        if tokens[candidate.head].pos == "PROPN" and behind[:1] == ["and"] and behind[1:] in (["his"], ["her"]):
+            return GROUPS[behind[1]]
+    return "she" if words & _FEMALE else "he" if words & _MALE else ""
+
+
+def _somebody(context: Context, gap: Gap) -> range:
+    """Of whom the condition is, or who was asked after, where somebody else was told or asked in between: "if *the
+    girl* is sad, ask Paul why and give *her* a tissue", "ask Jenny where *my brother* is and take *him* the cap"."""
+    group = GROUPS.get(gap.word, "")
+    if group not in ("he", "she") or gap.task.type not in _HANDLING:
+        return range(0)
+    before = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    if before is None or before.type != "informing":
+        return range(0)
+    document = context.observed.document
+    path = context.paths.get(gap.task.id, ())
+    checks = {path[-1][0]} if path and context.paths.get(before.id) == path else set()
+    messages = [document.indices(a.span) for a in before.arguments if a.type == "message" and a.span]
+    asked = [m for m in messages if document.tokens[m.start].lower == "where"]
+    is_helped = bool(messages) or gap.type == "object"
+    named = [
+        c
+        for c in context.pool
+        if not c.mention
+        and not c.shape.endswith("cut")
+        and _gender(document, c) == group
+        and not is_of_other_gender(document, gap, c)
+        and c.tokens.stop <= gap.position
+    ]
+    topics = [
+        c for c in named if (is_helped and c.owner in checks and c.type == "object") or _is_within(c.tokens, asked)
+    ]
+    told = [c for c in named if c.owner == before.id and c.type == "recipient"]
+    return topics[0].tokens if topics and not told else range(0)
+
+
+def _is_within(tokens: range, spans: Sequence[range]) -> bool:
+    return any(tokens.start in span and tokens[-1] in span for span in spans)
+
+
+def _own(context: Context, gap: Gap) -> range:
+    """What a word refers to in its own order: "take *Dana*'s phone from *her*", "*the box* and the pens in *it*"."""
+    document = context.observed.document
+    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object" and c.tokens.stop < gap.position]
+    if gap.type == "source" and gap.preposition == "from" and GROUPS.get(gap.word) in ("he", "she", "they"):
+        behind = (c for c in own if document.tokens[c.tokens.stop].tag == "POS" and not c.mention)
+        return next((c.tokens for c in behind if not is_of_other_gender(document, gap, c)), range(0))
+    whole = next((c.tokens for c in own if c.tokens.stop == gap.position - 1), range(0))
+    if gap.task.type != "taking" or gap.word != "it" or not gap.preposition or not whole:
+        return range(0)
+    first = range(whole.start, next((i for i in whole if document.tokens[i].lower == "and"), whole.start))
+    return first if any(c.tokens == first for c in own) else range(0)
+
+
+def other_place(context: Context, gap: Gap) -> range:
+    """The place with which another is in contrast: "take the pens from *the left drawer* and put them in *the right
+    one*", "move the chairs from *one room* to *the other*". Open where a thing might be what it is in contrast with."""
+    if gap.type not in _PLACES or not gap.preposition or not gap.tokens:
+        return range(0)
+    places = [
+        c
+        for c in context.pool
+        if c.type in _PLACES
+        and not c.mention
+        and c.shape in ("whole", "long", "short")
+        and c.tokens.stop <= gap.position
+        and c.owner in (gap.task.id, gap.task.id - 1)
+    ]
+    if not places:
+        return range(0)
+    last = places[-1]
+    others = (c for c in context.pool if c.type not in _PLACES and not c.mention and c.tokens.stop <= gap.position)
+    is_alone = not any(_is_in_contrast(context, gap, c) for c in others)
+    return last.tokens if is_alone and _is_in_contrast(context, gap, last) else range(0)
+
+
+def _is_in_contrast(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "the right one" or "another" may be of the kind of a phrase that itself says which one it is."""
+    tokens, colours = context.observed.document.tokens, context.observed.gazetteer.colours
+    words = [tokens[i].lower for i in gap.tokens]
+    first, inner = tokens[candidate.tokens.start], range(candidate.tokens.start + 1, candidate.head)
+    if tokens[candidate.head].tag in ("NNS", "NNPS"):
+        return False
+    if words == ["another"]:
+        return first.lower in _ANY
+    if words in (["the", "other"], ["the", "other", "one"]):
+        return first.lower in _ANY or first.lower == "this"
+    if len(words) != 3 or words[0] != "the" or words[2] != "one" or not inner:
+        return False
+    word = tokens[inner[-1]].lower
+    return word != words[1] and (word in colours) == (words[1] in colours)
+
+
+def _removed(context: Context, gap: Gap) -> range:
+    """What was taken off or out where it is put back on or in: "remove *the lid* from the jar, take a biscuit and put
+    *it* back on"."""
+    document = context.observed.document
+    behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 2]]
+    if gap.type != "object" or gap.word not in ("it", "them") or behind[:1] != ["back"]:
+        return range(0)
+    ways = {"on": ("off", "from"), "in": ("out", "from")}.get(behind[-1], ())
+    end = gap.tokens.stop + 2
+    is_whole = end >= len(document) or document.tokens[end].text in MARKS or document.tokens[end].lower == "and"
+    if not ways or not is_whole:
+        return range(0)
+    taken = [
+        c
+        for c in context.pool
+        if c.type == "object"
+        and c.task_type == "taking"
+        and c.owner < gap.task.id
+        and c.shape == "whole"
+        and not c.mention
+        and document.tokens[c.tokens.start].lower not in _ANY | {"some"}
+        and _is_taken(document, c, ways)
+    ]
+    is_plural = gap.word == "them"
+    taken = [c for c in taken if (document.tokens[c.head].tag == "NNS") == is_plural]
+    return taken[0].tokens if len(taken) == 1 else range(0)
+
+
+def _is_taken(document: Document, candidate: Candidate, ways: Sequence[str]) -> bool:
+    """Whether a thing was taken "off" or "out": the word stands behind it, or right ahead of it."""
+    tokens = document.tokens
+    stop = candidate.tokens.stop
+    return (stop < len(document) and tokens[stop].lower in ways) or tokens[candidate.tokens.start - 1].lower == ways[0]
+
+
+def _lacked(context: Context, gap: Gap) -> range:
+    """What there is too little of where some is asked for: "the printer is out of *toner*; get *some*"."""
+    tokens = context.observed.document.tokens
+    if gap.type != "object" or [tokens[i].lower for i in gap.tokens] != ["some"]:
+        return range(0)
+    pairs = [(one.lower, other.lower) for one, other in pairwise(tokens[: gap.position])]
+    at = next((i for i in range(len(pairs) - 1, -1, -1) if pairs[i] in _OUT_OF), None)
+    if at is None or tokens[at].head >= at or tokens[tokens[at].head].lemma not in _BEING_WITHOUT:
+        return range(0)
+    named = [c for c in context.pool if c.tokens.start == at + 2 and c.tokens.stop <= gap.position]
+    return min((c.tokens for c in named if "cut" not in c.shape), key=len, default=range(0))
+
+
+def pair_meant(context: Context, gap: Gap, pairs: Sequence[Candidate]) -> Candidate | None:
+    """The two single things that "them" must mean together, where nothing in the plural was named: "get the flour. Get
+    the sugar too. Bring *them* here"; None where English leaves it open."""
+    document = context.observed.document
+    if gap.word not in ("them", "both") or gap.type != "object" or len(gap.tokens) != 1 or len(pairs) != 1:
+        return None
+    named = [c for c in context.pool if not c.mention and c.tokens.stop <= gap.position]
+    objects = {c.tokens.start for c in named if c.type == "object"}
+    is_open = any(_is_of_several(document, c) for c in named)
+    return pairs[0] if len(objects) == 2 and not is_open else None
+
+
+def _is_of_several(document: Document, candidate: Candidate) -> bool:
+    """Whether a phrase may be "them" by itself: a plural, a list, "everyone", "every lamp", "some milk", a group."""
+    tokens = document.tokens
+    words = {tokens[i].lower for i in candidate.tokens}
+    # by the letter, too: tags may take a plural for a verb ("the cereal bowls")
+    is_plural = any(word.endswith("s") and not word.endswith(("ss", "us")) for word in words)
+    return is_plural or not words.isdisjoint(_SEVERAL) or tokens[candidate.head].lemma in _GROUPS | PERSON_NOUNS

@@ -1,0 +1,51 @@
+"""What gender, number and contrast settle of what a word refers to."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "kind", "meant"),
+    [
+        # who is spoken of, not who was asked in between
+        ("If the lady is upset, ask Mark what happened and bring her a towel.", "recipient", "the lady"),
+        ("If grandpa is thirsty, ask Julia where the juice is and bring him a bottle.", "recipient", "grandpa"),
+        ("Ask Hannah where my uncle is and take him the hat.", "recipient", "my uncle"),
+        ("If the window is open, ask Paul what happened and give him a towel.", "recipient", "Paul"),
+        # one person, of the gender that a title or kin tells
+        ("Find Peter and his wife and give him the parcel.", "recipient", "Peter"),
+        ("If Mrs. Green is in the hall with Mr. Stone, hand him the key.", "recipient", "Mr. Stone"),
+        ("If Mr. Green is in the hall, hand him the key.", "recipient", "Mr. Green"),
+        # two single things together, but not beside a plural
+        ("Get the butter. Get the bread too. Bring them here.", "object", "the butter and the bread"),
+        ("Rinse the melon, peel the mango and put them in the bowl.", "object", "the melon and the mango"),
+        ("Take the knife from the drawer, get the forks and wash them.", "object", "the forks"),
+        # another place
+        ("Take the hats out of the left drawer and put them in the right one.", "goal", "the right drawer"),
+        ("Take the coats off the metal hook and hang them on the wooden one.", "goal", "the wooden hook"),
+        ("Move the books from one shelf to the other.", "goal", "the other shelf"),
+        ("Put the beans in a pot and put the corn in another.", "goal", "another pot"),
+        ("Take the clean towel from the rack and put the wet one in the washer.", "object", "the wet towel"),
+        # within one order
+        ("Take Mia's tablet from her.", "source", "Mia"),
+        ("Take the tray and put the cups on it.", "goal", "the tray"),
+        # back where it was
+        ("Remove the lid from the pan, take out a sausage and put it back on.", "object", "the lid"),
+        ("Take the picture out of the frame, wipe the glass and put it back in.", "object", "the picture"),
+        ("Take the milk out of the fridge, get a cup and put it back on the shelf.", "object", "a cup"),
+        # what is lacking
+        ("The stapler is out of staples; get some.", "object", "staples"),
+        ("My mug is empty of tea; bring me some.", "object", "tea"),
+    ],
+)
+def test_gender_number_and_contrast_say_what_is_meant(text: str, kind: str, meant: str, encoder: bool) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value(kind) == meant
+
+
+def test_what_is_in_the_first_of_two_things_is_told_by_it() -> None:
+    told = Interpreter.load(encoder=True).interpret("Pick up the basket and the apples in it.")
+    assert told.tasks[-1].value("source") == "the basket"
