@@ -484,3 +484,21 @@ def test_what_is_said_again_is_of_one_type() -> None:
         "[Mop](1:change_state) [the hall](1:object), [go](2:motion) [out](2:goal), and [mop](3:change_state) it."
     )
     assert stated_sides(found, ("task", "task", "again"), ("top", "top", "<1")) == ("top", "top", "<2")
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("but if [the soil](3:object) [is](3:check_state) [wet](3:state), leave it", (">1-", ">1-", "top")),
+        ("and if [the soil](3:object) [is](3:check_state) [wet](3:state) dont bother", (">1-", ">1-", "top")),
+        ("but if [Tom](3:object) [is](3:check_state) [asleep](3:state), let him sleep", (">1-", ">1-", "top")),
+        ("if [the soil](3:object) [is](3:check_state) [wet](3:state), otherwise leave it", (">1+", ">1+", "top")),
+        ("and if [it](3:object) wo n't [start](3:check_state), leave it", (">1+", ">1+", "top")),
+        ("and if [Tom](3:object) [is](3:check_state) [asleep](3:state), good", (">1+", ">1+", "top")),
+    ],
+)
+def test_what_is_called_off_in_a_case_is_done_in_the_other(words: str, expected: tuple[str, ...]) -> None:
+    found = clauses(
+        f"[Rake](1:change_state) [the path](1:object) and [dig](2:change_state) [the bed](2:object), {words}."
+    )
+    assert stated_sides(found, ("task", "task", "condition"), (">1+", ">1+", "top")) == expected

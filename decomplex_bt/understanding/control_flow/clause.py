@@ -93,6 +93,8 @@ class Clause:
     opening: tuple[str, ...] = ()
     """The cues ahead of its verb but for those that say nothing of other clauses ("or somebody is *still* in"), or are
     of what is said in the clause before ("unless it's *after* ten or somebody is in")."""
+    calls_off: bool = False
+    """Whether all that is said to be done in its case is to leave what was ordered: "but if it's wet, *leave it*"."""
     is_had_done: bool = False
     """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
 
@@ -172,6 +174,14 @@ class Clause:
             order.task.type == "bringing" and self.is_check and self.names_same(order)
         )
         return are_two and is_of_it and not is_prepared
+
+    def is_case_against(self, order: Clause) -> bool:
+        """Whether it calls off the order before it in a case that does not come about through that: "mow the lawn, but
+        if it's wet, leave it", not "turn it on, and if it won't start, leave it"."""
+        is_gone = self.wording.is_contrary and (self.names_same(order) or not self.objects)
+        is_outcome = self.says_undone or self.says_named_undone or is_gone or "fail" in self.near
+        is_plain = self.is_check and not is_outcome and not self.comes_through(order) and not self.wording.is_echo
+        return self.calls_off and is_plain and order.task.type in _CALLED_OFF and not order.is_forbidden
 
     @property
     def needed(self) -> frozenset[str]:
@@ -367,6 +377,8 @@ _WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge free
 _ENDING = frozenset("finish end stop boil beep".split())
 _USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
 """States that tell whether somebody is there."""
+_CALLED_OFF = frozenset("taking placing bringing change_state".split())
+"""The types of orders that may be called off: not what is looked for, asked or waited for."""
 _HANDING = frozenset(("bringing", "informing"))
 _MISSING = frozenset(("missing", "gone", "lost"))
 _NO_THINGS = frozenset("none one some any drop".split())

@@ -9,7 +9,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause, MarkedTask
 from decomplex_bt.understanding.control_flow.denials import WILLING, negations
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, head_of, nobody
@@ -33,6 +33,18 @@ _NONE_OF_IT = frozenset(
 _STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _INNER = frozenset(("still", "not", "can", "there", "also"))
+_OPENERS = frozenset(("if", "when"))
+_LEAVING = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "leave it", "leave that", "leave them", "leave him", "leave her", "skip it", "skip that", "skip them",
+        "forget it", "forget about it", "forget that", "never mind", "nevermind", "do not", "dont", "do not bother",
+        "dont bother", "do not do it", "do not do that", "hold off", "let it be", "let them be", "do it later",
+        "do that later", "give it a miss", "no need",
+    )
+)  # fmt: skip
+"""What says that something is not to be done, in the normal form of cues."""
+_AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
@@ -214,8 +226,32 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             for cue in stretch.cues
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
+        calls_off=task.type == "check_state" and _calls_off(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
     )
+
+
+def _calls_off(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
+    """Whether the words behind a condition, up to the next task in its sentence, begin with a "leave it" or the like,
+    or behind a "but" with a "let him" or a "wait"."""
+    if _OPENERS.isdisjoint(leading):
+        return False
+    tokens, sentence = document.tokens, document.sentences[token]
+    words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
+    for i in range(1, len(words)):
+        if words[i - 1] in _OTHERWISE:
+            return False
+        said = next((phrase for phrase in _LEAVING if tuple(words[i : i + len(phrase)]) == phrase), None)
+        if said is not None:
+            rest = words[i + len(said) : i + len(said) + 1]
+            return not rest or rest[0] in _PUNCTUATION or rest[0] in _AFTER_LEAVING
+        if "but" in leading and words[i - 1] in _PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
+            return True
+    return False
+
+
+def _is_letting(words: Sequence[str]) -> bool:
+    return len(words) == 3 and words[0] == "let" and words[1] in _PERSONS | _ITS
 
 
 def _is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:

@@ -12,7 +12,7 @@ from decomplex_bt.understanding.control_flow.clauses import last_named
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat):
+    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     return tuple(stated)
@@ -102,3 +102,9 @@ def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "task"
     if roles[k] == "task" and any(roles[j] == "task" and clauses[k].repeats(clauses[j]) for j in range(k)):
         roles[k] = "again"
+
+
+def _call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells in which case an order is not to be carried out is a condition."""
+    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].is_case_against(clauses[k - 1]):
+        roles[k] = "condition"

@@ -51,6 +51,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _withhold,
             _go_ahead,
             _stand_alone,
+            _call_off,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -372,6 +373,23 @@ def _stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
             return
         is_of_it = order.task.type == "motion" or (clause.has_pronoun and not check.is_guard_of(order))
         sides[j] = _HOLDS if is_of_it and clause.task.type != "motion" else "top"
+
+
+def _call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is called off in a case is done in the other ("mow the lawn, but if it's wet, leave it"), and so are the
+    orders that are joined to it."""
+    if roles[k] != "condition" or roles[k - 1] != "task" or not clauses[k].is_case_against(clauses[k - 1]):
+        return
+    if sides[k - 1] not in ("top", ">1+", ">1-") or sides[k] not in ("top", _HOLDS):
+        return
+    if k > 1 and roles[k - 2] in CONDITION_ROLES and clauses[k - 2].sentence == clauses[k - 1].sentence:
+        return  # what hangs on another condition already
+    for j in range(k - 1, -1, -1):
+        is_joined = j == k - 1 or (clauses[j].sentence == clauses[k - 1].sentence and sides[j] == ">1+")
+        if roles[j] != "task" or not is_joined:
+            break
+        sides[j] = ">1-"
+    sides[k] = "top"
 
 
 def _hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
