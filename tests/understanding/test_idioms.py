@@ -235,3 +235,24 @@ def test_to_leave_and_no_more_is_to_go_away(text: str) -> None:
 def test_to_leave_something_or_as_others_do_is_not_to_go_away(text: str) -> None:
     tasks = Interpreter.load().interpret(text).tasks
     assert "motion" not in [task.type for task in tasks]
+
+
+@pytest.mark.parametrize(
+    ("text", "state"),
+    [
+        ("Look at the kettle; if cold, switch it on.", "cold"),
+        ("look in the sink if still full call me", "full"),
+        ("Wipe the shelf unless wet.", "wet"),
+    ],
+)
+def test_a_condition_may_be_no_more_than_a_state(parser: Parser, text: str, state: str) -> None:
+    read = parser.parse(text)
+    orders = {token.i: "informing" for token in read.tokens if token.lower == "call"}
+    assert [read.tokens[i].lower for i, kind in idiomatic(read, orders).items() if kind == "check_state"] == [state]
+
+
+@pytest.mark.parametrize("text", ["Tell Ann if free.", "Use the dry cloth if wet ones are there.", "Come if possible."])
+def test_what_only_looks_like_a_bare_state_is_none(parser: Parser, text: str) -> None:
+    read = parser.parse(text)
+    orders = {token.i: "informing" for token in read.tokens if token.lower == "tell"}
+    assert "check_state" not in idiomatic(read, orders).values()

@@ -502,3 +502,20 @@ def test_what_is_called_off_in_a_case_is_done_in_the_other(words: str, expected:
         f"[Rake](1:change_state) [the path](1:object) and [dig](2:change_state) [the bed](2:object), {words}."
     )
     assert stated_sides(found, ("task", "task", "condition"), (">1+", ">1+", "top")) == expected
+
+
+@pytest.mark.parametrize(
+    ("joint", "place", "expected"),
+    [
+        (", but", "at lunch", ("top", "<1+", "<1-", "<1+")),
+        (", and", "at lunch", ("top", ">1-", "<1+", "<1+")),
+        (", but", "in the office", ("top", ">1-", "<1+", "<1+")),
+    ],
+)
+def test_who_is_elsewhere_is_not_where_they_were_looked_for(joint: str, place: str, expected: tuple[str, ...]) -> None:
+    found = clauses(
+        f"If [Ann](1:object) [is](1:check_state) [in the office](1:location), [ring](2:informing) [her](2:recipient)"
+        f"{joint} if [she](3:object)['s](3:check_state) [{place}](3:location), [write](4:informing) [her](4:recipient)."
+    )
+    roles = ("condition", "task", "condition", "task")
+    assert stated_sides(found, roles, ("top", ">1-", "<1+", "<1+")) == expected

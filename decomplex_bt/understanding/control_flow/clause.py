@@ -175,6 +175,13 @@ class Clause:
         )
         return are_two and is_of_it and not is_prepared
 
+    def is_elsewhere_than(self, first: Clause) -> bool:
+        """Whether it asks if who or what the other looks for is in another place."""
+        is_of_them = self.names_same(first) or (self.has_pronoun and not self.objects)
+        are_places = self.is_of_whereabouts and first.is_of_whereabouts and bool(self.places) and bool(first.places)
+        are_stated = not self.wording.is_negated and not first.wording.is_negated
+        return is_of_them and are_places and are_stated and self.places.isdisjoint(first.places)
+
     def is_case_against(self, order: Clause) -> bool:
         """Whether it calls off the order before it in a case that does not come about through that: "mow the lawn, but
         if it's wet, leave it", not "turn it on, and if it won't start, leave it"."""

@@ -52,6 +52,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _go_ahead,
             _stand_alone,
             _call_off,
+            _exclude,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -390,6 +391,20 @@ def _call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
             break
         sides[j] = ">1-"
     sides[k] = "top"
+
+
+def _exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
+    give it to her, but if she's at lunch, ...")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    if not {"but", "if"} <= {*clause.far, *clause.near} or not clause.is_elsewhere_than(clauses[first]):
+        return
+    if sides[k] in (_HOLDS, "top") and all(sides[j] in (_HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
+        sides[first + 1 : k] = [_HOLDS] * (k - first - 1)
+        sides[k] = _FAILS
 
 
 def _hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:

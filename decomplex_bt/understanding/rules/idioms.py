@@ -7,7 +7,7 @@ from itertools import takewhile
 from typing import NamedTuple
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
@@ -43,6 +43,8 @@ _WITHOUT_MORE = frozenset("again quietly silently immediately at once now please
 _BEFORE_ORDERS = frozenset("and then just please simply".split())
 _CASES = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
+_DEGREES = frozenset("still too already really quite very not completely".split())
+_NO_TERSE_STATES = frozenset("able possible necessary sure".split())
 _ITS = frozenset(("it", "them"))
 _AWAITING = frozenset(("before", "until", "till"))
 _HAVE = frozenset(("has", "have"))
@@ -62,7 +64,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing,
     "leave" in "empty the bin and leave" motion, "open" in "if it's the plumber open for him" an order.
     """
-    checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks)
+    checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks) | _terse(document, tasks)
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     checks |= _identities(document, tasks)
     orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
@@ -87,6 +89,23 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         and tokens[i + 2].lemma in WEATHER
         and not _is_told(document, tasks, i)
     )
+
+
+def _terse(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The states of conditions that are no more than one: "if *hot*, turn it off", "if still *damp* hang it up"."""
+    tokens, found = document.tokens, set()
+    for i, token in enumerate(tokens[:-1]):
+        if token.lower not in ("if", "unless") or _is_told(document, tasks, i):
+            continue
+        at = i + 1
+        while at + 1 < len(tokens) and tokens[at].lower in _DEGREES:
+            at += 1
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        is_state = tokens[at].lower in OPPOSITES and tokens[at].lower not in _NO_TERSE_STATES
+        is_alone = after is None or after.lower in MARKS or tasks.get(after.i, "check_state") != "check_state"
+        if is_state and is_alone and at not in tasks:
+            found.add(at)
+    return frozenset(found)
 
 
 def _absences(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
