@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.random import Generator
 
-from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.domain.loader import Domain, is_folder, load_domain
 from decomplex_bt.envs.opening import can_be_asked
 from decomplex_bt.envs.options import read_house
 from decomplex_bt.envs.reach import check_access
@@ -41,7 +41,9 @@ class Home:
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
         check_skills(self.base)
         self.house: tuple[str | None, int | None] = path, self.seed
-        if isinstance(domain, Path):  # a shipped one is in order, as a test knows: no first episode waits for this
+        if not isinstance(domain, Domain) and is_folder(
+            domain
+        ):  # a shipped one is in order, as a test knows: no first episode waits for this
             check_access(self.base, self.base.folder / "house.yaml")
         self._residence = Residence(self.base, path=path, size=size)
         self._settle(self._residence.domain(self.seed))

@@ -252,13 +252,12 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
         raise InputError(f"states is {wanted!r}; expected a mapping of an entity to a state or several")
     pairs = geometry.kinds.state_pairs.values()
     all_states = tuple(value for pair in pairs for value in pair.values)
+    names = (*geometry.names[: geometry.place_count], *(geometry.names[row] for row in geometry.thing_rows))
     states: dict[str, tuple[str, ...]] = {}
     for name, value in wanted.items():
         key = f"states.{name}"
         values = (value,) if isinstance(value, str) else several(key, value, "a state or a list of them")
-        states[known("states", name, geometry.names)] = chosen = tuple(
-            known(key, state, all_states) for state in values
-        )
+        states[known("states", name, names)] = chosen = tuple(known(key, state, all_states) for state in values)
         for pair in pairs:
             if set(pair.values) <= set(chosen):
                 raise InputError(f"states: {name} cannot be both {' and '.join(pair.values)}; give one of them")

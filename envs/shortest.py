@@ -7,12 +7,15 @@ something can be done:
 - to take, put, switch, open, fill, ...: within reach of the place (of the spot, on a floor), in its room;
 - to speak, to hand over, to fetch somebody who leads the way: within earshot of where the person stood at first;
 - to be at a place: within 1 m of it; to be in a room: anywhere in it;
-- to find something out: where it is in range and in line of sight, through open doors, whatever the heading. One of
-  several that a phrase means is enough; what is not there is looked for wherever the task says.
+- to find something out: where it is in range and in line of sight, through open doors, whatever the heading. Of
+  several that a phrase means as many are seen as it takes to know; what is not there is looked for wherever the task
+  says.
 
 Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do.
-What holds already needs no stop. The path is sought on a grid and then drawn tight, so that a drive that cuts corners
-finer may come out some centimetres shorter; divide by the longer of the two, as SPL does.
+Where all are meant there is a stop for each ("the kitchen and the study", "everybody"), from near to far. Whoever leads
+the way nowhere in particular is only met. What holds already needs no stop. The path is sought on a grid and then drawn
+tight, so that a drive that cuts corners finer may come out some centimetres shorter; divide by the longer of the two,
+as SPL does.
 """
 
 from __future__ import annotations
@@ -82,15 +85,15 @@ class ShortestPath:
         stops: list[Mask] = []
         for task, truth in tasks:
             if truth or task.type in FINDING_OUT:
-                stops.extend(stop for stop in self._stops(task, bindings) if stop.any())
+                stops.extend(stop for stop in self._stops(task, bindings, truth) if stop.any())
         x, y = self._start.position[self._geometry.robot_row].tolist()
         return _through(self._plan, (x, y), stops)
 
     # -- the stops of a task ------------------------------------------------------------------------------------------
 
-    def _stops(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
+    def _stops(self, task: GroundTask, bindings: Bindings, truth: bool) -> Iterator[Mask]:
         if task.type in FINDING_OUT:
-            yield from self._finding_out(task, bindings)
+            yield from self._finding_out(task, bindings, truth)
             return
         if task.type == "change_state":
             for name in _names(task.objects, bindings):
@@ -99,21 +102,36 @@ class ShortestPath:
         for group in _groups(task.objects, bindings):
             yield from self._fetch(group, task.type)
         if task.type == "informing":
-            yield from (self._any(candidates(person, bindings), self._use) for person in task.recipients)
+            yield from (self._any(group, self._use) for group in _groups(task.recipients, bindings))
+        elif task.type == "motion" and task.target is not None:
+            yield from self._in_turn([self._any(g, self._arrival) for g in _groups((task.target,), bindings)])
         elif task.target is not None and task.type != "taking":
             targets = candidates(task.target, bindings)
-            yield self._any(targets, self._arrival if task.type == "motion" else self._use)
+            yield self._any(targets, self._use)
             self._put(task, targets, bindings)
 
-    def _finding_out(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
-        """To where the things are seen; where they are not, to where the places asked about are seen."""
+    def _finding_out(self, task: GroundTask, bindings: Bindings, truth: bool) -> Iterator[Mask]:
+        """To where the things are seen; where they are not, to where all places asked about are seen.
+
+        That any one of several is in a state is known from that one, that none is from all of them; that all are from
+        all, that not all are from one.
+        """
         asks_value = task.state is not None and task.state != HERE
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
         if found and (asks_value or not task.places or self._is_there(found[0], task.places, bindings)):
-            yield from (self._any(candidates(thing, bindings), self._view) for thing in task.objects)
+            for thing in task.objects:
+                among = candidates(thing, bindings)
+                are_all = needed(thing, among) >= len(among)
+                groups = [among] if not asks_value or are_all != truth else [(name,) for name in among]
+                yield from self._in_turn([self._any(group, self._view) for group in groups])
             return
-        for group in _groups(task.places, bindings):
-            yield self._any(group, self._view)
+        yield from self._in_turn([self._view(name) for name in _names(task.places, bindings)])
+
+    def _in_turn(self, stops: Sequence[Mask]) -> list[Mask]:
+        """Stops that may be made in any order, from near to far."""
+        x, y = self._start.position[self._geometry.robot_row].tolist()
+        gaps = np.hypot(self._plan.cell_x - x, self._plan.cell_y - y)
+        return sorted((stop for stop in stops if stop.any()), key=lambda stop: float(gaps[stop].min()))
 
     def _change(self, name: str, value: str | None) -> Iterator[Mask]:
         """To the place whose state is changed; with a thing first to it, then to what changes it."""

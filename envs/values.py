@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from math import isfinite
 from numbers import Integral, Real
@@ -54,8 +54,8 @@ def known(name: str, value: Any, choices: Sequence[str]) -> str:
 
 
 def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
-    """What a list, or anything else to go through but a text, holds."""
-    is_scalar = isinstance(value, str | bytes) or (isinstance(value, np.ndarray) and not value.shape)
+    """What a list, or anything else to go through but a text or a mapping, holds."""
+    is_scalar = isinstance(value, str | bytes | Mapping) or (isinstance(value, np.ndarray) and not value.shape)
     if isinstance(value, Iterable) and not is_scalar:
         return tuple(value)
     raise InputError(f"{name} is {value!r}; expected {expected}")

@@ -76,19 +76,21 @@ class TreeAgent:
         """Begins an episode: understands `info["instruction"]`, grounds it and compiles the tree.
 
         Raises `InputError` for an instruction without a known task, `UnknownWordError`, `ImpossibleGoalError` and
-        `MissingArgumentError` for what cannot be grounded in this house.
+        `MissingArgumentError` for what cannot be grounded in this house; the agent then stays as it was.
         """
-        self.instruction = self._gold or self._understand(str(info["instruction"]))
-        if not self.instruction.tasks:
+        instruction = self._gold or self._understand(str(info["instruction"]))
+        if not instruction.tasks:
             known = self._body.domain.ontology.task_types.values()
             raise InputError(
-                f"{self.instruction.text!r} holds no task that this robot knows; it can "
+                f"{instruction.text!r} holds no task that this robot knows; what it does: "
                 f"{', '.join(kind.description.split(',')[0] for kind in known)}"
             )
-        self.grounded: GroundInstruction = ground(self.instruction, self._body.domain, ask=self._ask)
+        grounded = ground(instruction, self._body.domain, ask=self._ask)
+        self.compiled = compile_instruction(instruction, grounded, self._body.domain)
+        self.instruction: Instruction = instruction
+        self.grounded: GroundInstruction = grounded
         self._body.reset(observation)
         self._session = Session(self._body, Belief(self._body.domain), self._planner)
-        self.compiled = compile_instruction(self.instruction, self.grounded, self._body.domain)
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)
         self._has_finished = self._has_concluded = False

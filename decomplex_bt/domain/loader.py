@@ -77,22 +77,27 @@ class Domain:
 
 
 def load_domain(domain: str | Path = "household") -> Domain:
-    """The domain of this name among those shipped, or the one in this folder.
+    """The domain of this name among those shipped, or the one in this folder: a path, or a text with a slash.
 
     Raises `DataFileError` where a file is missing or broken, or where two files do not fit; `InputError` for an
     unknown name.
     """
-    if isinstance(domain, Path):
-        return _read(domain.resolve())
+    if is_folder(domain):
+        return _read(Path(domain).resolve())
     shipped = Path(str(files("decomplex_bt.domains")))
     folder = shipped / domain
     if not (folder / "ontology.yaml").is_file():
         known = sorted(path.parent.name for path in shipped.glob("*/ontology.yaml"))
         raise InputError(
             f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder, written with a slash "
-            f"as in ./{Path(domain).name} (in Python: a Path)"
+            f"as in ./{Path(domain).name} (in Python also a Path)"
         )
     return _read(folder.resolve())
+
+
+def is_folder(domain: str | Path) -> bool:
+    """Whether a domain is said by its folder, not by the name of a shipped one."""
+    return isinstance(domain, Path) or Path(domain).name != domain
 
 
 def _read(folder: Path) -> Domain:

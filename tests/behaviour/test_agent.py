@@ -163,6 +163,16 @@ def test_an_instruction_without_a_task_or_with_an_unknown_thing_is_bad_input():
             agent.reset({}, {"instruction": instruction.text})
 
 
+def test_an_agent_that_refuses_an_instruction_stays_as_it_was():
+    env = make_env()
+    observation, info = env.reset(seed=0, options={"instruction": "Close the fridge."})
+    agent = decomplex_bt.TreeAgent(env)
+    agent.reset(observation, info)
+    with pytest.raises(UnknownWordError):
+        agent.reset(observation, {"instruction": "Bring me the unicorn."})
+    assert agent.instruction.text == agent.grounded.text == "Close the fridge."
+
+
 def test_a_recorder_writes_down_what_changes():
     env = make_env()
     instruction = EXAMPLES["go"].instruction

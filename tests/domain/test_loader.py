@@ -95,3 +95,10 @@ def test_a_folder_is_read_anew_when_a_file_of_it_was_edited(folder: Path) -> Non
 def test_an_unknown_domain_names_the_known_ones() -> None:
     with pytest.raises(InputError, match=r"'hospital'.*household"):
         load_domain("hospital")
+
+
+def test_a_folder_may_be_a_text_with_a_slash(tmp_path: Path) -> None:
+    with pytest.raises(DataFileError):
+        load_domain(f"{tmp_path}/")
+    folder = load_domain("household").folder
+    assert load_domain(str(folder)).folder == folder

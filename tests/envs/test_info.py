@@ -245,3 +245,37 @@ def test_a_straight_way_is_as_long_as_it_is():
     env._episode.start.position[-1] = 8.4, 4.5
     env.world._robot.position = 8.4, 3.5
     assert env.step(REST)[4]["shortest_length"] == pytest.approx(0.6, abs=0.08)
+
+
+PEOPLE = {"anna": "bedroom", "tom": "study", "guest": "kitchen", "relative": None}
+WINDOWS = {name: "closed" for name in load_domain("household").house.furniture if "window" in name}
+
+
+@pytest.mark.parametrize(
+    ("text", "flow", "options"),
+    [
+        ("[Go](1:motion) [to the kitchen and the study](1:goal).", [1], {}),
+        ("[Tell](1:informing) [everybody](1:recipient) [that it is late](1:message).", [1], {"people": PEOPLE}),
+        (
+            "If [any window](1:object) [is](1:check_state) [open](1:state), [close](2:change_state) "
+            "[it](2:object=any window).",
+            [{"if": 1, "then": [2]}],
+            {"states": WINDOWS},
+        ),
+        (
+            "If [the keys](1:object) [are](1:check_state) [on the table](1:location), [go](2:motion) "
+            "[to the study](2:goal).",
+            [{"if": 1, "then": [2]}],
+            {"placement": {"keys": None}},
+        ),
+    ],
+)
+def test_where_all_are_meant_each_is_a_stop(text, flow, options):
+    env = HouseholdEnv(markup(text, flow))
+    observation, info = env.reset(seed=0, options={"chance": False, **options})
+    oracle = env.policy("oracle")
+    oracle.reset(observation, info)
+    while not (info["is_success"] or oracle.done):
+        observation, *_, info = env.step(oracle.act(observation))
+    assert info["is_success"]
+    assert 0.4 * info["path_length"] < info["shortest_length"] <= info["path_length"] + 0.2
