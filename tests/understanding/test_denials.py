@@ -32,6 +32,8 @@ def test_a_statement_with_a_tag_asks_whether_it_is_so() -> None:
     [
         ("If [the door](1:object) [is](1:check_state)n't [locked](1:state), [lock](2:change_state) it.", True),
         ("If there [is](1:check_state) no [milk](1:object), [bring](2:bringing) [tea](2:object).", True),
+        ("If [she](1:object) [says](1:check_state) [no](1:state), [take](2:taking) [it](2:object) away.", False),
+        ("If [she](1:object) [says](1:check_state) no [milk](1:state) is left, [buy](2:taking) some.", True),
         ("If nothing [is](1:check_state) [in the oven](1:location), [clean](2:change_state) [it](2:object).", True),
         ("If no [cup](1:object) [is](1:check_state) [clean](1:state), [wash](2:change_state) one.", True),
         ("[Ring](1:informing) Ann. If there['s](2:check_state) no [answer](2:object), [ring](3:informing) Tom.", True),

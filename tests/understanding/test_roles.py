@@ -421,3 +421,21 @@ def test_a_further_case_for_what_an_if_not_opens_is_joined(joint: str, expected:
     assert roles[2] == expected
     sides = stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))
     assert sides[2] == ("<1-" if expected == "or" else "<1+")
+
+
+def test_yes_and_no_are_the_sides_of_an_answer() -> None:
+    found = clauses(
+        "[Ask](1:informing) [Lea](1:recipient) [if she wants soap](1:message). If [she](2:object) [says](2:check_state) "
+        "[yes](2:state), [bring](3:bringing) some, and if [she](4:object) [says](4:check_state) [no](4:state), "
+        "[go](5:motion)."
+    )
+    stated = stated_roles(found, ("task", "condition", "task", "condition", "task"))
+    assert stated == ("task", "condition", "task", "mention", "task")
+
+
+def test_an_answer_is_no_mention_of_the_question() -> None:
+    asked = clauses(
+        "[Ask](1:informing) [Lea](1:recipient) [if she is in](1:message); if [she](2:object) "
+        "[answers](2:check_state) no, [go](3:motion)."
+    )
+    assert stated_roles(asked, ("condition", "mention", "task")) == ("task", "condition", "task")

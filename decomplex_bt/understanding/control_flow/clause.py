@@ -217,6 +217,11 @@ class Clause:
         return is_answer and is_of_things and (self.is_of_person or is_of_them)
 
     @property
+    def says_answer(self) -> bool:
+        """Whether it says that somebody answers yes, or no."""
+        return self.is_check and self.wording.state in _ANSWERS
+
+    @property
     def may_be_of_person(self) -> bool:
         """Whether it names somebody, or something that may be a person's name."""
         return not self.number and any(kind == "object" for kind, _ in self.task.arguments)
@@ -239,7 +244,8 @@ class Clause:
         is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
         is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
         is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
-        return self.is_check and first.is_check and is_turned and self.names_same(first)
+        is_same = self.names_same(first) or (self.says_answer and self.is_of_somebody)
+        return self.is_check and first.is_check and is_turned and is_same
 
     @property
     def is_trailing(self) -> bool:
@@ -374,6 +380,7 @@ _NEEDED = {
     for verb in verbs.split()
 }  # fmt: skip
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
+_ANSWERS = frozenset(("yes", "no"))
 _IFS = frozenset(("if", "unless", "only_if"))
 _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause, MarkedTask
-from decomplex_bt.understanding.control_flow.denials import WILLING, negations
+from decomplex_bt.understanding.control_flow.denials import WILLING, is_answer, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
@@ -33,6 +33,7 @@ _NONE_OF_IT = frozenset(
 _STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
 _PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _INNER = frozenset(("still", "not", "can", "there", "also"))
+_OTHER_ANSWER = {"yes": "no", "no": "yes"}
 _OPENERS = frozenset(("if", "when"))
 _LEAVING = tuple(
     tuple(phrase.split())
@@ -406,7 +407,7 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
     return Wording(
         is_denied != ("unless" in near),
         state,
-        OPPOSITES.get(state) if state else None,
+        OPPOSITES.get(state, _OTHER_ANSWER.get(state)) if state else None,
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
@@ -444,6 +445,8 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
         return tokens[said].lower
     if task.type != "check_state" or degree_asked(observed.document, task.token):
         return None
+    if task.token < last and is_answer(observed.document, task.token + 1):
+        return tokens[task.token + 1].lower
     for j in range(min(task.token, last), last + 1):
         governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
         if tokens[j].lower in OPPOSITES and not governs and tokens[j].tag not in ("VB", "VBP", "VBZ", "VBD"):

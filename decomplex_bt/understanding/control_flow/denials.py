@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, PRO_FORMS
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.asides import tag_question
 
@@ -16,6 +16,7 @@ _STATING = frozenset(
 _ASKING = frozenset("please just kindly then now maybe go can could would will you".split())
 """What may stand ahead of the verb of an order."""
 _NO_ORDERS = frozenset("to i we they he she who that which and or but not n't n\u2019t nor".split())
+_ANSWERING = frozenset(("say", "answer", "reply"))
 _LETTING = frozenset(("let", "make", "help"))
 _DENYING = frozenset("no not n't n\u2019t".split())
 
@@ -27,7 +28,9 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     if last + 2 < len(document) and tag_question(document, last + 2) is not None:
         return []  # "the light isn't on, is it?" asks whether it is
     found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
-    found = [i for i in found if not _is_polite(document, i) and _is_of(document, i, task, last)]
+    found = [
+        i for i in found if not (_is_polite(document, i) or is_answer(document, i)) and _is_of(document, i, task, last)
+    ]
     if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
         found = [i for i in found if document.tokens[i].lower != "nor"]
     # "if there is no answer" is a cue for a failure, but its verb may be a task as well
@@ -36,6 +39,14 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     if any(document.tokens[i].lower == "there" for i in said):
         found += [i for i in said if document.tokens[i].lower in _DENYING and i not in found]
     return found
+
+
+def is_answer(document: Document, i: int) -> bool:
+    """Whether a "yes" or "no" is what somebody says: "if she says no"."""
+    tokens = document.tokens
+    after = tokens[i + 1 : i + 2]
+    is_all = not after or after[0].text in MARKS or after[0].tag not in ("NN", "NNS", "JJ", "DT", "PRP$")
+    return tokens[i].lower in ("yes", "no") and i > 0 and tokens[i - 1].lemma in _ANSWERING and is_all
 
 
 def _is_of(document: Document, negation: int, task: int, last: int) -> bool:

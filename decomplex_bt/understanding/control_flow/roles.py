@@ -89,7 +89,10 @@ def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What tells how somebody answered is no mention of a condition before the question."""
+    """What tells how somebody answered is no mention of a condition before the question; and "if he says no" none of
+    the question."""
+    if clauses[k].says_answer and clauses[k - 1].question and roles[k - 1 : k + 1] == ["condition", "mention"]:
+        roles[k - 1 : k + 1] = "task", "condition"
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     if roles[k] == "mention" and others and clauses[k].is_answer_to(clauses[k - 1], others):
         roles[k] = "condition"
