@@ -425,9 +425,9 @@ def test_a_further_case_for_what_an_if_not_opens_is_joined(joint: str, expected:
 
 def test_yes_and_no_are_the_sides_of_an_answer() -> None:
     found = clauses(
-        "[Ask](1:informing) [Lea](1:recipient) [if she wants soap](1:message). If [she](2:object) [says](2:check_state) "
-        "[yes](2:state), [bring](3:bringing) some, and if [she](4:object) [says](4:check_state) [no](4:state), "
-        "[go](5:motion)."
+        "[Ask](1:informing) [Lea](1:recipient) [if she wants soap](1:message). If [she](2:object) "
+        "[says](2:check_state) [yes](2:state), [bring](3:bringing) some, and if [she](4:object) "
+        "[says](4:check_state) [no](4:state), [go](5:motion)."
     )
     stated = stated_roles(found, ("task", "condition", "task", "condition", "task"))
     assert stated == ("task", "condition", "task", "mention", "task")
