@@ -25,6 +25,7 @@ from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, w
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
+from decomplex_bt.understanding.rules.needs import in_need
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
@@ -97,6 +98,8 @@ def amended(
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
             kept = _named(document, _identified(observed, kept, token), token)
+        if kind != "check_state" and not any((a.owner, a.type) == (token, "object") for a in kept):
+            kept = _told(kept, token, in_need(observed, token))
     for fragment in fragments(document):
         if fragment.carrier in tasks:
             told = {"object": fragment.object, "location": fragment.location}

@@ -12,6 +12,7 @@ from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
@@ -92,7 +93,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         )
         if not is_none:
             found.append(task)
-    return _with_idioms(document, found, types)
+    return _with_idioms(observed, found, types)
 
 
 def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
@@ -108,11 +109,11 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
     return kept
 
 
-def _with_idioms(document: Document, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
-    """The tasks with those that are idioms or fragments, and without other words of these ("might be *switched*")."""
-    idioms = {
-        i: type for i, type in idiomatic(document, {task.token: task.type for task in tasks}).items() if type in types
-    }
+def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
+    """The tasks with those that are idioms, needs or fragments, and without other words of these ("might be
+    *switched*")."""
+    document, found = observed.document, {task.token: task.type for task in tasks}
+    idioms = {i: type for i, type in {**needed(observed, found), **idiomatic(document, found)}.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
     for fragment in fragments(document):
         behind.update(fragment.tokens)

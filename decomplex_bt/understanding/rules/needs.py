@@ -1,0 +1,167 @@
+"""Needs: what a thing needs done, which is ordered where nothing behind it takes it up ("the ferns want watering")."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import takewhile
+
+from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.domain.verbs import lemmas
+from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.certainty import CLEANING
+
+_NEEDING = frozenset("need needs want wants needed wanted".split())
+_COULD_DO_WITH = ("could", "do", "with")
+_SAYING_SO = _NEEDING | {"could"}
+_PRESENT = frozenset(("VBP", "VBZ", "VB", "NNS"))
+_BETWEEN = frozenset("also still really badly now urgently just both all".split())
+_OPENING = frozenset(
+    ", and also oh right now so ok okey okay well um uh erm hi hello hey robot please then anyway listen look".split()
+)
+"""What may stand between the beginning of a sentence and the thing that needs something done."""
+_NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
+_PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
+_INSIDE = _PLACING | {"'s", "\u2019s"}
+_PERSONAL = frozenset("it its they them their he him his she her one ones some that those so".split())
+_VAGUE = frozenset(("do", "see", "be", "have"))
+_LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
+_DONE_TO = {"motion": "following", "bringing": "change_state"}
+"""What a verb of a type tells where a thing needs it: "the dog needs walking", "the cat needs feeding"."""
+
+
+def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
+    """The verbs of what is to be done, with task types, of sentences that begin with a thing and say that it needs it;
+    `tasks`: the tokens that are tasks already, with types.
+
+    Not where the words behind take the thing up, since those tell what to do about it ("my shirt needs ironing, so get
+    the board and iron it"), nor in a case, a question, a message or what is said of a speaker.
+    """
+    document = observed.document
+    found: dict[int, str] = {}
+    if document.words.isdisjoint(_SAYING_SO):
+        return found
+    for i in range(len(document)):
+        verb = _gerund(document, i) or _passive(document, i) or _noun(observed, i)
+        if verb is None or verb in tasks or not _is_of_thing(document, i):
+            continue
+        if not _is_taken_up(document, _subject(document, i), verb):
+            found[verb] = _type(observed, verb)
+    return found
+
+
+def in_need(observed: Observed, verb: int) -> dict[str, range]:
+    """The thing that needs what the verb says, as its `object`, with where it is as `location` if that is told right
+    behind it; empty where no sentence begins by saying so."""
+    document = observed.document
+    first = document.sentences.index(document.sentences[verb])
+    for i in range(verb - 1, first - 1, -1):
+        if verb in (_gerund(document, i), _passive(document, i), _noun(observed, i)) and _is_of_thing(document, i):
+            said = _subject(document, i)
+            place = next((j for j in said if document.tokens[j].lower in _PLACING), said.stop)
+            found = {"object": range(said.start, place), "location": range(place, said.stop)}
+            return {name: tokens for name, tokens in found.items() if tokens}
+    return {}
+
+
+def _gerund(document: Document, need: int) -> int | None:
+    """The "watering" of "wants watering"."""
+    verb = _behind(document, need) if _is_need(document.tokens[need]) else None
+    if verb is None or not verb.lower.endswith("ing") or not _VAGUE.isdisjoint(lemmas(verb.lower)):
+        return None
+    behind = document.tokens[verb.i + 1 : verb.i + 2]
+    is_part = bool(behind) and behind[0].pos in ("NOUN", "PROPN")  # "needs cleaning products"
+    return None if is_part or verb.tag not in ("VBG", "NN", "JJ") else verb.i
+
+
+def _passive(document: Document, need: int) -> int | None:
+    """The "emptied" of "needs to be emptied"."""
+    if not _is_need(document.tokens[need]):
+        return None
+    to = _behind(document, need)
+    words = [token.lower for token in document.tokens[to.i : to.i + 2]] if to is not None else []
+    verb = _behind(document, to.i + 1) if to is not None and words == ["to", "be"] else None
+    return verb.i if verb is not None and verb.tag in ("VBN", "VBD") and _VAGUE.isdisjoint(lemmas(verb.lower)) else None
+
+
+def _noun(observed: Observed, could: int) -> int | None:
+    """The "wipe" of "could do with a wipe": a deed, no thing."""
+    tokens = observed.document.tokens
+    if tuple(token.lower for token in tokens[could : could + 3]) != _COULD_DO_WITH or len(tokens) < could + 5:
+        return None
+    if tokens[could + 3].lower not in ("a", "another"):
+        return None
+    is_described = could + 5 < len(tokens) and tokens[could + 5].pos == "NOUN"
+    noun = tokens[could + 4 + is_described]
+    is_deed = observed.gazetteer.verbs.get(noun.lower, ())[:1] == ("change_state",)
+    is_thing = noun.lower not in CLEANING and bool(observed.gazetteer.category(noun.lemma))
+    return noun.i if is_deed and not is_thing else None
+
+
+def _is_need(token: Token) -> bool:
+    return token.lower in _NEEDING and token.tag in _PRESENT
+
+
+def _behind(document: Document, at: int) -> Token | None:
+    """The next word that is no adverb of degree."""
+    return next((token for token in document.tokens[at + 1 :] if token.lower not in _BETWEEN), None)
+
+
+def _subject(document: Document, need: int) -> range:
+    """The words from the beginning of the sentence, or of what "and" joins to it, to the need, fillers left out."""
+    tokens, sentences = document.tokens, document.sentences
+    start = need
+    while start and sentences[start - 1] == sentences[need] and tokens[start - 1].lower not in (",", "and"):
+        start -= 1
+    while start < need and tokens[start].lower in _OPENING:
+        start += 1
+    return range(start, need)
+
+
+def _is_of_thing(document: Document, need: int) -> bool:
+    """Whether nothing stands ahead of a need in its sentence but a thing that has it, or another thing with its need
+    ("the dog needs walking and *the cat wants feeding*")."""
+    tokens, sentences = document.tokens, document.sentences
+    said = _subject(document, need)
+    words = tokens[said.start : said.stop]
+    is_named = any(token.pos in ("NOUN", "PROPN") for token in words) or (len(words) > 1 and words[0].pos == "DET")
+    if not is_named or words[0].pos not in _NOMINAL:
+        return False
+    if any(token.pos not in _NOMINAL and token.lower not in _INSIDE and token.tag != "PRP$" for token in words):
+        return False
+    first = sentences.index(sentences[need])
+    ahead = [i for i in range(first, said.start) if tokens[i].lower not in _OPENING]
+    needs = [i for i in ahead if _is_need(tokens[i])]
+    is_first = not ahead or (len(needs) == 1 and _is_of_thing(document, needs[0]))
+    end = next((token.lower for token in tokens[need:] if token.lower in ENDS), ".")
+    return is_first and end != "?"
+
+
+def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
+    """Whether what is said behind a need, up to the end of the next sentence, speaks of the thing again or says by its
+    mark that it tells how; or what comes later at all names it."""
+    tokens, sentences = document.tokens, document.sentences
+    said = takewhile(lambda token: token.lower not in _PLACING, tokens[subject.start : subject.stop])
+    named = [token.lemma for token in said if token.pos in ("NOUN", "PROPN")][-1:]
+    later = tokens[verb + 1 :]
+    near = [token for token in later if sentences[token.i] <= sentences[verb] + 1]
+    if any(token.lower in _LEADING_ON and sentences[token.i] == sentences[verb] for token in later):
+        return True
+    is_meant = any(token.lower in _PERSONAL and not _is_of_weather(document, token.i) for token in near)
+    return is_meant or any(token.lemma in named for token in later)
+
+
+def _is_of_weather(document: Document, at: int) -> bool:
+    """Whether it is the "it" of "it's raining"."""
+    behind = document.tokens[at + 1 : at + 4]
+    return document.tokens[at].lower == "it" and any(token.lemma in WEATHER for token in behind)
+
+
+def _type(observed: Observed, verb: int) -> str:
+    """The task type of a deed by its form, with its particle: one that is done to a thing, or along with somebody."""
+    verbs = observed.gazetteer.verbs
+    particle = observed.gazetteer.particle(observed.document, verb)
+    forms = list(lemmas(observed.document.tokens[verb].lower))
+    known = [f"{form} {particle}" for form in forms] + forms
+    kind = next((verbs[form][0] for form in known if form in verbs), "change_state")
+    return _DONE_TO.get(kind, kind)

@@ -1,0 +1,81 @@
+"""What things need done: orders, unless what is said behind them tells what to do about it."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.rules.needs import in_need, needed
+
+
+@pytest.fixture(scope="module")
+def parser() -> Parser:
+    return Parser()
+
+
+@pytest.fixture(scope="module")
+def gazetteer() -> Gazetteer:
+    domain = load_domain("household")
+    return Gazetteer.of(domain.lexicon, domain.kinds)
+
+
+def found(parser: Parser, gazetteer: Gazetteer, text: str) -> dict[str, str]:
+    """The verbs of needs in a text with their task types."""
+    observed = Observed(parser.parse(text), gazetteer)
+    return {observed.document.tokens[i].text: kind for i, kind in needed(observed, {}).items()}
+
+
+@pytest.mark.parametrize(
+    ("text", "deeds"),
+    [
+        ("The ferns on the sill want watering.", {"watering": "change_state"}),
+        ("Oh, and the puppy needs walking.", {"walking": "following"}),
+        ("The recycling needs taking out; if it's raining, wear your hood.", {"taking": "taking"}),
+        ("The shutters need to be closed before dark.", {"closed": "change_state"}),
+        ("The mirrors could do with a wipe.", {"wipe": "change_state"}),
+        (
+            "The hall needs sweeping, and the rug could do with a good shake.",
+            {"sweeping": "change_state", "shake": "change_state"},
+        ),
+    ],
+)
+def test_what_a_thing_needs_is_ordered(parser: Parser, gazetteer: Gazetteer, text: str, deeds: dict[str, str]) -> None:
+    assert found(parser, gazetteer, text) == deeds
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The kettle needs descaling, so fill it with vinegar.",  # which tells what to do about it
+        "The stairs need vacuuming. Start with those at the top.",
+        "The fish want feeding: two pinches of flakes.",
+        "The van needs washing. Fetch the hose, then wash the van.",
+        "Does the lawn need mowing?",
+        "If the lawn needs mowing, tell me.",
+        "Tell Ben the lawn needs mowing.",
+        "Bring me the needle, my coat needs mending.",
+        "The ferns don't need watering.",
+        "I need feeding.",
+        "The stew could do with some pepper.",
+        "The attic could do with a light.",
+        "The gate needs a new hinge.",
+        "The cupboard needs cleaning products.",
+    ],
+)
+def test_what_is_taken_up_or_said_of_a_case_is_no_order(parser: Parser, gazetteer: Gazetteer, text: str) -> None:
+    assert found(parser, gazetteer, text) == {}
+
+
+def test_what_needs_it_is_the_object(parser: Parser, gazetteer: Gazetteer) -> None:
+    observed = Observed(parser.parse("The ferns on the sill want watering."), gazetteer)
+    assert in_need(observed, 6) == {"object": range(0, 2), "location": range(2, 5)}
+    assert in_need(observed, 3) == {}
+
+
+def test_a_need_is_read_as_a_task_with_what_needs_it() -> None:
+    read = Interpreter.load("household", encoder=False).interpret("Grandma wants waking at seven.")
+    assert (read.tasks[0].type, read.tasks[0].value("object")) == ("change_state", "Grandma")
