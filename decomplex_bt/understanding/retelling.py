@@ -14,7 +14,7 @@ from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSITIONS, head_of, is_pronoun
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, head_of, is_pronoun
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
 
@@ -64,9 +64,9 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         verbs[document.tokens[carrier].start] = document.tokens[order].start
         insertions[place] += [Told(i, place, carrier if i == order else None) for i in words[0]]
         insertions[end] += [Told(i, place) for i in words[1]]
-        if found.mark is not None:
-            moved.add(found.mark)
-            insertions[found.mark].append(Told(STOP))
+        if found.mark:
+            moved.update(found.mark)
+            insertions[found.mark.start].append(Told(COMMA if found.is_reminder else STOP))
         stop = max(end, found.condition.stop)
         if _is_whole(observed, stop, order):
             moved.add(stop)
@@ -123,10 +123,26 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     last = orders[-1]
     leading = [cue.first for cue in observed.cues if cue.name in _OPENING | _TURNING]
     begins = (i for i in leading if sentences[i] == sentences[place] and _is_beginning(observed.document, i))
+    if found.is_reminder:
+        is_near = sentences[last] + 1 >= sentences[place]
+        return last if is_near and _is_alike(observed, tasks[last], found.tokens) else None
     if sentences[last] != sentences[place] and next(begins, None) is None:
         return None
     is_conditional = bool(found.condition) or any(last < i < place for i in openings)
     return last if is_conditional or tasks[last].type != "searching" else None
+
+
+def _is_alike(observed: Observed, order: Task, named: range) -> bool:
+    """Whether what is not to be forgotten may be meant by an order beside what it names: no animal's or person's
+    things ("walk the dog and don't forget *the bags*"), nothing of another kind or said before."""
+    document = observed.document
+    heads = [head_of(document, document.indices(a.span)) for a in order.arguments if a.type == "object" and a.span]
+    one, other = document.tokens[heads[-1]] if heads else None, document.tokens[head_of(document, named)]
+    living = PERSON_NOUNS | ANIMALS
+    if one is None or (one.lemma in living) != (other.lemma in living):
+        return False
+    kinds = {observed.gazetteer.category(one.lemma), observed.gazetteer.category(other.lemma)}
+    return one.lemma != other.lemma and len(kinds - {""}) < 2
 
 
 def _is_whole(observed: Observed, stop: int, order: int) -> bool:

@@ -34,6 +34,7 @@ def words(parser: Parser, text: str) -> str:
         ("The lamp is on, isn't it? Turn it off.", "is n't it"),
         ("The lamp isn\u2019t on, is it? Turn it on.", "is it"),
         ("Then, let me think, hang it up.", "let me think"),
+        ("Make yourself useful and hang it up.", "Make yourself useful"),
         ("Since the fan is broken, open the window.", "Since the fan is broken"),
         ("Open the window because the fan is broken.", "because the fan is broken"),
         ("Whether or not it is done, turn it off.", "Whether or not it is done"),

@@ -183,6 +183,8 @@ def test_to_let_go_of_something_is_to_place_it(parser: Parser) -> None:
 
 def test_a_polite_request_to_be_troubled_for_something_is_bringing(parser: Parser) -> None:
     assert found(parser, "Might I trouble you for the pepper?") == [("trouble", "bringing")]
+    assert found(parser, "Any chance of some toast?") == [("chance", "bringing")]
+    assert found(parser, "Any chance of help with the sofa?") == []
     assert found(parser, "Can I bother you for a hand with the sofa?") == []
     assert found(parser, "The kids may bother you for sweets.") == []
 

@@ -37,6 +37,7 @@ def found(parser: Parser, gazetteer: Gazetteer, text: str) -> dict[str, str]:
         ("The recycling needs taking out; if it's raining, wear your hood.", {"taking": "taking"}),
         ("The shutters need to be closed before dark.", {"closed": "change_state"}),
         ("The mirrors could do with a wipe.", {"wipe": "change_state"}),
+        ("Right, it's time to rinse the sieve and dry it.", {"rinse": "change_state"}),
         (
             "The hall needs sweeping, and the rug could do with a good shake.",
             {"sweeping": "change_state", "shake": "change_state"},
@@ -64,6 +65,8 @@ def test_what_a_thing_needs_is_ordered(parser: Parser, gazetteer: Gazetteer, tex
         "The attic could do with a light.",
         "The gate needs a new hinge.",
         "The cupboard needs cleaning products.",
+        "It's time to take my drops. Bring me the bottle.",
+        "It's time to eat.",
     ],
 )
 def test_what_is_taken_up_or_said_of_a_case_is_no_order(parser: Parser, gazetteer: Gazetteer, text: str) -> None:
@@ -74,6 +77,11 @@ def test_what_needs_it_is_the_object(parser: Parser, gazetteer: Gazetteer) -> No
     observed = Observed(parser.parse("The ferns on the sill want watering."), gazetteer)
     assert in_need(observed, 6) == {"object": range(0, 2), "location": range(2, 5)}
     assert in_need(observed, 3) == {}
+
+
+def test_what_it_is_time_to_do_is_done_to_what_is_named_behind() -> None:
+    read = Interpreter.load("household", encoder=False).interpret("It's time to feed the fish.")
+    assert [(task.type, task.value("object")) for task in read.tasks] == [("change_state", "the fish")]
 
 
 def test_a_need_is_read_as_a_task_with_what_needs_it() -> None:

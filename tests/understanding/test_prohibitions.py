@@ -43,6 +43,7 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
         ("No need to wash the cup, just bring it.", ["bring"]),
         ("It isn't necessary to wash the cup, bring it instead.", ["bring"]),
         ("You needn't empty the bin, just close the door.", ["close"]),
+        ("Don't forget to close the door.", ["close"]),
         ("Don't have a look in the drawer.", []),
         ("Rather than washing the pan, put it in the sink.", ["put"]),
         ("Rather than turn off the tv, mute it.", ["mute"]),

@@ -45,6 +45,9 @@ def interpreter() -> Interpreter:
          [{"if": 2, "then": [1]}, 3]),
         ("Take the tray to Tom, or to Anna if Tom is out, and then close the door.", "to", "to Anna",
          [{"if": 3, "then": [2], "else": [1]}, 4]),
+        ("Wipe the desk and don't forget the shelf.", "shelf", "the shelf", [1, 2]),
+        ("Bring the plates to the table. And never forget the forks.", "forks", "the forks", [1, 2]),
+        ("Pack my toothbrush, but don't forget the charger.", "charger", "the charger", [1, 2]),
     ],
 )  # fmt: skip
 def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
@@ -96,6 +99,8 @@ def test_what_is_named_behind_its_kind_is_what_is_meant(interpreter: Interpreter
         "Pass me the black stick, no, the one with the silver top.",
         "Bring the box if it's here, no problem if not.",
         "Leave everything else on the bench if it rains.",
+        "Walk the dog and don't forget the bags.",
+        "Sweep the hall, and don't forget the hamster. Fill his bottle.",
     ],
 )
 def test_what_is_no_alternative_is_read_as_it_stands(interpreter: Interpreter, text: str) -> None:

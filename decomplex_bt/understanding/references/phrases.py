@@ -20,6 +20,10 @@ POINTING = frozenset(
 )
 WHOLE = frozenset("something anything everything somebody someone anyone anybody everyone everybody".split())
 """Words that point to nothing said before but that something said after may refer to."""
+ANIMALS = frozenset(
+    "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
+    "gerbil mouse rat sheep cow donkey".split()
+)
 PERSON_NOUNS = frozenset(
     "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
     "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "

@@ -28,6 +28,9 @@ _SHARED = _POINTING | {"them", "these", "it"}
 """What some is taken of: "two of those"."""
 _DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
 _SUBJECTS = frozenset("it he she they there that this i you we".split())
+_FORGET = "forget"
+_DO_NOT = frozenset((("do", "n't"), ("do", "n\u2019t"), ("do", "not"), ("do", "nt")))
+_TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
 _LEFT = frozenset("any one some it that them yet already there".split())
@@ -39,15 +42,17 @@ class Alternative:
 
     `tokens`: what is named or ordered instead; `condition`: when, with its "if", where that is told behind; else empty;
     `is_verbal`: whether it has a verb of its own, that is a task; `mark`: where it comes on top of what is ordered
-    before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), the mark that parts
-    them; `is_run_on`: whether no mark parts it from the condition before it.
+    before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), what parts them;
+    `is_run_on`: whether no mark parts it from the condition before it; `is_reminder`: whether it is named, behind its
+    `mark`, as what is not to be forgotten ("and don't forget *the tulips*").
     """
 
     tokens: range
     condition: range
     is_verbal: bool = False
-    mark: int | None = None
+    mark: range = range(0)
     is_run_on: bool = False
+    is_reminder: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,12 +73,16 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
     if it isn't"). "A or B if C" without a comma is an alternative only where C denies something or names what A does.
     """
     document = observed.document
-    if not any(cue.name in _OPENING | _TURNING for cue in observed.cues):
+    if not any(cue.name in _OPENING | _TURNING for cue in observed.cues) and _FORGET not in document.words:
         return
     parts = list(_split(document, list(_parts(observed, tasks)), tasks))
     for k, part in enumerate(parts):
         if (rest := _in_any_case(observed, part)) and _is_phrase(document, rest, tasks):
-            yield Alternative(rest, range(rest.stop, rest.stop), mark=part.opening.start)
+            yield Alternative(rest, range(rest.stop, rest.stop), mark=part.opening)
+            continue
+        if part.lead == "besides":
+            if (named := _reminded(document, part.body, tasks)) is not None:
+                yield Alternative(named, range(named.stop, named.stop), mark=part.opening, is_reminder=True)
             continue
         body = _bare(document, part.body, tasks)
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
@@ -83,10 +92,34 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, condition, is_verbal)
         elif not is_verbal and _is_added(document, parts, k, tasks):
-            yield Alternative(body, range(body.stop, body.stop), mark=part.opening.start)
+            yield Alternative(body, range(body.stop, body.stop), mark=part.opening)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
             is_run_on = part.lead == "mark" and not part.opening
             yield Alternative(body, range(body.stop, body.stop), is_run_on=is_run_on)
+
+
+def _reminders(document: Document) -> Iterator[range]:
+    """The words of every "and don't forget" behind which no verb stands."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-1]):
+        if token.lower != _FORGET or tokens[i + 1].lower == "to":
+            continue
+        start = i - 1 if tokens[i - 1].lower == "never" else i - 2
+        if start < 0 or (start == i - 2 and (tokens[start].lower, tokens[i - 1].lower) not in _DO_NOT):
+            continue
+        while start and tokens[start - 1].lower in ("and", "but", ",", "oh"):
+            start -= 1
+        yield range(start, i + 1)
+
+
+def _reminded(document: Document, body: range, tasks: Mapping[int, str]) -> range | None:
+    """What is not to be forgotten, if no more is said of it: not "don't forget the hamster. Fill his bottle"."""
+    named = _bare(document, body, tasks)
+    if not named or not _is_phrase(document, named, tasks):
+        return None
+    sentences = document.sentences
+    after = [token for token in document.tokens[named.stop :] if sentences[token.i] <= sentences[named.start] + 1]
+    return None if any(token.lower in _TAKING_UP for token in after) else named
 
 
 def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
@@ -145,12 +178,13 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
         if cue.name in _TURNING and cue.first not in tasks and not _is_part(tokens, cue.first)
     }
     leads |= {cue.first: ("if", cue.last) for cue in observed.cues if cue.name in _OPENING and cue.first not in leads}
+    leads |= {opening.start: ("besides", opening.stop - 1) for opening in _reminders(observed.document)}
     lead, opening, first, i = "start", range(0), 0, 0
     while i < len(tokens):
         name, last = leads.get(i, ("", i))
         if name == "if" and _says_not(observed.document, i):
             name, last = "turn", i + 1
-        if tokens[i].text in MARKS and not _is_hyphen(tokens, i):
+        if tokens[i].text in MARKS and not _is_hyphen(tokens, i) and name != "besides":
             name = "mark"
         elif tokens[i].lower == "or" and not name:
             name = "or"

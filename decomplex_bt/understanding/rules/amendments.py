@@ -14,6 +14,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
+    ANIMALS,
     PERSON_NOUNS,
     degree_asked,
     is_pronoun,
@@ -25,7 +26,7 @@ from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, w
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
-from decomplex_bt.understanding.rules.needs import in_need
+from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
@@ -52,10 +53,6 @@ _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
-_ANIMALS = frozenset(
-    "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
-    "gerbil mouse rat sheep cow donkey".split()
-)
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
@@ -76,6 +73,7 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
+    idle |= due(document)
     idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
@@ -197,7 +195,7 @@ def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: i
         return list(arguments)
     whom, verb = nouns[-2], document.tokens[bringing].lemma
     is_name = nouns[0].i == both.tokens.start and all(noun.tag == "NNP" for noun in nouns[:-1])
-    is_living = is_name or whom.lemma in PERSON_NOUNS | _ANIMALS
+    is_living = is_name or whom.lemma in PERSON_NOUNS | ANIMALS
     is_whom = (verb in _HANDING and is_living) or is_name or whom.tag == "NNS" or whom.lemma in PERSON_NOUNS - _OWNING
     if (len(nouns) > 2 and not is_name) or verb not in _CARRYING or not is_whom:
         return list(arguments)

@@ -68,8 +68,11 @@ def tag_question(document: Document, at: int) -> range | None:
 
 
 def musing(document: Document, at: int) -> range | None:
-    """The words in which somebody thinks aloud, from token `at` on: "let me think", "let me see, ..."; or None."""
+    """The words in which somebody thinks aloud, or says no more than how to be, from token `at` on: "let me think",
+    "let me see, ...", "make yourself useful and ..."; or None."""
     said = [token.lower for token in document.tokens[at : at + 4]]
+    if said[:2] == ["make", "yourself"]:
+        return range(at, at + len(said[:3]))
     if len(said) < 3 or said[0] != "let" or said[1] not in ("me", "us") or said[2] not in _MUSING:
         return None
     return range(at, at + 3) if said[3:] == [] or not said[3].isalpha() else None
@@ -183,7 +186,7 @@ def _is_order(document: Document, at: int) -> bool:
 
 _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
-    musing: frozenset(("let",)),
+    musing: frozenset(("let", "make")),
     reason: _REASONS,
     concession: _FIRST_CONCEDING | {"or"},
 }

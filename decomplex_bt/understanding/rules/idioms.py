@@ -30,6 +30,8 @@ _PRONOUNS = frozenset("it they he she that this these those".split())
 _RELATIVES = frozenset(("that", "which", "who"))
 _LOCATIONS = frozenset("home here there inside outside upstairs downstairs indoors outdoors nearby".split())
 _TROUBLING = frozenset(("bother", "trouble"))
+_ASKED_AFTER = {**dict.fromkeys(_TROUBLING, 3), "chance": 2}
+"""How far behind a word what is asked for begins: "trouble you for", "chance of"."""
 _FAVOURS = frozenset("hand minute moment second help favour favor word".split())
 """What is asked for and is no thing to be brought."""
 _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
@@ -204,20 +206,23 @@ def _lettings(document: Document) -> list[int]:
 
 
 def _troubles(document: Document) -> list[int]:
-    """Every verb of a polite request for something: "could I *bother* you for a glass of water"."""
+    """Every word that makes a polite request for something: "could I *bother* you for a glass of water", "any *chance*
+    of a cup of tea"."""
     words = [token.lower for token in document.tokens]
     verbs = [i for i in range(2, len(words) - 3) if words[i] in _TROUBLING and words[i + 1 : i + 3] == ["you", "for"]]
-    return [i for i in verbs if words[i - 1] in _SPEAKERS and words[i - 2] in _MAY | {"can"} and troubled(document, i)]
+    verbs = [i for i in verbs if words[i - 1] in _SPEAKERS and words[i - 2] in _MAY | {"can"}]
+    chances = [i for i in range(1, len(words) - 2) if words[i - 1 : i + 2] == ["any", "chance", "of"]]
+    return [i for i in (*verbs, *chances) if troubled(document, i)]
 
 
 def troubled(document: Document, verb: int) -> range:
-    """What somebody is "troubled for": "the salt", not "a hand"; empty for any other verb."""
+    """What somebody is "troubled for", or there is "any chance of": "the salt", not "a hand"; empty for any other
+    word."""
     tokens = document.tokens
-    if tokens[verb].lower not in _TROUBLING:
-        return range(0)
-    words = list(takewhile(lambda token: token.pos in _PHRASE or token.lower == "of", tokens[verb + 3 :]))
+    start = verb + _ASKED_AFTER.get(tokens[verb].lower, len(tokens))
+    words = list(takewhile(lambda token: token.pos in _PHRASE or token.lower == "of", tokens[start:]))
     named = [token for token in words if token.pos in ("NOUN", "PROPN")]
-    return range(verb + 3, named[-1].i + 1) if named and named[0].lower not in _FAVOURS else range(0)
+    return range(start, named[-1].i + 1) if named and named[0].lower not in _FAVOURS else range(0)
 
 
 def _leavings(document: Document, tasks: Mapping[int, str]) -> list[int]:

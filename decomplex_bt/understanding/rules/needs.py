@@ -1,4 +1,5 @@
-"""Needs: what a thing needs done, which is ordered where nothing behind it takes it up ("the ferns want watering")."""
+"""Needs: what a thing needs done, or it is time to do, ordered where nothing behind takes it up ("the ferns want
+watering")."""
 
 from __future__ import annotations
 
@@ -10,16 +11,18 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
+from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _NEEDING = frozenset("need needs want wants needed wanted".split())
 _COULD_DO_WITH = ("could", "do", "with")
-_SAYING_SO = _NEEDING | {"could"}
 _PRESENT = frozenset(("VBP", "VBZ", "VB", "NNS"))
 _BETWEEN = frozenset("also still really badly now urgently just both all".split())
 _OPENING = frozenset(
     ", and also oh right now so ok okey okay well um uh erm hi hello hey robot please then anyway listen look".split()
 )
 """What may stand between the beginning of a sentence and the thing that needs something done."""
+_SAYING_SO = _NEEDING | {"could", "time"}
+_BEFORE_TIME = _OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
 _INSIDE = _PLACING | {"'s", "\u2019s"}
@@ -42,6 +45,9 @@ def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
     if document.words.isdisjoint(_SAYING_SO):
         return found
     for i in range(len(document)):
+        if (verb := _due(document, i)) is not None and verb not in tasks:
+            found[verb] = _type(observed, verb)
+            continue
         verb = _gerund(document, i) or _passive(document, i) or _noun(observed, i)
         if verb is None or verb in tasks or not _is_of_thing(document, i):
             continue
@@ -52,8 +58,11 @@ def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
 
 def in_need(observed: Observed, verb: int) -> dict[str, range]:
     """The thing that needs what the verb says, as its `object`, with where it is as `location` if that is told right
-    behind it; empty where no sentence begins by saying so."""
+    behind it, or what it is time to do it to; empty where no sentence begins by saying so."""
     document = observed.document
+    if verb > 1 and _due(document, verb - 2) == verb:
+        thing = next((chunk for chunk in noun_chunks(document) if chunk.start == verb + 1), None)
+        return {} if thing is None else {"object": thing}
     first = document.sentences.index(document.sentences[verb])
     for i in range(verb - 1, first - 1, -1):
         if verb in (_gerund(document, i), _passive(document, i), _noun(observed, i)) and _is_of_thing(document, i):
@@ -62,6 +71,12 @@ def in_need(observed: Observed, verb: int) -> dict[str, range]:
             found = {"object": range(said.start, place), "location": range(place, said.stop)}
             return {name: tokens for name, tokens in found.items() if tokens}
     return {}
+
+
+def due(document: Document) -> frozenset[int]:
+    """The words that say no more than that it is time."""
+    times = (i for i in range(len(document)) if _due(document, i) is not None) if "time" in document.words else ()
+    return frozenset(j for i in times for j in range(document.sentences.index(document.sentences[i]), i + 1))
 
 
 def _gerund(document: Document, need: int) -> int | None:
@@ -96,6 +111,19 @@ def _noun(observed: Observed, could: int) -> int | None:
     is_deed = observed.gazetteer.verbs.get(noun.lower, ())[:1] == ("change_state",)
     is_thing = noun.lower not in CLEANING and bool(observed.gazetteer.category(noun.lemma))
     return noun.i if is_deed and not is_thing else None
+
+
+def _due(document: Document, time: int) -> int | None:
+    """The "feed" of "it's time to feed the fish", where it is the last sentence: a later one may tell what somebody
+    needs for it ("it's time to take my pills. Bring me some water")."""
+    tokens, sentences = document.tokens, document.sentences
+    words = [token.lower for token in tokens[time : time + 2]]
+    first = sentences.index(sentences[time])
+    if words != ["time", "to"] or time + 3 >= len(tokens) or sentences[time] != sentences[-1]:
+        return None
+    verb, behind = tokens[time + 2], tokens[time + 3]
+    is_led = all(token.lower in _BEFORE_TIME for token in tokens[first:time])
+    return verb.i if is_led and verb.tag == "VB" and behind.tag in ("DT", "NN", "NNS", "RP") else None
 
 
 def _is_need(token: Token) -> bool:
