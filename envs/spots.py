@@ -25,6 +25,7 @@ DOORWAY_REACH = 0.35  # [m] so near to its middle the robot is in a doorway
 WAY_PITCH = 0.1  # [m] of the grid on which ways are looked for
 TRIES = 12  # spots tried at random before all are looked at
 STANDING_STRIDE = 5  # of the spots on a floor, one in so many is looked at as one where a person can stand
+MOST_STANDING = 1000  # spots of one floor looked at so, for each costs time in proportion to the floor
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
 MOST_COMPANIES = 1024
@@ -88,8 +89,9 @@ class Spots:
             floor = int(self.geometry.floor_row[room])
             points = self._candidates(floor)[self._floor_clearance[room] >= PERSON_RADIUS + FLOOR_GAP]
             ways = self._ways[room]
-            free = [ways.are_free(((x, y),)) for x, y in points[::STANDING_STRIDE].tolist()]
-            spots = points[::STANDING_STRIDE][np.array(free, dtype=bool)]
+            points = points[:: max(STANDING_STRIDE, -(-len(points) // MOST_STANDING))]
+            free = [ways.are_free(((x, y),)) for x, y in points.tolist()]
+            spots = points[np.array(free, dtype=bool)]
             for x, y in spots.tolist():
                 ways.keep(x, y)
             self._standing[room] = Clearing(spots, PERSON_RADIUS + 2 * PASSAGE)

@@ -2,21 +2,58 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import combinations
+from math import prod
 
 from decomplex_bt.domain.house import House, Rect
 from decomplex_bt.domain.kinds import Kinds
 
 TOLERANCE = 0.02
 """[m] By which what is measured may lie over what it touches."""
+MOST_GROUND = 4000.0
+"""[m²] What a house takes up at most, with all that lies between its rooms: the robot's map is a grid over it."""
+FARTHEST = 10_000.0
+"""[m] How far from the origin a room may lie: what is observed are single-precision numbers, there right to 1 mm."""
 
 
 def check_house(house: House, kinds: Kinds) -> None:
-    """Raises `ValueError` naming the key where a kind, place or room is unknown, or two things are in one place."""
+    """Raises `ValueError` naming the key where a kind, place or room is unknown, two things are in one place, or the
+    house is too large."""
+    _check_extent(house)
     _check_kinds(house, kinds)
     _check_whereabouts(house, kinds)
     _check_rooms(house)
     _check_furniture(house, kinds)
+
+
+def _check_extent(house: House) -> None:
+    """That a map of the house is of a size that can be worked with."""
+    rects = {name: room.rect for name, room in house.rooms.items()}
+    for name, rect in rects.items():
+        if (far := max(rect, key=abs)) and abs(far) > FARTHEST:
+            raise ValueError(
+                f"rooms.{name}.rect: {far:g} m is too far from the origin, which may be {FARTHEST:g} m; "
+                "lengths are in metres: divide centimetres by 100, or move the house nearer"
+            )
+    width, depth = _extent(rects.values())
+    if width * depth <= MOST_GROUND:
+        return
+    without = {name: _extent([rect for room, rect in rects.items() if room != name]) for name in rects}
+    farthest = min(without, key=lambda name: prod(without[name]))
+    raise ValueError(
+        f"rooms.{farthest}: with it the rooms stretch over {width:g} x {depth:g} m, {width * depth:.0f} m² of ground; "
+        f"a house may take up {MOST_GROUND:.0f} m². Lengths are in metres: divide centimetres by 100, "
+        "make the rooms smaller, or move them together"
+    )
+
+
+def _extent(rects: Collection[Rect]) -> tuple[float, float]:
+    """Width and depth of the rectangle around all of these; (0, 0) around none."""
+    if not rects:
+        return 0.0, 0.0
+    left, bottom, right, top = zip(*rects, strict=True)
+    return max(right) - min(left), max(top) - min(bottom)
 
 
 def _check_kinds(house: House, kinds: Kinds) -> None:

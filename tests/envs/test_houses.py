@@ -12,6 +12,7 @@ import yaml
 
 import decomplex_bt
 from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.house import Room
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.chance import Draw
 from decomplex_bt.envs.feasibility import find_cause
@@ -22,6 +23,7 @@ from decomplex_bt.envs.reach import check_access, is_reachable
 from decomplex_bt.envs.registration import HOUSEHOLD_LARGE, HOUSEHOLD_MEDIUM, HOUSEHOLD_SMALL
 from decomplex_bt.envs.sensing import SensingConfig, Sensor
 from decomplex_bt.envs.setting import setting_of
+from decomplex_bt.envs.spots import MOST_STANDING, Spots
 from decomplex_bt.envs.world import World, WorldConfig
 from decomplex_bt.envs.world_truth import WorldTruth
 from decomplex_bt.errors import DataFileError, InputError
@@ -216,6 +218,12 @@ ATTIC = {"kind": "study", "rect": [20, 20, 25, 25]}
 @pytest.mark.parametrize(
     ("change", "says"),
     [
+        (
+            changed("rooms", "living_room", "rect", to=[4.4, 5.3, 440, 370]),
+            r"rooms\.living_room: .*440 x 370 m, 162800 m².*may take up 4000 m².*metres",
+        ),
+        (changed("rooms", "attic", to={**ATTIC, "rect": [900, 0, 903, 3]}), r"rooms\.attic: .*903 x 9 m.*together"),
+        (changed("rooms", "attic", to={**ATTIC, "rect": [1e9, 0, 2e9, 3]}), r"rooms\.attic\.rect: 2e\+09 m.*10000 m"),
         (changed("furniture", "fridge", "centre", to=[100, 100]), r"furniture\.fridge.*not within its room, kitchen"),
         (changed("furniture", "fridge", "centre", to=[4.4, 8.0]), r"furniture\.fridge.*not within its room, kitchen"),
         (changed("furniture", "kitchen_window", "centre", to=[3, 20]), r"furniture\.kitchen_window.*not within"),
@@ -252,6 +260,14 @@ def test_a_house_that_cannot_be_is_refused_naming_file_and_key(tmp_path, change,
     with pytest.raises(DataFileError, match=says) as found:
         HouseholdEnv(go("kitchen"), house=path)
     assert found.value.path == str(path)
+
+
+def test_a_hall_of_a_house_is_lived_in_without_delay():
+    """Of a large floor no more spots are tried than of a smaller one, for each takes the longer the larger it is."""
+    rooms = {"hall": Room(kind="living room", rect=(0, 0, 60, 60))}
+    house = DOMAIN.house.model_copy(update={"rooms": rooms, "doorways": {}, "furniture": {}})
+    spots = Spots(Geometry(house, DOMAIN.kinds))
+    assert 500 < len(spots.standing(0)) <= MOST_STANDING
 
 
 def test_the_house_of_a_folder_is_looked_over_as_well(tmp_path):
