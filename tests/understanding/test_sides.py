@@ -385,6 +385,30 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
             "top",
         ),
         (
+            "[Fold](1:change_state) [the rugs](1:object)",
+            "[hang](2:placing) [the towels](2:object) [on the line](2:goal)",
+            "if [they](3:object)'re [ripped](3:check_state)",
+            "top",
+        ),
+        (
+            "[Bring](1:bringing) [me](1:recipient) [the tea](1:object)",
+            "[rinse](2:change_state) [the bowl](2:object)",
+            "if [it](3:object)'[s](3:check_state) [dirty](3:state)",
+            "top",
+        ),
+        (
+            "[Fold](1:change_state) [the rugs](1:object)",
+            "[hang](2:placing) [the towel](2:object) [on the line](2:goal)",
+            "if [they](3:object)'re [ripped](3:check_state)",
+            ">1+",
+        ),
+        (
+            "[Fold](1:change_state) [the rugs](1:object)",
+            "[hang](2:placing) [them](2:object) [on the line](2:goal)",
+            "if [they](3:object)'re [ripped](3:check_state)",
+            ">1+",
+        ),
+        (
             "[Get](1:taking) [the sponge](1:object)",
             "[rinse](2:change_state) [the bowl](2:object)",
             "if [it](3:object)'[s](3:check_state) [dirty](3:state)",
@@ -519,3 +543,25 @@ def test_who_is_elsewhere_is_not_where_they_were_looked_for(joint: str, place: s
     )
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", ">1-", "<1+", "<1+")) == expected
+
+
+@pytest.mark.parametrize(
+    ("check", "side"),
+    [
+        ("[is](3:check_state) [awake](3:state)", "<1-"),
+        ("[is](3:check_state)n't", "<1-"),
+        ("[is](3:check_state)", "<1+"),
+    ],
+)
+@pytest.mark.parametrize("is_ahead", [True, False])
+def test_what_is_done_in_the_opposite_of_a_forbidden_case_is_done_where_that_is_not(
+    check: str, side: str, is_ahead: bool
+) -> None:
+    number, case = ("1", "2") if is_ahead else ("2", "1")
+    forbidden = f"do n't [wake]({number}:change_state) [him]({number}:object)"
+    condition = f"if [Tom]({case}:object) [is]({case}:check_state) [asleep]({case}:state)"
+    told = f"{forbidden} {condition}" if is_ahead else f"{condition}, {forbidden}"
+    found = clauses(f"{told}; if [he](3:object) {check}, [bring](4:bringing) [him](4:recipient) [tea](4:object).")
+    roles = ("task", "condition", "mention", "task") if is_ahead else ("condition", "task", "mention", "task")
+    sides = (">1-", "top", "<1", "<1+") if is_ahead else ("top", "<1-", "<1", "<1+")
+    assert stated_sides(found, roles, sides)[-1] == side

@@ -167,13 +167,20 @@ class Clause:
 
     def is_only_of(self, order: Clause, before: Clause) -> bool:
         """Whether it asks about the thing of an order alone, and not about that of the order before: "turn the tv off
-        and water the fern if it's dry". What is fetched or turned on may be so for the sake of the other order."""
-        are_two = bool(before.objects) and bool(order.objects) and set(before.objects).isdisjoint(order.objects)
-        is_prepared = before.task.type in _FINDING or "running" in before.effects
-        is_of_it = self.is_guard_of(order) or (
-            order.task.type == "bringing" and self.is_check and self.names_same(order)
-        )
+        and water the fern if it's dry", "fold the shirts and hang up the socks if they're damp". What is fetched or
+        turned on may be so for the sake of the other order."""
+        are_two = bool(before.nouns) and bool(order.objects) and before.nouns.isdisjoint(order.objects)
+        is_fetched = before.task.type in _FINDING and order.task.type == "change_state"
+        is_handed = any(kind == "recipient" for kind, _ in before.task.arguments)
+        is_prepared = (is_fetched and not is_handed) or "running" in before.effects
+        is_of_it = self.is_guard_of(order) or (self.is_check and (self.names_same(order) or self.takes_up(order)))
         return are_two and is_of_it and not is_prepared
+
+    def takes_up(self, order: Clause) -> bool:
+        """Whether its object is a pronoun that may mean the thing which the order right before names."""
+        is_one = not (self.number and order.number) or self.number == order.number
+        is_pronoun = (self.is_of_it or self.is_of_somebody) and not self.objects
+        return is_pronoun and is_one and bool(order.objects) and not order.has_pronoun and not self.is_of_weather
 
     def is_elsewhere_than(self, first: Clause) -> bool:
         """Whether it asks if who or what the other looks for is in another place."""

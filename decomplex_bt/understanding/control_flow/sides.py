@@ -47,6 +47,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _obstruct,
             _fall_back,
             _follow,
+            _permit,
             _confine,
             _withhold,
             _go_ahead,
@@ -416,6 +417,29 @@ def _goes_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[st
     """Whether a task goes on with what hangs on the condition before it, in this sentence."""
     is_plain = roles[k] == "task" and sides[k] in (_HOLDS, _FAILS)
     return is_plain and clauses[k].sentence == sentence and _TURNING.isdisjoint({*clauses[k].far, *clauses[k].near})
+
+
+def _permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done in the opposite of a case in which something is forbidden is done where that is not ("don't wake
+    him if he's asleep; if he's up, bring him tea", "if he's asleep, don't wake him; if he's up, ..."): the case that is
+    stated again has no tasks but the forbidden one, which is done in the other (`arcs.flip_of`)."""
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k - 1], sides[k - 1]) != ("condition", "mention", "<1"):
+        return
+    check, again = clauses[first], clauses[k - 1]
+    is_plain = not {"if", "when"}.isdisjoint(check.near) and "unless" not in check.near and not check.wording.is_negated
+    ahead = [first - 1] if first and sides[first - 1] == ">1-" else []
+    done = [*ahead, *range(first + 1, k - 1)]
+    are_forbidden = all(roles[j] == "task" and clauses[j].is_forbidden and sides[j] in (">1-", _FAILS) for j in done)
+    is_opposite = again.wording.is_negated != again.wording.contradicts(check.wording)
+    if not (is_plain and done and are_forbidden and is_opposite) or "unless" in again.near:
+        return
+    for j in range(k, len(clauses)):
+        between = {*clauses[j].far, *clauses[j].near, *clauses[j - 1].behind}
+        is_turned = bool(between & (_TURNING - {"not"})) or clauses[j].is_forbidden
+        if sides[j] != _HOLDS or roles[j] != "task" or clauses[j].sentence != again.sentence or is_turned:
+            return
+        sides[j] = _FAILS
 
 
 def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
