@@ -19,6 +19,8 @@ from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
 
 Action = dict[str, Any]
+_SENSED = ("robot", "held", "entities", "result", "seconds")
+"""The keys of an observation that the body goes by."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,17 +66,16 @@ class HouseholdEmbodiment:
 
     def reset(self, observation: Mapping[str, Any]) -> None:
         """Begins an episode. Raises `InputError` for an observation that is not of `HouseholdEnv`."""
-        if not isinstance(observation, Mapping) or "entities" not in observation:
-            raise InputError(
-                f"the robot goes by the observations of Household-v0, by name, and was given a "
-                f"{type(observation).__name__}; make that environment, without a wrapper that flattens what is observed"
-            )
+        _check(observation)
         self.senses.clear()
         self._last = self.ended = None
         self.sense(observation)
 
     def perceive(self, observation: Mapping[str, Any]) -> Percept:
-        """The observation in the domain's names; call it for every observation, in order."""
+        """The observation in the domain's names; call it for every observation, in order.
+
+        Raises `InputError` for an observation that is not of `HouseholdEnv`.
+        """
         self.sense(observation)
         senses = self.senses
         return Percept(
@@ -107,6 +108,7 @@ class HouseholdEmbodiment:
         """Takes an observation in, unless it is the one taken in last."""
         if observation is self._last:
             return
+        _check(observation)
         self._last = observation
         self.senses.take(observation)
 
@@ -128,6 +130,22 @@ class HouseholdEmbodiment:
 
     def driver(self, goal: Cells, *, second_best: Cells | None = None) -> Driver:
         return Driver(self.floorplan, goal, self.config.limits, second_best=second_best)
+
+
+def _check(observation: Any) -> None:
+    """Raises `InputError` for what is not one observation of `HouseholdEnv`."""
+    if not isinstance(observation, Mapping):
+        raise InputError(
+            f"the robot goes by the observations of Household-v0, by name, and was given a "
+            f"{type(observation).__name__}; make that environment, without a wrapper that flattens what is observed"
+        )
+    if missing := [key for key in _SENSED if key not in observation]:
+        raise InputError(f"the observation lacks {', '.join(missing)}; give what reset or step returned, as it is")
+    if np.ndim(observation["entities"]) != 2:
+        raise InputError(
+            f"the observation's entities have the shape {np.shape(observation['entities'])}; expected one row for "
+            "each entity. Of a vector environment give each agent the observation of its own environment"
+        )
 
 
 def _result_text(result: Result) -> str:

@@ -99,6 +99,21 @@ def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None
     assert "(switch-off tv)" in json.dumps(json.loads(capsys.readouterr().out))
 
 
+@pytest.mark.parametrize(
+    ("command", "form"), [("tree", "dot"), ("tree", "text"), ("plan", "text"), ("parse", "text"), ("run", "text")]
+)
+def test_json_beside_another_format_is_refused(command: str, form: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([command, "Go to the kitchen.", "--json", "--format", form]) == 2
+    out, err = capsys.readouterr()
+    assert not out
+    assert f"--json and --format {form} contradict each other" in err
+
+
+def test_json_may_be_asked_for_twice(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tree", "Go to the kitchen.", "--json", "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["name"]
+
+
 @pytest.mark.parametrize("command", ["plan", "tree", "run"])
 def test_no_control_character_is_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([command, "Tell me that \x1b[31m\x07\nthe tea is ready."]) == 0

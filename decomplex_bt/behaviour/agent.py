@@ -78,6 +78,8 @@ class TreeAgent:
         Raises `InputError` for an instruction without a known task, `UnknownWordError`, `ImpossibleGoalError` and
         `MissingArgumentError` for what cannot be grounded in this house; the agent then stays as it was.
         """
+        if self._gold is None and "instruction" not in info:
+            raise InputError("info has no instruction; give the info that reset of the environment returned")
         instruction = self._gold or self._understand(str(info["instruction"]))
         if not instruction.tasks:
             known = self._body.domain.ontology.task_types.values()
@@ -97,7 +99,10 @@ class TreeAgent:
         self._running = None
 
     def act(self, observation: Any) -> Any:
-        """The action for this observation: ticks the tree once. The last action is the one that ends the episode."""
+        """The action for this observation: ticks the tree once. The last action is the one that ends the episode.
+
+        Raises `InputError` for what is no observation of the body's environment.
+        """
         session = self.session
         if self._has_finished:
             return self._body.finish()

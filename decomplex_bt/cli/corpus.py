@@ -35,7 +35,7 @@ PathArgument = Annotated[Path, typer.Argument(metavar="PATH", help="A corpus fil
 
 @app.command()
 def check(
-    path: PathArgument, format: FormatOption = Format.text, json: JsonOption = False, domain: DomainOption = "household"
+    path: PathArgument, format: FormatOption = None, json: JsonOption = False, domain: DomainOption = "household"
 ) -> int:
     """Read a corpus and say what is wrong with it, or deserves a second look.
 
@@ -43,6 +43,7 @@ def check(
     the exit status at 0.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus import VOICES_FILE, lint, read_corpus, read_voices
     from decomplex_bt.domain.loader import load_domain
 
@@ -51,7 +52,7 @@ def check(
     if path.is_dir() and (path / VOICES_FILE).exists():
         read_voices(path)
     remarks = [(example, message) for example, message in lint(examples, ontology)]
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json(
             {
                 "path": str(path),
@@ -68,15 +69,16 @@ def check(
 
 @app.command()
 def stats(
-    path: PathArgument, format: FormatOption = Format.text, json: JsonOption = False, domain: DomainOption = "household"
+    path: PathArgument, format: FormatOption = None, json: JsonOption = False, domain: DomainOption = "household"
 ) -> int:
     """Count a corpus: instructions, tasks, types, structures; for all, by split and by voice."""
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus_statistics import corpus_statistics
     from decomplex_bt.domain.loader import load_domain
 
     statistics = corpus_statistics(path, load_domain(domain_of(domain)))
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json(statistics.to_json())
     else:
         print(statistics)
@@ -86,7 +88,7 @@ def stats(
 @app.command()
 def score(
     path: PathArgument,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
     models: Annotated[
@@ -112,6 +114,7 @@ def score(
     Only voices that the models were not trained on say how strangers are understood; `corpus stats` shows the splits.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.cli import scoring
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.evaluation import metrics, questions, reliability, robustness
@@ -135,7 +138,7 @@ def score(
             reliability.write_plot(measured, plot)
     if ask:
         parts.append(scoring.Asking(questions.score_asking(readings, gold, loaded.ontology)))
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json({key: value for part in parts for key, value in part.to_json().items()})
     else:
         print("\n\n".join(map(str, parts)))
@@ -156,12 +159,13 @@ def agreement(
         ),
     ] = None,
     is_listed: Annotated[bool, typer.Option("--list", help="Also list what the two do not agree on.")] = False,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
     """Hold two annotations of the same instructions against each other, over all and by voice."""
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus import SECOND_ANNOTATION, read_corpus
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.errors import InputError
@@ -179,7 +183,7 @@ def agreement(
     whole = measures.agreement([pair for pairs in groups.values() for pair in pairs])
     by_voice = {voice: measures.agreement(pairs) for voice, pairs in sorted(groups.items())}
     listed = list(measures.disagreements(both)) if is_listed else []
-    if chosen(format, json) is Format.json:
+    if is_json:
         lists = {"disagreements": [one.to_json() for one in listed]} if is_listed else {}
         voices = {voice: part.to_json() for voice, part in by_voice.items()}
         print_json({"all": whole.to_json(), "voices": voices, **lists})
@@ -205,7 +209,7 @@ def convert(
         str | None,
         typer.Option("--from", help="yaml, jsonl, conll, brat or huric.", show_default="what the names show"),
     ] = None,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
@@ -215,11 +219,12 @@ def convert(
     yaml, jsonl, conll and brat read back as they were; huric (2.1) is only read, and brought to our conventions.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.formats import conversion
 
     done = conversion.convert(source, target, load_domain(domain_of(domain)), to=to, form=form, force=force)
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json({"instructions": done.instructions, "files": [str(path) for path in done.files]})
         return 0
     shown = ", ".join(map(str, done.files[:3])) + (f" and {len(done.files) - 3} more" if len(done.files) > 3 else "")

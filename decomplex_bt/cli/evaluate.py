@@ -57,7 +57,7 @@ def evaluate(
         float, typer.Option(callback=number_up_to(60.0), help="Things somebody else moves in a minute, on average.")
     ] = 0.0,
     output: Annotated[Path | None, typer.Option(help="A folder for rows.jsonl and summary.json.")] = None,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
@@ -66,6 +66,7 @@ def evaluate(
     World k of an instruction has the seed SEED + k; the numbers are the same for any number of jobs.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus import read_corpus
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.evaluation import monte_carlo, report
@@ -108,7 +109,7 @@ def evaluate(
     if output is not None:
         for path in report.write_results(output, rows, settings):
             remark(f"written: {path}")
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json(report.summary_json(rows, settings))
     else:
         _print(summarise(rows))

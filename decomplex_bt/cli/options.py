@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import typer
 
@@ -19,7 +19,10 @@ class Format(StrEnum):
     json = "json"
 
 
-FormatOption = Annotated[Format, typer.Option("--format", "-f", help="How the result is printed.")]
+Form = TypeVar("Form", bound=StrEnum)
+FormatOption = Annotated[
+    Format | None, typer.Option("--format", "-f", help="How the result is printed.", show_default="text")
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="The same as --format json.")]
 
 
@@ -65,9 +68,13 @@ ThresholdOption = Annotated[
 TextArgument = Annotated[str, typer.Argument(metavar="TEXT", help="What the robot is to do, in English.")]
 
 
-def chosen(format: Format, json: bool) -> Format:
-    """The format that both options ask for together."""
-    return Format.json if json else format
+def chosen(format: Form | None, json: bool, default: Form) -> Form:
+    """The format that both options ask for together. Raises `InputError` where they contradict each other."""
+    if not json:
+        return format or default
+    if format not in (None, "json"):
+        raise InputError(f"--json and --format {format} contradict each other; give one of them")
+    return type(default)("json")
 
 
 def domain_of(name: str) -> str | Path:

@@ -46,7 +46,7 @@ def parse(
     status is 2. With several processes nothing is printed before all lines are there.
     """
     use_utf8()
-    layout = chosen(format or (Format.text if sys.stdout.isatty() else Format.json), json)
+    layout = chosen(format, json, Format.text if sys.stdout.isatty() else Format.json)
     from decomplex_bt.understanding.interpreter import Interpreter
 
     with _open(source) as stream:

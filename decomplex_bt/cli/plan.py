@@ -17,7 +17,7 @@ from decomplex_bt.cli.output import print_json, use_utf8
 
 def plan(
     text: TextArgument,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     threshold: ThresholdOption = None,
     domain: DomainOption = "household",
@@ -29,7 +29,7 @@ def plan(
     from decomplex_bt.planning.contingent import plan_conditionally
     from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
-    is_json = chosen(format, json) is Format.json
+    is_json = chosen(format, json, Format.text) is Format.json
     reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)
     conditional = plan_conditionally(reading.grounded, PyperplanPlanner(), world=AssumedWorld.likely(reading.domain))
     if is_json:

@@ -38,7 +38,7 @@ def reproduce(
     jobs: JobsOption = -1,
     plots: Annotated[Path | None, typer.Option(help="A folder for pictures; needs the extra `plots`.")] = None,
     corpus: Annotated[Path | None, typer.Option(help="A corpus folder. Default: the domain's own.")] = None,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
@@ -47,6 +47,7 @@ def reproduce(
     The numbers are the same for any number of jobs.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.reproduction import experiment, report
     from decomplex_bt.reproduction import plots as pictures
     from decomplex_bt.reproduction.dataset import PROTOCOLS
@@ -69,7 +70,7 @@ def reproduce(
     if plots is not None:
         for path in pictures.write_plots(results, plots):
             remark(f"written: {path}")
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json(report.report_json(results))
     else:
         print(report.report_text(results))

@@ -35,7 +35,7 @@ def run(
     speed: Annotated[
         float, typer.Option(min=0.0, help="Of the live display, times real time; 0: as fast as it goes.")
     ] = 10.0,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     threshold: ThresholdOption = None,
     domain: DomainOption = "household",
@@ -55,7 +55,7 @@ def run(
         from decomplex_bt.envs.rendering.window import check_screen
 
         check_screen()
-    is_json = chosen(format, json) is Format.json
+    is_json = chosen(format, json, Format.text) is Format.json
     film = Film(record) if record is not None else None
     reading = read(text, domain_of(domain), may_ask=not is_json, threshold=threshold)
     render_mode = "human" if window else "rgb_array" if film else None

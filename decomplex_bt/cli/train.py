@@ -18,7 +18,7 @@ def train(
     output: FolderOption = None,
     encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
     jobs: JobsOption = 1,
-    format: FormatOption = Format.text,
+    format: FormatOption = None,
     json: JsonOption = False,
     domain: DomainOption = "household",
 ) -> int:
@@ -27,6 +27,7 @@ def train(
     Nothing is written unless all models were trained; the same corpus gives the same models.
     """
     use_utf8()
+    is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.evaluation.proportion import Proportion
     from decomplex_bt.understanding import training
 
@@ -38,7 +39,7 @@ def train(
         jobs=jobs,
         progress=lambda stage: remark(f"{stage} ..."),
     )
-    if chosen(format, json) is Format.json:
+    if is_json:
         print_json(
             {
                 "voices": list(report.voices),

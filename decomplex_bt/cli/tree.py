@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from decomplex_bt.cli.options import DomainOption, JsonOption, TextArgument, ThresholdOption, domain_of
+from decomplex_bt.cli.options import DomainOption, JsonOption, TextArgument, ThresholdOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, use_utf8
 
 
@@ -24,8 +24,14 @@ class TreeFormat(StrEnum):
 def tree(
     text: TextArgument,
     format: Annotated[
-        TreeFormat, typer.Option("--format", "-f", help="xml: BehaviorTree.CPP 4; dot: Graphviz (dot -Tsvg draws it).")
-    ] = TreeFormat.text,
+        TreeFormat | None,
+        typer.Option(
+            "--format",
+            "-f",
+            help="xml: BehaviorTree.CPP 4; dot: Graphviz (dot -Tsvg draws it).",
+            show_default="text",
+        ),
+    ] = None,
     json: JsonOption = False,
     threshold: ThresholdOption = None,
     domain: DomainOption = "household",
@@ -36,7 +42,7 @@ def tree(
     from decomplex_bt.behaviour.agent import compile_instruction
     from decomplex_bt.cli.reading import read
 
-    wanted = TreeFormat.json if json else format
+    wanted = chosen(format, json, TreeFormat.text)
     reading = read(text, domain_of(domain), may_ask=wanted is not TreeFormat.json, threshold=threshold)
     root = compile_instruction(reading.instruction, reading.grounded, reading.domain).root
     if wanted is TreeFormat.json:

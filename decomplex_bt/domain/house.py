@@ -14,6 +14,8 @@ from decomplex_bt.domain.kinds import Kind, Kinds
 
 ROBOT = "robot"
 """The robot's name, the last row of the entity table."""
+USER = "user"
+"""The kind that only the user may have."""
 Rect = tuple[float, float, float, float]
 Side = Literal["north", "east", "south", "west"]
 Length = Annotated[float, Field(gt=0)]

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from itertools import combinations
 from math import prod
 
-from decomplex_bt.domain.house import House, Rect
+from decomplex_bt.domain.house import USER, House, Rect
 from decomplex_bt.domain.kinds import Kinds
 
 TOLERANCE = 0.02
@@ -22,6 +22,7 @@ def check_house(house: House, kinds: Kinds) -> None:
     house is too large."""
     _check_extent(house)
     _check_kinds(house, kinds)
+    _check_user(house)
     _check_whereabouts(house, kinds)
     _check_rooms(house)
     _check_furniture(house, kinds)
@@ -61,6 +62,16 @@ def _check_kinds(house: House, kinds: Kinds) -> None:
         for name, entry in getattr(house, section).items():
             if entry.kind not in kinds.kinds and not (section == "doorways" and entry.kind is None):
                 raise ValueError(f"{section}.{name}: unknown kind {entry.kind!r}")
+
+
+def _check_user(house: House) -> None:
+    """That the one who gives the instructions is the first of the people, and the only user."""
+    for name, person in house.people.items():
+        if person.kind == USER and name != house.user:
+            raise ValueError(
+                f"people.{name}: a second user; the first of the people, {house.user}, is the user. "
+                f"Give {name} another kind, or put them first and give {house.user} another kind"
+            )
 
 
 def _check_whereabouts(house: House, kinds: Kinds) -> None:

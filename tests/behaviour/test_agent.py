@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import gymnasium as gym
+import numpy as np
 import pytest
 from py_trees.common import Status
 
@@ -161,6 +162,20 @@ def test_an_instruction_without_a_task_or_with_an_unknown_thing_is_bad_input():
         agent = decomplex_bt.TreeAgent(env, flow=instruction)
         with pytest.raises(error):
             agent.reset({}, {"instruction": instruction.text})
+
+
+def test_what_is_no_observation_is_refused_in_words():
+    env = make_env()
+    agent = decomplex_bt.TreeAgent(env, flow=EXAMPLES["heat"].instruction)
+    observation, info = env.reset(seed=1, options={"instruction": EXAMPLES["heat"].instruction})
+    agent.reset(observation, info)
+    batch = {key: np.stack([value, value]) for key, value in observation.items() if key != "instruction"}
+    for wrong, says in (({}, "lacks robot, held"), (None, "NoneType"), (batch, "vector environment")):
+        with pytest.raises(InputError, match=says):
+            agent.act(wrong)
+    assert agent.act(observation) in env.action_space
+    with pytest.raises(InputError, match="no instruction"):
+        decomplex_bt.TreeAgent(env).reset(observation, {})
 
 
 def test_an_agent_that_refuses_an_instruction_stays_as_it_was():

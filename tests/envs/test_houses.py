@@ -243,6 +243,10 @@ ATTIC = {"kind": "study", "rect": [20, 20, 25, 25]}
         (changed("furniture", "fridge", "centre", to=[0.4, float("inf")]), r"furniture\.fridge\.centre\.1.*finite"),
         (changed("robot_start", to={"kitchen": 0}), r"robot_start.*all weights are 0"),
         (changed("people", "anna", "rooms", to={"attic": 1}), r"people\.anna\.rooms: unknown room 'attic'"),
+        (
+            changed("people", "anna", to={"kind": "user", "rooms": {"study": 1}}),
+            r"people\.anna: a second user.*first of the people, user",
+        ),
         (changed("people", to={}), r"people: .*at least 1"),
         (changed("rooms", to={}), r"rooms: .*at least 1"),
         (changed("furniture", to={}), r"things\.\w+: lies at '\w+', which no place of the house is"),
