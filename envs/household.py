@@ -222,7 +222,16 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._tell_bodies()
         if self._camera is not None or self.render_mode is not None:
             self._film()
-        return self._observe(episode), reward, terminated, truncated, episode.inform()
+        return self._observe(episode), reward, terminated, truncated, self._inform(episode)
+
+    def observe(self) -> Observation:
+        """The observation of this moment: what `reset` or the last `step` returned, also of an episode that was loaded,
+        unpickled or copied. Raises `gymnasium.error.ResetNeeded` where there is none."""
+        return self._observe(self._running)
+
+    def inform(self) -> dict[str, Any]:
+        """The info of this moment, as `observe` has the observation."""
+        return self._inform(self._running)
 
     @cached_property
     def observation_space(self) -> gym.Space[Any]:  # type: ignore[override]
@@ -356,7 +365,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         return {"format": FORMAT, **made_in, **episode.recording.to_dict()}
 
     def load_state_dict(self, state: Mapping[str, Any]) -> None:
-        """Brings the environment to a recorded moment by doing all of it again, exactly.
+        """Brings the environment to a recorded moment by doing all of it again, exactly; `observe` shows it.
 
         Raises `InputError` for what is no recording, for one that was made in another house, domain or configuration,
         and where the replay departs from it, naming the step; the environment is then as it was.
@@ -481,7 +490,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._camera.reset()
         if self.render_mode is not None:
             self._film()
-        return self._observe(episode), {**episode.inform(), "exempt": episode.world.exempt}
+        return self._observe(episode), self._inform(episode)
 
     def _draw(self, options: Options, rng: np.random.Generator, request: Request | None) -> Callable[[], Episode]:
         """Draws all that an episode in the house of now begins with; what is given back makes it."""
@@ -534,6 +543,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _observe(self, episode: Episode) -> Observation:
         return episode.observe()
+
+    def _inform(self, episode: Episode) -> dict[str, Any]:
+        info = episode.inform()
+        return info if episode.recording.actions else {**info, "exempt": episode.world.exempt}
 
     def _scene(self) -> Scene:
         return self.camera.scene(self.world, instruction=self._running.text, **self._running.captions())

@@ -129,6 +129,28 @@ def test_a_recording_is_plain_and_read_back_exactly():
     assert data_equivalence(env.reset()[0]["entities"], twin.reset(instruction=TV)[0]["entities"], exact=True)
 
 
+@pytest.mark.parametrize("identity", [HOUSEHOLD, HOUSEHOLD_FLAT])
+@pytest.mark.parametrize("steps", [0, 1, 70])
+def test_what_is_observed_now_is_what_was_returned(identity, steps):
+    env, twin = gym.make(identity), gym.make(identity)
+    env.action_space.seed(0)
+    returned = env.reset(seed=4, instruction=TV, options={"meddling": 60, "states": {"tv": "on"}})
+    for _ in range(steps):
+        observation, _, terminated, _, info = env.step(env.action_space.sample())
+        returned = observation, info
+        if terminated:
+            break
+    twin.unwrapped.load_state_dict(env.unwrapped.state_dict())
+    for each in (env.unwrapped, twin.unwrapped, copy.deepcopy(env.unwrapped)):
+        assert data_equivalence((each.observe(), each.inform()), returned, exact=True)
+
+
+def test_nothing_is_observed_before_the_first_reset():
+    for ask in (HouseholdEnv().observe, HouseholdEnv().inform):
+        with pytest.raises(gym.error.ResetNeeded):
+            ask()
+
+
 @pytest.mark.parametrize(("index", "step"), [(0, 0), (1, 50), (2, 60)])
 def test_a_replay_that_departs_says_where(index, step):
     state = recorded(steps=60).state_dict()
