@@ -29,6 +29,7 @@ from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stag
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
+from decomplex_bt.understanding.rules.assurances import with_denied
 from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
@@ -172,7 +173,7 @@ class Interpreter:
         tasks = self._references.resolve(
             observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
         )
-        tasks = without_stated(document, tasks)
+        tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,

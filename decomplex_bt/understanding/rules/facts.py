@@ -10,6 +10,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
+from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.rules.needs import needed
@@ -21,16 +22,8 @@ _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
 _BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
-_SURE = frozenset(("sure", "certain"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
-_PREDICATES = frozenset(("JJ", "VBN", "VBD", "RP"))
-_SHORT_STATES = frozenset(("shut", "open", "closed", "locked"))
-_PREPOSITIONS = frozenset(("on", "off"))
-_NOMINAL = ("DT", "NN", "PRP", "CD", "JJ", "WP")
-_NOT_BROUGHT_ABOUT = frozenset(
-    "asleep awake alive ok okay okey fine well safe happy comfortable gone there here home in out back ready".split()
-)
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
 _HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
 _HAVING = frozenset("has have had 've \u2019ve".split())
@@ -57,7 +50,6 @@ _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split(
 """What may stand ahead of a "can't find", beside a mark."""
 _CASES = frozenset("if unless when only_if until before after".split())
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
-_TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 
 
 def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
@@ -75,7 +67,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             is_of_somebody = document.tokens[question.tokens.start].lower == "who"
             is_told = not is_of_somebody and (question.place or question.state) and task.type != "searching"
             task = replace(task, type="check_state" if is_told else "searching")
-        fact = "change_state" if _is_made_sure_too(document, task, found) else _type(observed, task, end)
+        is_too = task.type == "check_state" and bool(found) and is_assured_too(document, task.token, found[-1].token)
+        fact = "change_state" if is_too else _type(observed, task, end)
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
@@ -284,7 +277,7 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "bringing"
     if task.type == "searching" and degree_asked(document, task.token):
         return "check_state"
-    if task.type == "check_state" and _is_made_sure_of(document, task.token):
+    if task.type == "check_state" and is_assured(document, task.token):
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):
         return "check_state"
@@ -319,55 +312,3 @@ def _is_the_table(said: Sequence[Token]) -> bool:
         (i for i, token in enumerate(said) if token.pos not in ("DET", "ADJ", "PROPN", "NOUN", "PRON")), len(said)
     )
     return bool(said[:noun]) and said[noun - 1].lemma == "table"
-
-
-def _is_made_sure_of(document: Document, at: int) -> bool:
-    """ "Make sure the door is locked", "ensure it's off": who says so wants it locked, unless a later "if" asks how it
-    was. Only of what can be brought about: not of where somebody is, or that they are well."""
-    said = document.tokens[at:]
-    words = [token.lower for token in said[1:3]]
-    if said[0].lemma == "ensure":
-        start = 1
-    elif said[0].lemma in ("make", "be") and words[:1] and words[0] in _SURE:
-        start = 2
-    elif said[0].lemma == "see" and words[:2] == ["to", "it"]:
-        start = 3
-    else:
-        return False
-    be = next((i for i in range(start, len(said)) if said[i].lower in _BE or said[i].lower in ENDS), len(said))
-    predicate = [token for token in said[be + 1 :] if token.lower not in _MANNERS]
-    if any(token.lower in ("there", "nobody") for token in said[start:be]):
-        return False
-    if be == len(said) or said[be].lower in ENDS or not _is_state(predicate[:2]):
-        return False
-    last = document.sentences[at] + 1
-    later = (token for token in predicate if document.sentences[token.i] <= last)
-    return not any(token.lower in _TAKEN_UP and not _names(document, token.i + 1) for token in later)
-
-
-def _names(document: Document, at: int) -> bool:
-    """Whether a condition names something of its own ("if the light is on") where it might take up what was said."""
-    return at < len(document) and document.tokens[at].tag in ("DT", "PRP$", "NN", "NNS", "NNP", "JJ")
-
-
-def _is_made_sure_too(document: Document, task: FoundTask, before: Sequence[FoundTask]) -> bool:
-    """ "Make sure the window is shut and the heating is off": the second state is brought about like the first."""
-    tokens, at = document.tokens, task.token
-    if task.type != "check_state" or tokens[at].lower not in _BE or not before:
-        return False
-    first = before[-1].token
-    if document.sentences[first] != document.sentences[at] or not _is_made_sure_of(document, first):
-        return False
-    between = {token.lower for token in tokens[first:at]}
-    is_joined = "and" in between and _TAKEN_UP.isdisjoint(between) and between.isdisjoint(("whether", "when", "there"))
-    return is_joined and _is_state([token for token in tokens[at + 1 : at + 4] if token.lower not in _MANNERS][:2])
-
-
-def _is_state(predicate: Sequence[Token]) -> bool:
-    """Whether what stands behind an "is" begins with a state to be brought about: "off", but not "off the hook"."""
-    if not predicate or predicate[0].lower in _NOT_BROUGHT_ABOUT:
-        return False
-    state, *rest = predicate
-    if state.lower in _PREPOSITIONS:
-        return not rest or not rest[0].tag.startswith(_NOMINAL)
-    return state.tag in _PREDICATES or state.lower in _SHORT_STATES

@@ -1,0 +1,38 @@
+"""What somebody makes sure of, and of what they make sure that it does not hold."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "thing", "state"),
+    [
+        ("Make sure the heater is on.", "the heater", "on"),
+        ("Make sure the heater is not on.", "the heater", "off"),
+        ("Make sure the heater is off and the drawer isn't open.", "the drawer", "closed"),
+        ("Ensure that the plates aren't dirty.", "the plates", "clean"),
+        ("See to it that the drawer is never open.", "the drawer", "closed"),
+        ("Be sure the gate isn't left unlocked.", "the gate", "locked"),
+        ("Make sure the fan is no longer running.", "the fan", "off"),
+        ("Make sure the dough isn't lumpy.", "the dough", "not lumpy"),
+        ("Make sure no lamp is on.", "every lamp", "off"),
+        ("Make sure none of the drawers is open.", "all of the drawers", "closed"),
+    ],
+)
+def test_what_is_made_sure_not_to_hold_is_undone(interpreter: Interpreter, text: str, thing: str, state: str) -> None:
+    task = interpreter.interpret(text).tasks[-1]
+    assert (task.type, task.value("object"), task.value("state")) == ("change_state", thing, state)
+
+
+def test_what_is_denied_and_then_asked_for_is_a_check_of_the_state(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Make sure the heater isn't on. If it is, turn it off.")
+    assert [(task.type, task.value("state")) for task in found.tasks[:1]] == [("check_state", "on")]
+    assert found.flow.to_json() == [{"if": [1, 2], "then": [3]}]
