@@ -112,8 +112,13 @@ class AssumedWorld:
         self.values |= values_after(step, self.domain)
         return "ok"
 
-    def run(self, task: GroundTask, belief: Belief, planner: Planner, bindings: Bindings) -> Pursuit:
-        """Pursues a task to its end as a leaf of a tree would, one step at a time."""
+    def run(
+        self, task: GroundTask, belief: Belief, planner: Planner, bindings: Bindings, *, up_to_looks: bool = False
+    ) -> Pursuit:
+        """Pursues a task to its end as a leaf of a tree would, one step at a time.
+
+        `up_to_looks`: a plan is carried out up to the look it ends in, though the answer came into view on the way.
+        """
         for _ in range(LOOKS):
             belief.update(self.percept())
         since = belief.tick
@@ -126,7 +131,7 @@ class AssumedWorld:
             if not result.is_solved or not result.steps:
                 belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
                 continue
-            self._carry_out(result.steps, task, belief, bindings, since, pursuit)
+            self._carry_out(result.steps, task, belief, bindings, since, pursuit, up_to_looks=up_to_looks)
         raise AssertionError(f"no end in sight after {MAX_PLANS} plans: {pursuit}")
 
     def _carry_out(
@@ -137,9 +142,11 @@ class AssumedWorld:
         bindings: Bindings,
         since: int,
         pursuit: Pursuit,
+        *,
+        up_to_looks: bool,
     ) -> None:
         """Carries a plan out until it fails or another goal is due; a look that is next in the plan is still taken."""
-        for step, following in zip(steps, (*steps[1:], None), strict=True):
+        for index, step in enumerate(steps, start=1):
             outcome = self.apply(step)
             for _ in range(LOOKS):
                 belief.update(self.percept())
@@ -147,8 +154,9 @@ class AssumedWorld:
                 belief.failed(step, outcome)
                 return
             belief.succeeded(step)
-            is_look = following is not None and following.name in _LOOKING
-            if not is_look and pursue(task, belief, bindings, since=since).goal_atoms != pursuit.goal_atoms:
+            ahead = steps[index:] if up_to_looks else steps[index : index + 1]
+            looks = any(following.name in _LOOKING for following in ahead)
+            if not looks and pursue(task, belief, bindings, since=since).goal_atoms != pursuit.goal_atoms:
                 return
 
     def _problem(self, step: GroundAction) -> str:

@@ -4,12 +4,15 @@ Every task is pursued as it will be at run time, but in a world that is as it is
 likeliest places, a condition holds in its `then` branch and does not in its `else` branch, and what earlier tasks have
 brought about stays so. Unlike in the paper, where a plan leads straight to a task's goal, the looking around that a
 task takes is part of its plan. Tasks behind a condition are planned from the end of its `then` branch.
+
+What finds something out is planned up to the look that does, though at run time the answer may come into view before.
+A check that is no condition is planned for either answer, and goes on from yes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from decomplex_bt.flow import If, Node
@@ -25,17 +28,30 @@ from decomplex_bt.planning.whereabouts import places_of
 
 @dataclass(frozen=True, slots=True)
 class TaskPlan:
-    """The plan of one task. `reason` says why it fails where it is assumed to, "" where it is done."""
+    """The plan of one task. `reason` says why it fails where it is assumed to, "" where it is done.
+
+    `otherwise`: of a check that is no condition, its plan where the answer is no, with the answer as its `reason`; both
+    answers are as good.
+    """
 
     task: int
     type: str
     phrase: str
     steps: tuple[GroundAction, ...]
     reason: str = ""
+    otherwise: TaskPlan | None = None
+
+    @property
+    def senses(self) -> bool:
+        """Whether it finds something out, and changes nothing."""
+        return self.type in _FINDING_OUT
 
     def to_json(self) -> dict[str, Any]:
+        """Plain values, keys in this order; those that are false or empty are left out, but for the steps."""
         value: dict[str, Any] = {"task": self.task, "type": self.type, "phrase": self.phrase}
         value["steps"] = [str(step) for step in self.steps]
+        value |= {"senses": True} if self.senses else {}
+        value |= {"if_not": self.otherwise.to_json()} if self.otherwise is not None else {}
         return {**value, "reason": self.reason} if self.reason else value
 
 
@@ -58,6 +74,7 @@ class Choice:
 
 
 PlanNode = TaskPlan | Choice
+_FINDING_OUT = frozenset(("searching", "check_state"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,12 +115,14 @@ class _Branch:
 
     def _plan(self, node: Node) -> PlanNode:
         task = self.instruction.task(node.task)
-        if not isinstance(node, If):
+        if not isinstance(node, If) and not _has_two_answers(task):
             return self._pursue(task)
         other = self._fork()
         _assume(self.world, self.belief, task, holds=True)
         _assume(other.world, other.belief, task, holds=False)
         holds, fails = self._pursue(task), other._pursue(task)
+        if not isinstance(node, If):
+            return holds if holds.reason else replace(holds, otherwise=fails)
         return Choice(holds, fails, self.plan(node.then), other.plan(node.orelse))
 
     def _fork(self) -> _Branch:
@@ -111,11 +130,17 @@ class _Branch:
 
     def _pursue(self, task: GroundTask) -> TaskPlan:
         before = len(self.world.steps)
-        pursuit = self.world.run(task, self.belief, self.planner, self.bindings)
+        finds_out = task.type in _FINDING_OUT
+        pursuit = self.world.run(task, self.belief, self.planner, self.bindings, up_to_looks=finds_out)
         self.bindings = pursuit.bindings
         has_held = pursuit.status is PursuitStatus.DONE and pursuit.truth is not False
         steps = tuple(self.world.steps[before:])
         return TaskPlan(task.number, task.type, task.phrase, steps, "" if has_held else pursuit.reason)
+
+
+def _has_two_answers(task: GroundTask) -> bool:
+    """Whether a task is done once it is known whether something is so: a check, a search through certain places."""
+    return task.type == "check_state" or (task.type == "searching" and bool(task.objects and task.places))
 
 
 # -- what a branch assumes --------------------------------------------------------------------------------------------
@@ -177,6 +202,8 @@ def _lines(nodes: Sequence[PlanNode], pad: str) -> Iterator[str]:
     for node in nodes:
         if isinstance(node, TaskPlan):
             yield from _task_lines(node, pad, "")
+            if node.otherwise is not None:
+                yield from _answer_lines(node.otherwise, pad, is_apart=node.otherwise.steps != node.steps)
             continue
         yield from _task_lines(node.holds, pad, "if ")
         if node.then:
@@ -194,4 +221,12 @@ def _task_lines(plan: TaskPlan, pad: str, word: str) -> Iterator[str]:
     yield pad + escaped(f"{word}[{plan.task}] {plan.phrase} ({plan.type}){note}")
     yield from (f"{pad}  {step}" for step in plan.steps)
     if not plan.steps and not plan.reason:
-        yield f"{pad}  ; already so, nothing to do"
+        yield f"{pad}  ; in view already, nothing to do" if plan.senses else f"{pad}  ; already so, nothing to do"
+
+
+def _answer_lines(no: TaskPlan, pad: str, *, is_apart: bool) -> Iterator[str]:
+    """What a check that is no condition comes to where the answer is no."""
+    if is_apart:
+        yield from _task_lines(no, pad, "or ")
+    answers = f" (yes, or {no.reason})" if no.reason else ""
+    yield pad + escaped(f"  ; a check: done with either answer{answers}")

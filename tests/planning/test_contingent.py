@@ -60,3 +60,43 @@ def test_a_task_that_takes_no_step_says_why():
         "[2] go to the kitchen (motion)",
         "  ; already so, nothing to do",
     ]
+
+
+def test_a_check_is_planned_up_to_its_look_and_for_either_answer():
+    text = "[Check](1:check_state) if [the tv](1:object) is [on](1:state); [go](2:motion) [to the study](2:goal)."
+    made = plan(text, [1, 2])
+    check, go = made.to_json()["plan"]
+    assert check["steps"][-1] == check["if_not"]["steps"][-1] == "(sense-place power__tv tv)"
+    assert check["senses"] is True
+    assert "reason" not in check
+    assert check["if_not"]["reason"] == "the tv is not on"
+    assert "senses" not in go
+    assert "  ; a check: done with either answer (yes, or the tv is not on)" in str(made).splitlines()
+
+
+def test_where_the_answers_part_both_ways_to_look_are_planned():
+    text = "[Seek](1:searching) [the keys](1:object) [in the drawer](1:location)."
+    said = str(plan(text, [1])).splitlines()
+    assert said[0] == "[1] Seek the keys in the drawer (searching)"
+    assert "or [1] Seek the keys in the drawer (searching)   ; the keys are not there" in said
+    assert said.count("  (inspect drawer)") == 2
+    assert said.count("  (inspect desk_drawer)") == 1
+
+
+def test_what_must_be_found_has_one_end():
+    (search,) = plan("[Look](1:searching) for [the pen](1:object).", [1]).nodes
+    assert isinstance(search, TaskPlan)
+    assert search.steps[-1].name == "inspect"
+    assert search.otherwise is None
+
+
+def test_a_condition_is_planned_up_to_its_look():
+    text = "If [the tv](1:object) [is](1:check_state) [on](1:state), [turn](2:change_state) [it](2:object=the tv) off."
+    (choice,) = plan(text, [{"if": 1, "then": [2]}]).nodes
+    assert isinstance(choice, Choice)
+    assert str(choice.holds.steps[-1]) == str(choice.fails.steps[-1]) == "(sense-place power__tv tv)"
+
+
+def test_what_is_in_view_from_the_first_takes_no_step():
+    text = "[Check](1:check_state) whether [the front door](1:object) is [open](1:state)."
+    assert "  ; in view already, nothing to do" in str(plan(text, [1])).splitlines()
