@@ -36,6 +36,7 @@ _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
 _DENYING = frozenset(("not", "n't", "n\u2019t"))
+_YET = frozenset("already yet still anymore".split())
 _BEING = frozenset(("be", "look", "seem", "feel"))
 _AIR = frozenset("hot cold warm freezing chilly cool icy stuffy humid late early noisy quiet bright light".split())
 """States of the day or the room, of which "is cold" may say what it names nothing for."""
@@ -154,7 +155,7 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
-        is_certain = _is_bare_being(document, position) or bool(degree_asked(document, position))
+        is_certain = is_bare_being(document, position) or bool(degree_asked(document, position))
         yield Gap(task, PREDICATE, position, "", is_certain=is_certain)
 
 
@@ -166,12 +167,13 @@ def says_there_is(document: Document, task: Task) -> bool:
     return "there" in around and any(named)
 
 
-def _is_bare_being(document: Document, verb: int) -> bool:
+def is_bare_being(document: Document, verb: int) -> bool:
     """Whether a pronoun is said to be, or not to be, and no more: "if it is", "if they aren't"."""
     tokens = document.tokens
-    if tokens[verb].lemma not in ("be", "'s") or verb == 0 or tokens[verb - 1].lower not in PRONOUNS - {"there"}:
+    before = next((token for token in reversed(tokens[:verb]) if token.lower not in _YET), None)
+    if tokens[verb].lemma not in ("be", "'s") or before is None or before.lower not in PRONOUNS - {"there"}:
         return False
-    behind = next((token for token in tokens[verb + 1 :] if token.lower not in _DENYING), None)
+    behind = next((token for token in tokens[verb + 1 :] if token.lower not in _DENYING | _YET), None)
     return behind is None or behind.text in MARKS
 
 

@@ -1,0 +1,49 @@
+"""Effects: the state that an order ends in, which a bare "if it isn't already" behind it asks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from decomplex_bt.domain.lexicon import Lexicon
+from decomplex_bt.domain.verbs import sense_of
+from decomplex_bt.instruction import Argument, Task
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.references.gaps import is_bare_being
+
+_OPENING = frozenset(("if", "unless"))
+_ANSWERED = frozenset(("state", "location"))
+
+
+def with_effects(document: Document, tasks: Sequence[Task], lexicon: Lexicon) -> tuple[Task, ...]:
+    """The tasks; a check that says no more than whether it is so, right behind the order that it is the condition of
+    ("close the window *if it isn't already*"), has the state that the order ends in; not where a check before it may be
+    what it takes up ("check if it's on, turn it off if it is")."""
+    found: list[Task] = []
+    for task in tasks:
+        order = found[-1] if found and all(one.type != "check_state" for one in found) else None
+        state = None
+        if order is not None and order.type == "change_state" and _asks_whether_done(document, task, order):
+            sense = sense_of(order.span.of(document.text), (), lexicon)
+            state = order.value("state") or (None if sense is None else sense.state)
+        if state is not None:
+            own = tuple(a for a in task.arguments if a.type not in _ANSWERED)
+            task = replace(task, arguments=(*own, Argument("state", state, None, task.confidence)))
+        found.append(task)
+    return tuple(found)
+
+
+def _asks_whether_done(document: Document, task: Task, order: Task) -> bool:
+    """Whether it is a bare "if it is" or "unless they are" behind an order, in one sentence."""
+    verb, before = document.indices(task.span).start, document.indices(order.span).start
+    is_said = any(a.type in _ANSWERED and a.span is not None for a in task.arguments)
+    is_near = document.sentences[verb] == document.sentences[before]
+    words = {token.lower for token in document.tokens[max(before, verb - 4) : verb]}
+    is_bare = task.type == "check_state" and not is_said and is_bare_being(document, verb)
+    return is_bare and is_near and not words.isdisjoint(_OPENING) and _is_trailing(document, before, verb)
+
+
+def _is_trailing(document: Document, before: int, verb: int) -> bool:
+    """Whether nothing but the order and its own words stands ahead of the condition: no "and if it isn't"."""
+    opening = next(i for i in range(verb, before, -1) if document.tokens[i - 1].lower in _OPENING) - 1
+    return document.tokens[opening - 1].lower not in (",", "and", "but", ";")

@@ -1,0 +1,32 @@
+"""A bare "if it isn't" behind an order asks for the state that the order ends in."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "state"),
+    [
+        ("Turn the heater on if it isn't already.", "on"),
+        ("Close the drawer if it isn't, and bring me the paper.", "closed"),
+        ("Open the shutters unless they already are.", "open"),
+        ("Fill the vase if it isn't yet.", "full"),
+        ("Switch the fan and the lamp off, but only if they're on.", "on"),
+        ("If the stew is cold, heat it, and if it isn't, bring it.", "cold"),
+    ],
+)
+def test_a_condition_that_says_no_more_asks_whether_the_order_is_carried_out(
+    interpreter: Interpreter, text: str, state: str
+) -> None:
+    found = interpreter.interpret(text)
+    checks = [task for task in found.tasks if task.type == "check_state"]
+    assert [check.value("state") for check in checks][:1] == [state]
+    assert not found.missing
