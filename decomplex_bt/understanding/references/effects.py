@@ -9,7 +9,7 @@ from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.verbs import sense_of
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
-from decomplex_bt.understanding.references.gaps import is_bare_being
+from decomplex_bt.understanding.references.gaps import DENYING, is_bare_being
 
 _OPENING = frozenset(("if", "unless"))
 _ANSWERED = frozenset(("state", "location"))
@@ -34,13 +34,16 @@ def with_effects(document: Document, tasks: Sequence[Task], lexicon: Lexicon) ->
 
 
 def _asks_whether_done(document: Document, task: Task, order: Task) -> bool:
-    """Whether it is a bare "if it is" or "unless they are" behind an order, in one sentence."""
+    """Whether it is a bare "if it isn't" or "unless they are" behind an order, in one sentence: the case in which that
+    has not been carried out yet."""
     verb, before = document.indices(task.span).start, document.indices(order.span).start
     is_said = any(a.type in _ANSWERED and a.span is not None for a in task.arguments)
     is_near = document.sentences[verb] == document.sentences[before]
     words = {token.lower for token in document.tokens[max(before, verb - 4) : verb]}
     is_bare = task.type == "check_state" and not is_said and is_bare_being(document, verb)
-    return is_bare and is_near and not words.isdisjoint(_OPENING) and _is_trailing(document, before, verb)
+    is_denied = any(token.lower in DENYING for token in document.tokens[verb + 1 : verb + 2])
+    is_undone = ("if" in words and is_denied) or ("unless" in words and not is_denied)
+    return is_bare and is_near and is_undone and _is_trailing(document, before, verb)
 
 
 def _is_trailing(document: Document, before: int, verb: int) -> bool:

@@ -35,7 +35,7 @@ _DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
-_DENYING = frozenset(("not", "n't", "n\u2019t"))
+DENYING = frozenset(("not", "n't", "n\u2019t"))
 _YET = frozenset("already yet still anymore".split())
 _BEING = frozenset(("be", "look", "seem", "feel"))
 _AIR = frozenset("hot cold warm freezing chilly cool icy stuffy humid late early noisy quiet bright light".split())
@@ -173,7 +173,7 @@ def is_bare_being(document: Document, verb: int) -> bool:
     before = next((token for token in reversed(tokens[:verb]) if token.lower not in _YET), None)
     if tokens[verb].lemma not in ("be", "'s") or before is None or before.lower not in PRONOUNS - {"there"}:
         return False
-    behind = next((token for token in tokens[verb + 1 :] if token.lower not in _DENYING | _YET), None)
+    behind = next((token for token in tokens[verb + 1 :] if token.lower not in DENYING | _YET), None)
     return behind is None or behind.text in MARKS
 
 
