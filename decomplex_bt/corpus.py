@@ -13,7 +13,7 @@ from pydantic import ConfigDict
 
 from decomplex_bt.domain.document import Record, check_record, item_lines, load_yaml
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.errors import DataFileError, InputError
+from decomplex_bt.errors import DataFileError, InputError, among
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Span, Task
 
@@ -235,7 +235,8 @@ def check_tasks(tasks: Iterable[Task], text: str) -> None:
 def _implied(values: Mapping[str, str], ontology: Ontology, number: int) -> Iterator[Argument]:
     for argument_type, value in values.items():
         if argument_type not in ontology.argument_types:
-            raise InputError(f"implied.{number}: unknown argument type {argument_type!r}")
+            known = among(argument_type, ontology.argument_types)
+            raise InputError(f"implied.{number}: unknown argument type {argument_type!r}{known}")
         yield Argument(argument_type, value)
 
 

@@ -9,6 +9,28 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from decomplex_bt.instruction import Missing
 
+FEW = 12
+"""So many names an error lists in full."""
+
+
+def among(name: object, known: Iterable[str]) -> str:
+    """How an error that refuses an unknown name goes on: by what was perhaps meant, or else by what is known.
+
+    Of many that are not alike it gives the first, and how many there are. "" where none is known.
+    """
+    from difflib import get_close_matches
+
+    names = list(dict.fromkeys(known))
+    alike = {_plainly(one): one for one in reversed(names)}
+    if near := get_close_matches(_plainly(str(name)), list(alike), n=3):
+        return f"; the nearest known: {', '.join(alike[one] for one in near)}"
+    listed = names if len(names) <= FEW else [*names[: FEW - 1], f"... ({len(names)} in all)"]
+    return f"; known: {', '.join(listed)}" if names else ""
+
+
+def _plainly(name: str) -> str:
+    return name.casefold().replace("_", " ").replace("-", " ").strip()
+
 
 class DecomplexError(Exception):
     """Root of all errors raised on purpose by this package."""

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any, TypeVar
 
-from decomplex_bt.envs.values import choice, nearest, number, positive, whole
-from decomplex_bt.errors import InputError
+from decomplex_bt.envs.values import choice, number, positive, whole
+from decomplex_bt.errors import InputError, among
 
 REWARDS = ("success", "progress")
 Config = TypeVar("Config")
@@ -95,7 +95,7 @@ def read_config(value: Any, kind: type[Config], name: str) -> Config:
     names = [item.name for item in fields(kind)]  # type: ignore[arg-type]
     for key in value or {}:
         if key not in names:
-            raise InputError(f"{name}: unknown {key!r}{nearest(str(key), names)}; known: {', '.join(names)}")
+            raise InputError(f"{name}: unknown {key!r}{among(key, names)}")
     return kind(**(value or {}))
 
 

@@ -14,7 +14,7 @@ import gymnasium as gym
 import numpy as np
 
 from decomplex_bt.envs.config import HouseholdConfig, read_config
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, among
 
 if TYPE_CHECKING:
     from gymnasium.envs.registration import EnvSpec
@@ -39,6 +39,7 @@ __all__ = ["HouseholdConfig", "HouseholdEnv"]
 DEFAULT_DOMAIN = "household"
 _MADE_ANEW = frozenset({"_home", "_episode", "_judge", "_camera", "_bodies"})
 """Attributes that a pickle leaves out: they hold what does not pickle, or belong to somebody else."""
+_ARGUMENTS = ("instruction", "gold", "domain", "house", "size", "house_seed", "config", "render_mode")
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
 
@@ -582,7 +583,7 @@ def _refuse(arguments: Mapping[str, Any]) -> None:
 
     unknown = [name for name in arguments if name not in KEYS]
     if unknown:
-        raise TypeError(f"HouseholdEnv takes no argument {unknown[0]!r}; its docstring has those it takes")
+        raise TypeError(f"HouseholdEnv takes no argument {unknown[0]!r}{among(unknown[0], _ARGUMENTS)}")
     given = ", ".join(f"{name!r}: {value!r}" for name, value in arguments.items())
     raise InputError(
         f"{', '.join(arguments)}: no argument of the environment but an option of each reset; "

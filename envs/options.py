@@ -10,13 +10,14 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
+from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.envs.chance import APERTURE, POWER, Draw
 from decomplex_bt.envs.config import REWARDS
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
-from decomplex_bt.envs.values import choice, flag, known, nearest, number, several, whole
-from decomplex_bt.errors import InputError
+from decomplex_bt.envs.values import choice, flag, known, number, several, whole
+from decomplex_bt.errors import InputError, among
 from decomplex_bt.instruction import Instruction
 
 MAX_CHARACTERS = 2000
@@ -68,6 +69,19 @@ class Options:
         return plain
 
 
+@dataclass(frozen=True, slots=True)
+class _Named:
+    """Names of the house that an option may hold, and what they are of."""
+
+    names: tuple[str, ...]
+    expected: str
+
+
+THING = "thing of this house"
+PLACE = "place of this house (furniture, a door, a floor as 'kitchen_floor')"
+PERSON = "person of this house"
+ROOM = "room of this house"
+DEVICE = "device of this house (what is switched on and off)"
 _AS_THEY_ARE = Options()
 HOUSE_KEYS = ("house", "house_seed")
 """The keys that are about which house it is; they are read first, since the others name what is in it."""
@@ -100,10 +114,10 @@ def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Optio
     read = Options(
         request=read_request(given.get("instruction"), given.get("gold")),
         balance=_number(given, "balance", 0.5),
-        placement=_names(given, "placement", tuple(house.things), places),
+        placement=_names(given, "placement", _Named(tuple(house.things), THING), _Named(places, PLACE), geometry),
         states=_states(given.get("states"), geometry),
         broken=_devices(given.get("broken"), geometry),
-        people=_names(given, "people", tuple(house.people), tuple(house.rooms)),
+        people=_names(given, "people", _Named(tuple(house.people), PERSON), _Named(tuple(house.rooms), ROOM), geometry),
         noise=flag("noise", given.get("noise", True)),
         grasp_slip=_number(given, "grasp_slip", 1.0),
         missed_detection=_number(given, "missed_detection", 1.0),
@@ -122,7 +136,7 @@ def check_keys(options: Mapping[str, Any] | None) -> None:
         raise InputError(f"options is {options!r}; expected a mapping of {', '.join(KEYS)}")
     for key in options or {}:
         if key not in KEYS:
-            raise InputError(f"unknown reset option {key!r}{nearest(str(key), KEYS)}; known: {', '.join(KEYS)}")
+            raise InputError(f"unknown reset option {key!r}{among(key, KEYS)}; `Options` says what each is")
 
 
 def with_instruction(options: dict[str, Any] | None, instruction: Any) -> dict[str, Any] | None:
@@ -192,9 +206,13 @@ def apply_options(options: Options, draw: Draw, rng: Any) -> None:
     for name, place in (options.placement or {}).items():
         at = ABSENT if place is None else row[place]
         if at != ABSENT and not draw.prior.holds[at]:
-            raise InputError(f"placement: nothing can lie on or in {place}")
+            raise InputError(
+                f"placement.{name}: nothing can lie on or in {place}; name a surface, a container or a floor"
+            )
         if not draw.lay(row[name], at, rng):
-            raise InputError(f"placement: there is no room left for {name} at {place}")
+            raise InputError(
+                f"placement.{name}: there is no room left at {place}; name another place, or put less there"
+            )
 
 
 def _set_state(draw: Draw, row: int, value: str) -> None:
@@ -233,16 +251,24 @@ def _from_mapping(key: str, value: Mapping[str, Any]) -> Instruction:
 
 
 def _names(
-    given: Mapping[str, Any], key: str, names: tuple[str, ...], values: tuple[str, ...]
+    given: Mapping[str, Any], key: str, names: _Named, values: _Named, geometry: Geometry
 ) -> dict[str, str | None] | None:
     if key not in given:
         return None
     if not isinstance(given[key], Mapping):
         raise InputError(f"{key} is {given[key]!r}; expected a mapping of names")
     return {
-        known(key, name, names): None if value is None else known(f"{key}.{name}", value, values)
+        _known(key, name, names, geometry): None if value is None else _known(f"{key}.{name}", value, values, geometry)
         for name, value in given[key].items()
     }
+
+
+def _known(key: str, value: Any, named: _Named, geometry: Geometry) -> str:
+    def aliases(word: str) -> tuple[str, ...]:
+        one, several = Nouns.of(geometry.house, geometry.kinds).lookup(word.lower())
+        return (*one, *several)
+
+    return known(key, value, named.names, named.expected, aliases, listed_by="`env.unwrapped.entities`")
 
 
 def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | None:
@@ -252,12 +278,13 @@ def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | Non
         raise InputError(f"states is {wanted!r}; expected a mapping of an entity to a state or several")
     pairs = geometry.kinds.state_pairs.values()
     all_states = tuple(value for pair in pairs for value in pair.values)
-    names = (*geometry.names[: geometry.place_count], *(geometry.names[row] for row in geometry.thing_rows))
+    names = _Named(geometry.names[: geometry.thing_rows.stop], "place or thing of this house")
     states: dict[str, tuple[str, ...]] = {}
     for name, value in wanted.items():
         key = f"states.{name}"
         values = (value,) if isinstance(value, str) else several(key, value, "a state or a list of them")
-        states[known("states", name, names)] = chosen = tuple(known(key, state, all_states) for state in values)
+        chosen = tuple(known(key, state, all_states, "state") for state in values)
+        states[_known("states", name, names, geometry)] = chosen
         for pair in pairs:
             if set(pair.values) <= set(chosen):
                 raise InputError(f"states: {name} cannot be both {' and '.join(pair.values)}; give one of them")
@@ -270,7 +297,8 @@ def _devices(wanted: Any, geometry: Geometry) -> tuple[str, ...] | None:
     devices = tuple(
         name for name in geometry.names[: geometry.place_count] if geometry.house.kind(name, geometry.kinds).is_device
     )
-    return tuple(known("broken", name, devices) for name in several("broken", wanted, "a list of devices"))
+    named = _Named(devices, DEVICE)
+    return tuple(_known("broken", name, named, geometry) for name in several("broken", wanted, "a list of devices"))
 
 
 def _check_switched(options: Options, geometry: Geometry) -> None:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from difflib import get_close_matches
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import isfinite
 from numbers import Integral, Real
 from typing import Any
 
 import numpy as np
 
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, among
+
+Aliases = Callable[[str], Iterable[str]]
+"""The names that a word of everyday language may stand for."""
 
 
 def number(name: str, value: Any, low: float = 0.0, high: float | None = None) -> float:
@@ -46,11 +48,24 @@ def choice(name: str, value: Any, choices: Sequence[str]) -> str:
     raise InputError(f"{name} is {value!r}; expected one of {', '.join(choices)}")
 
 
-def known(name: str, value: Any, choices: Sequence[str]) -> str:
-    """One of many, of which an error names the nearest."""
+def known(
+    name: str,
+    value: Any,
+    choices: Sequence[str],
+    expected: str,
+    aliases: Aliases | None = None,
+    *,
+    listed_by: str = "",
+) -> str:
+    """One of many, of which an error names the nearest.
+
+    `expected` says what they are; `aliases`: those that an everyday word stands for; `listed_by`: what has them all.
+    """
     if isinstance(value, str) and value in choices:
         return str(value)
-    raise InputError(f"{name}: unknown {value!r}{nearest(str(value), choices)}")
+    meant = [] if aliases is None else [choice for choice in aliases(str(value)) if choice in choices]
+    hint = f"; the nearest known: {', '.join(meant)}" if meant else among(value, choices)
+    raise InputError(f"{name}: {value!r} is no {expected}{hint}{f'; {listed_by} has them all' if listed_by else ''}")
 
 
 def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
@@ -59,12 +74,6 @@ def several(name: str, value: Any, expected: str) -> tuple[Any, ...]:
     if isinstance(value, Iterable) and not is_scalar:
         return tuple(value)
     raise InputError(f"{name} is {value!r}; expected {expected}")
-
-
-def nearest(value: str, choices: Iterable[str]) -> str:
-    """In brackets, what was perhaps meant; empty where nothing is near."""
-    near = get_close_matches(value, list(choices), n=3, cutoff=0.5)
-    return f" (the nearest known: {', '.join(near)})" if near else ""
 
 
 def _is_number(value: Any, kind: type) -> bool:

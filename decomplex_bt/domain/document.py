@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args, get_origin
 
 import yaml
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.errors import DataFileError, among
 
 
 class Record(BaseModel):
@@ -103,10 +103,34 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
         if first["type"] == "value_error" and not first["loc"]:  # which names its keys itself
             raise DataFileError(path, str(first["ctx"]["error"]), line=line) from None
         key = ".".join(str(part) for part in first["loc"]) or "the whole"
-        said = first["msg"].removeprefix("Value error, ")
+        if first["type"] == "missing":
+            raise DataFileError(path, f"{key}: it is missing, and required", line=line) from None
+        if first["type"] == "extra_forbidden":
+            known = _keys_at(model, first["loc"][:-1])
+            raise DataFileError(
+                path, f"{key}: there is no such key{among(first['loc'][-1], known)}", line=line
+            ) from None
+        said = (
+            first["msg"]
+            .removeprefix("Value error, ")
+            .replace("valid tuple", "list")
+            .replace("valid dictionary", "mapping")
+        )
         got = repr(first["input"])
         got = got if len(got) <= 60 else got[:57] + "..."
         raise DataFileError(path, f"{key}: {said} (got {got})", line=line) from None
+
+
+def _keys_at(model: Any, location: Sequence[int | str]) -> list[str]:
+    """The keys that a model takes where a location in it leads to; none where that is no model."""
+    for part in location:
+        while get_origin(model) is Annotated:
+            model = get_args(model)[0]
+        if isinstance(model, type) and issubclass(model, BaseModel):
+            model = model.model_fields[str(part)].annotation
+        else:
+            model = next(iter(get_args(model)[-1:] if get_origin(model) is dict else get_args(model)), None)
+    return list(model.model_fields) if isinstance(model, type) and issubclass(model, BaseModel) else []
 
 
 def _first_line(error: Exception) -> str:

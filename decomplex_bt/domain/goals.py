@@ -9,6 +9,7 @@ from functools import lru_cache
 from pydantic import Field, field_validator
 
 from decomplex_bt.domain.document import Format, Record
+from decomplex_bt.errors import among
 
 Filled = tuple[str, ...]
 """A filled atom: predicate and objects."""
@@ -84,7 +85,7 @@ def check_goals(
     """Raises `ValueError` where a template or a state value has no fluent, or one with another number of objects, and
     where a role or its type is unknown. `arguments`: the argument types, which are roles."""
     if unknown := [value for value in goals.fluents if value not in values]:
-        raise ValueError(f"fluents: {unknown[0]!r} is no state value of kinds.yaml")
+        raise ValueError(f"fluents: {unknown[0]!r} is no state value of kinds.yaml{among(unknown[0], values)}")
     for value in values:
         if predicates.get(goals.fluent(value)) != 1:
             raise ValueError(f"the state {value!r} has no fluent ({goals.fluent(value)} ?object) in domain.pddl")

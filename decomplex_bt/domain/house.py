@@ -11,6 +11,7 @@ from pydantic import AfterValidator, Field, model_validator
 
 from decomplex_bt.domain.document import Format, Probability, Record, Weights
 from decomplex_bt.domain.kinds import Kind, Kinds
+from decomplex_bt.errors import among
 
 ROBOT = "robot"
 """The robot's name, the last row of the entity table."""
@@ -109,19 +110,25 @@ class House(Record):
             for name in getattr(self, section):
                 key = f"{section}.{name}"
                 if not name.isidentifier() or name != name.lower():
-                    raise ValueError(f"{key}: {name!r} is no lower-case identifier")
+                    raise ValueError(
+                        f"{key}: {name!r} is no lower-case identifier; expected letters, digits and underscores, "
+                        "as in living_room"
+                    )
                 if name in taken:
                     raise ValueError(f"{key}: the name {name!r} stands twice, it is that of {taken[name]}")
                 taken[name] = key
         for name, piece in self.furniture.items():
             if piece.room not in self.rooms:
-                raise ValueError(f"furniture.{name}: unknown room {piece.room!r}")
+                raise ValueError(f"furniture.{name}: unknown room {piece.room!r}{among(piece.room, self.rooms)}")
             if piece.part_of is not None and piece.part_of not in self.furniture:
-                raise ValueError(f"furniture.{name}: part_of names the unknown {piece.part_of!r}")
+                raise ValueError(
+                    f"furniture.{name}: part_of names the unknown {piece.part_of!r}"
+                    f"{among(piece.part_of, (other for other in self.furniture if other != name))}"
+                )
         for name, doorway in self.doorways.items():
             for room in doorway.rooms:
                 if room not in self.rooms:
-                    raise ValueError(f"doorways.{name}: unknown room {room!r}")
+                    raise ValueError(f"doorways.{name}: unknown room {room!r}{among(room, self.rooms)}")
         return self
 
     @staticmethod

@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from decomplex_bt.domain.document import Format, Probability, Record, Weights
+from decomplex_bt.errors import among
 
 Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
 """`furniture`: fixed, with devices and containers; `fixture`: doors, windows, curtains, opened and closed, fixed."""
@@ -82,13 +83,17 @@ class Kinds(Record):
         for name, kind in self.kinds.items():
             for pair in (*kind.states, *kind.chance):
                 if pair not in self.state_pairs:
-                    raise ValueError(f"kind {name!r} has the unknown state pair {pair!r}")
+                    raise ValueError(
+                        f"kind {name!r} has the unknown state pair {pair!r}{among(pair, self.state_pairs)}"
+                    )
             for poured in kind.pours:
                 if poured not in self.kinds:
-                    raise ValueError(f"kind {name!r} pours the unknown kind {poured!r}")
+                    raise ValueError(f"kind {name!r} pours the unknown kind {poured!r}{among(poured, self.kinds)}")
             for place in kind.places:
                 if place not in self.kinds:
-                    raise ValueError(f"kind {name!r} lies at the unknown kind of place {place!r}")
+                    raise ValueError(
+                        f"kind {name!r} lies at the unknown kind of place {place!r}{among(place, self.kinds)}"
+                    )
                 if not (self.kinds[place].surface or self.kinds[place].inside):
                     raise ValueError(f"kind {name!r} cannot lie at {place!r}: it is neither surface nor container")
         return self

@@ -18,7 +18,7 @@ from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.domain.pddl import check_pddl, pddl_predicates, pddl_types
 from decomplex_bt.domain.survey import check_house
-from decomplex_bt.errors import DataFileError, InputError
+from decomplex_bt.errors import DataFileError, InputError, among
 
 _FILES = ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl")
 _ABILITIES = ("heats", "cools", "washes", "rinses", "fills", "drains", "wipes")
@@ -160,13 +160,17 @@ def _check_words(lexicon: Lexicon, ontology: Ontology, kinds: Kinds) -> None:
     for group in lexicon.groups:
         for task in group.tasks:
             if task not in ontology.task_types:
-                raise ValueError(f"groups: {group.verbs[0]!r}: unknown task type {task!r}")
+                raise ValueError(
+                    f"groups: {group.verbs[0]!r}: unknown task type {task!r}{among(task, ontology.task_types)}"
+                )
         if group.state is not None and group.state not in values:
-            raise ValueError(f"groups: {group.verbs[0]!r}: unknown state {group.state!r}")
+            raise ValueError(f"groups: {group.verbs[0]!r}: unknown state {group.state!r}{among(group.state, values)}")
 
 
 def _check_task_types(goals: Goals, ontology: Ontology) -> None:
     if unknown := sorted(set(goals.goals) - set(ontology.task_types)):
-        raise ValueError(f"goals.{unknown[0]}: no such task type in ontology.yaml")
+        raise ValueError(
+            f"goals.{unknown[0]}: no such task type in ontology.yaml{among(unknown[0], ontology.task_types)}"
+        )
     if without := sorted(set(ontology.task_types) - set(goals.goals)):
         raise ValueError(f"goals: the task type {without[0]!r} of ontology.yaml has no goal")

@@ -7,6 +7,7 @@ import re
 from pydantic import model_validator
 
 from decomplex_bt.domain.document import Format, Record
+from decomplex_bt.errors import among
 
 
 class TaskType(Record):
@@ -37,7 +38,10 @@ class Ontology(Record):
         for name, task_type in self.task_types.items():
             for argument in task_type.arguments:
                 if argument not in self.argument_types:
-                    raise ValueError(f"task type {name!r} takes the unknown argument type {argument!r}")
+                    raise ValueError(
+                        f"task type {name!r} takes the unknown argument type {argument!r}"
+                        f"{among(argument, self.argument_types)}"
+                    )
             for word in task_type.says.split():
                 match = re.fullmatch(r"\{(\w+)\}", word)
                 if re.search("[{}]", word) and (match is None or match[1] not in task_type.arguments):

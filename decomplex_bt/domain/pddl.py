@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from decomplex_bt.domain.sexpr import Sexpr, read_sexpr, typed_list
+from decomplex_bt.errors import among
 
 ROOT = "object"
 """The type of everything."""
@@ -95,7 +96,7 @@ def _check_action(action: tuple[Sexpr, ...], types: set[str], predicates: Mappin
 def _check_atom(where: str, atom: tuple[Sexpr, ...], variables: Sequence[str], predicates: Mapping[str, int]) -> None:
     name, *terms = atom or ("",)
     if name not in predicates:
-        raise ValueError(f"{where}: unknown predicate in {_said(atom)}; :predicates has those there are")
+        raise ValueError(f"{where}: unknown predicate in {_said(atom)}{among(_said(name), predicates)}")
     if len(terms) != predicates[str(name)]:
         raise ValueError(f"{where}: {_said(atom)} has {len(terms)} objects instead of {predicates[str(name)]}")
     if unknown := [term for term in terms if term not in variables]:

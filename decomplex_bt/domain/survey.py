@@ -7,7 +7,8 @@ from itertools import combinations
 from math import prod
 
 from decomplex_bt.domain.house import USER, House, Rect
-from decomplex_bt.domain.kinds import Kinds
+from decomplex_bt.domain.kinds import Category, Kinds
+from decomplex_bt.errors import among
 
 TOLERANCE = 0.02
 """[m] By which what is measured may lie over what it touches."""
@@ -15,6 +16,16 @@ MOST_GROUND = 4000.0
 """[m²] What a house takes up at most, with all that lies between its rooms: the robot's map is a grid over it."""
 FARTHEST = 10_000.0
 """[m] How far from the origin a room may lie: what is observed are single-precision numbers, there right to 1 mm."""
+
+
+_CATEGORIES: dict[str, tuple[Category, ...]] = {
+    "rooms": ("room",),
+    "doorways": ("fixture",),
+    "furniture": ("furniture", "fixture"),
+    "things": ("thing",),
+    "people": ("person",),
+}
+"""What kinds the entries of a section may be of."""
 
 
 def check_house(house: House, kinds: Kinds) -> None:
@@ -60,8 +71,16 @@ def _extent(rects: Collection[Rect]) -> tuple[float, float]:
 def _check_kinds(house: House, kinds: Kinds) -> None:
     for section in ("rooms", "doorways", "furniture", "things", "people"):
         for name, entry in getattr(house, section).items():
-            if entry.kind not in kinds.kinds and not (section == "doorways" and entry.kind is None):
-                raise ValueError(f"{section}.{name}: unknown kind {entry.kind!r}")
+            if section == "doorways" and entry.kind is None:
+                continue
+            fitting = [kind for kind, what in kinds.kinds.items() if what.category in _CATEGORIES[section]]
+            if entry.kind not in fitting:
+                is_known = entry.kind in kinds.kinds
+                found = f"a {kinds.kinds[entry.kind].category}" if is_known else "unknown"
+                raise ValueError(
+                    f"{section}.{name}: the kind {entry.kind!r} is {found}; expected the kind of a "
+                    f"{' or '.join(_CATEGORIES[section])}, as kinds.yaml has it{among(entry.kind, fitting)}"
+                )
 
 
 def _check_user(house: House) -> None:
@@ -89,7 +108,7 @@ def _check_whereabouts(house: House, kinds: Kinds) -> None:
     for key, rooms in (*starts.items(), ("robot_start", house.robot_start)):
         for room in rooms:
             if room not in house.rooms:
-                raise ValueError(f"{key}: unknown room {room!r}")
+                raise ValueError(f"{key}: unknown room {room!r}{among(room, house.rooms)}")
 
 
 def _check_rooms(house: House) -> None:

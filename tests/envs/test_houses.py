@@ -242,7 +242,26 @@ ATTIC = {"kind": "study", "rect": [20, 20, 25, 25]}
         (changed("rooms", "kitchen", "rect", to=[float("nan"), 5.3, 4.4, 9]), r"rooms\.kitchen\.rect\.0.*finite"),
         (changed("furniture", "fridge", "centre", to=[0.4, float("inf")]), r"furniture\.fridge\.centre\.1.*finite"),
         (changed("robot_start", to={"kitchen": 0}), r"robot_start.*all weights are 0"),
-        (changed("people", "anna", "rooms", to={"attic": 1}), r"people\.anna\.rooms: unknown room 'attic'"),
+        (
+            changed("people", "anna", "rooms", to={"attic": 1}),
+            r"people\.anna\.rooms: unknown room 'attic'; known: kitchen,",
+        ),
+        (changed("furniture", "fridge", "kind", to="frige"), r"the kind 'frige' is unknown.*nearest known: fridge"),
+        (
+            changed("furniture", "fridge", "kind", to="pen"),
+            r"the kind 'pen' is a thing; expected .* furniture or fixture",
+        ),
+        (changed("things", "apple", "kind", to="fridge"), r"things\.apple: the kind 'fridge' is a furniture; .* thing"),
+        (changed("furniture", "fridge", "room", to="kitchn"), r"unknown room 'kitchn'; the nearest known: kitchen"),
+        (changed("furniture", "drawer", "part_of", to="couter"), r"unknown 'couter'; the nearest known: counter"),
+        (changed("furniture", "fridge", "side", to=["south"]), r"fridge\.side: there is no such key; .* sides, size"),
+        (changed("furniture", "fridge", "sides", to=None), r"fridge\.sides: it is missing, and required"),
+        (changed("colour", to="red"), r"colour: there is no such key; known: format, name, rooms"),
+        (
+            changed("doorways", "kitchen_doorway", "rooms", to=["hall", "kitchen"]),
+            r"'hall'; the nearest known: hallway",
+        ),
+        (changed("rooms", "Den", to=ATTIC), r"rooms\.Den: 'Den' is no lower-case identifier; .* as in living_room"),
         (
             changed("people", "anna", to={"kind": "user", "rooms": {"study": 1}}),
             r"people\.anna: a second user.*first of the people, user",
