@@ -27,7 +27,8 @@ _EDITING = _MARKS | _HESITATING | _DENYING | frozenset("ah hmm oh well sorry wai
 _PHRASES = tuple(
     tuple(phrase.split())
     for phrase in (
-        "i mean", "i meant", "or rather", "hang on", "hold on", "i beg your pardon", "what am i saying",
+        "i mean", "i meant", "or rather", "or better", "better still", "better yet", "on second thoughts",
+        "on second thought", "hang on", "hold on", "i beg your pardon", "what am i saying",
         "what 's it called", "what s it called", "whats it called", "what is it called", "what are they called",
         "what do you call it", "what do you call them", "what do you call that", "what 's his name",
         "what 's her name", "whatsit", "wotsit", "thingy", "thingummy", "thingamajig", "whatchamacallit",
@@ -36,7 +37,14 @@ _PHRASES = tuple(
 """What is said while looking for words, beside single words."""
 _BEGINNINGS = frozenset(phrase[0] for phrase in _PHRASES)
 _STRONG = _DENYING | {"sorry"}
-_STRONG_PHRASES = frozenset((("i", "mean"), ("i", "meant"), ("or", "rather"), ("your", "pardon"), ("am", "i")))
+_STRONG_PHRASES = frozenset(
+    (
+        ("i", "mean"), ("i", "meant"), ("or", "rather"), ("or", "better"), ("better", "still"), ("better", "yet"),
+        ("second", "thoughts"), ("second", "thought"), ("your", "pardon"), ("am", "i"),
+    )
+)  # fmt: skip
+_SET_OFF = frozenset(("actually", "better"))
+"""What puts something right behind a mark: "on the table, *better* on the shelf"."""
 _TURNING = frozenset(("wait", "hang", "hold"))
 """What takes something back where words are said over again."""
 _NO_EDITS_BEFORE = frozenset(
@@ -61,6 +69,10 @@ _BREAKS = _MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))
 _CLAUSE_OPENERS = _BREAKS | _FILLERS | frozenset("if unless when oh ok okay just to".split())
 _AHEAD = frozenset("first before ahead until till".split())
 _COORDINATING = frozenset(("and", "or", "then", "but"))
+_WISHERS = frozenset(("i", "we"))
+_WOULD = frozenset("'ll will 'd would".split())
+_WISHING = frozenset("have take like love prefer".split())
+_POINTING = frozenset("that this those these".split())
 _PLACING = frozenset(("behind", "inside", "under", "underneath", "beneath"))
 """Prepositions that are adverbs to the tagger where nothing follows."""
 _NAMED = frozenset(("nsubj", "dobj", "pobj"))
@@ -181,6 +193,8 @@ class _Said:
         words = self.words[run.start : run.stop]
         if any(pair in _STRONG_PHRASES for pair in pairwise(words)):
             return True
+        if words[0] in _MARKS and words[-1] in _SET_OFF | _MARKS and not _SET_OFF.isdisjoint(words):
+            return True
         after = self.document.tokens[run.stop] if run.stop < len(self.words) else None
         said = {word for word in words if word in _STRONG}
         is_named = after is not None and after.pos in ("NOUN", "PROPN", "ADJ", "PRON")
@@ -216,7 +230,8 @@ def _run(document: Document, words: Sequence[str], start: int) -> int:
         if words[i] in _BEGINNINGS:
             phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
         is_noun = words[i] == "well" and document.tokens[i].pos == "NOUN"
-        if phrase is None and (words[i] not in _EDITING or is_noun):
+        is_editing = words[i] in _EDITING or (words[i] == "better" and i > start)
+        if phrase is None and (not is_editing or is_noun):
             break
         i += 1 if phrase is None else len(phrase)
     is_editing = any(word not in ("or", "just") for word in words[start:i])
@@ -410,10 +425,17 @@ def _stub(said: _Said, run: range) -> range:
 def _puts_right(said: _Said, run: range) -> bool:
     """Whether an order behind a run stands in place of the one before: that is taken back, or breaks off and the
     speaker thinks again."""
-    return said.is_strong(run) or (bool(_stub(said, run)) and said.has(run, ("well", "just", "actually")))
+    is_instead = said.has(run, _TURNING) and "instead" in _clause_behind(said, run.stop)
+    return said.is_strong(run) or is_instead or (bool(_stub(said, run)) and said.has(run, ("well", "just", "actually")))
 
 
-def _put_otherwise(said: _Said, run: range) -> range:
+def _clause_behind(said: _Said, start: int) -> Sequence[str]:
+    """The words from there to the next mark."""
+    stop = next((i for i in range(start, len(said.words)) if said.words[i] in _MARKS | ENDS), len(said.words))
+    return said.words[start:stop]
+
+
+def _put_otherwise(said: _Said, run: range) -> Collection[int]:
     """What stands before a run of editing words and is put otherwise behind it, with the run; empty for nothing."""
     words, tokens = said.words, said.document.tokens
     left, right = run.start - 1, run.stop
@@ -452,8 +474,13 @@ def _put_otherwise(said: _Said, run: range) -> range:
 
 
 def _denied(said: _Said, run: range) -> range:
-    """A phrase that is denied with its own words and another one named: "to the shed, no, not the shed, the garage"."""
+    """A phrase that is denied with its own words and another one named: "to the shed, no, not the shed, the garage";
+    where it is only pointed at, no more than the denial ("the red pan, no, *not that one,* the flat one")."""
     words, tokens, again = said.words, said.document.tokens, run.stop + 1
+    if words[again : again + 1] != [] and words[again] in _POINTING:
+        stop = again + 1 + (words[again + 1 : again + 2] in (["one"], ["ones"]))
+        is_other = stop + 1 < len(words) and words[stop] in _MARKS and words[stop + 1] in _DETERMINERS
+        return range(run.stop, stop + 1) if is_other else range(0)
     for count in range(min(LONGEST, run.start), 0, -1):
         stop = again + count
         if words[again:stop] != words[run.start - count : run.start]:
@@ -493,9 +520,10 @@ def _contrasted(said: _Said, left: int, right: int) -> range:
     return range(left, mark + 1)
 
 
-def _phrase_before(said: _Said, run: range) -> range:
+def _phrase_before(said: _Said, run: range) -> Collection[int]:
     """The phrase before a run, and the run, where one of the same kind stands behind it: with a preposition, or with an
-    article or number; "the red mug, no, the blue one" needs the noun of the first."""
+    article or number; "the red mug, no, the blue one" needs the noun of the first. A particle behind the phrase stays
+    ("switch *the oven* on, no, the grill")."""
     words, tokens = said.words, said.document.tokens
     left, right = run.start - 1, run.stop
     is_led = tokens[right].pos == "ADP" or tokens[right].tag == "RP"
@@ -508,13 +536,16 @@ def _phrase_before(said: _Said, run: range) -> range:
         return range(0)
     if not said.are_together(right, end - 1) or "one" in words[right : end + 1] or "ones" in words[right : end + 1]:
         return range(0)
+    is_particle = tokens[left].tag == "RP" or tokens[left].dep == "prt"
+    is_parted = is_named and not is_led and is_particle and words[right] in _DETERMINERS
+    left -= is_parted
     first = left
     while first >= 0 and said.are_together(first, left) and left - first < LONGEST:
         token = tokens[first]
         if is_led and (token.pos == "ADP" or token.tag == "RP"):
             return range(first, right)
         if is_named and (words[first] in _DETERMINERS or token.pos == "NUM"):
-            return range(first, right)
+            return [*range(first, left + 1), *range(run.start, right)] if is_parted else range(first, right)
         if token.pos not in _NAMING and token.tag != "PRP$":
             break
         first -= 1
@@ -530,7 +561,8 @@ def _order_before(said: _Said, run: range) -> range:
     if left < 0 or right >= len(words) or not (said.are_together(left, right) or _is_second_thought(said, run, right)):
         return range(0)
     end = next((i for i in range(right, len(words)) if not said.are_together(i, right)), len(words))
-    is_other = _is_order(said.document, right) and words[right] not in _WITHDRAWING and right + 1 < end
+    is_order = _is_order(said.document, right) or _is_wish(said, right + 2)
+    is_other = is_order and words[right] not in _WITHDRAWING and right + 1 < end
     is_other = is_other and words[right + 1] not in _EDITING
     if not is_other or not _AHEAD.isdisjoint(words[right:end]) or {"and", "also"} & set(words[run.start : run.stop]):
         return range(0)
@@ -544,6 +576,8 @@ def _order_before(said: _Said, run: range) -> range:
     for i in range(left - (words[left] in ENDS), -1, -1):
         if not said.are_together(i, left):
             break
+        if _is_wish(said, i):
+            return range(i - 2, right)
         if _is_order(said.document, i) and tokens[i].dep not in _WITHIN:
             is_subordinate = not _SUBORDINATING.isdisjoint(words[max(0, i - 2) : i])
             is_forbidden = i > 0 and words[i - 1] in ("not", "n't", "never")
@@ -554,6 +588,12 @@ def _order_before(said: _Said, run: range) -> range:
         if (words[i] in _BREAKS and not is_joined) or (is_asking and not is_asked):
             break
     return range(0)
+
+
+def _is_wish(said: _Said, i: int) -> bool:
+    """Whether a verb says what the speaker would like to have: "I'll *have* tea", "I'd *like* some"."""
+    words = said.words
+    return 1 < i < len(words) and words[i] in _WISHING and words[i - 1] in _WOULD and words[i - 2] in _WISHERS
 
 
 def _order_behind(said: _Said, run: range) -> int:

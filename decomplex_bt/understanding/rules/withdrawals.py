@@ -130,7 +130,8 @@ class _Words:
         if not {"and", "also", "or", "just", "so"}.isdisjoint(lead):
             return False
         is_meant = tuple(self.said[max(0, at - 2) : at]) in (("i", "mean"), ("i", "meant"), ("or", "rather"))
-        return is_meant or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
+        is_set_off = len(lead) > 1 and lead[-1] == "actually" and lead[-2] in _BREAKS
+        return is_meant or is_set_off or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
 
     def is_denied(self, at: int) -> bool:
         """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
