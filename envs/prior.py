@@ -77,7 +77,7 @@ class Prior:
         absent = kind.absent if item.absent is None else item.absent
         weights = np.zeros(geometry.place_count + 1)
         for name, weight in (item.places or kind.places).items():
-            found = [geometry.row[place] for place in self._named[name]]
+            found = [geometry.row[place] for place in self._named.get(name, ())]
             for place in found:
                 weights[place] += weight / len(found)
         total = weights.sum()

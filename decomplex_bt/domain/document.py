@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args, get_origin
@@ -110,15 +111,16 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
             raise DataFileError(
                 path, f"{key}: there is no such key{among(first['loc'][-1], known)}", line=line
             ) from None
-        said = (
-            first["msg"]
-            .removeprefix("Value error, ")
-            .replace("valid tuple", "list")
-            .replace("valid dictionary", "mapping")
-        )
+        said = _in_yaml(first["msg"].removeprefix("Value error, "))
         got = repr(first["input"])
         got = got if len(got) <= 60 else got[:57] + "..."
         raise DataFileError(path, f"{key}: {said} (got {got})", line=line) from None
+
+
+def _in_yaml(said: str) -> str:
+    """What pydantic says, in the words of a data file instead of Python's."""
+    said = re.sub(r"valid (mapping|dictionary)( or instance of \w+)?", "mapping", said)
+    return said.replace("valid tuple", "list")
 
 
 def _keys_at(model: Any, location: Sequence[int | str]) -> list[str]:

@@ -34,7 +34,8 @@ def check_house(house: House, kinds: Kinds) -> None:
     _check_extent(house)
     _check_kinds(house, kinds)
     _check_user(house)
-    _check_whereabouts(house, kinds)
+    _check_things(house, kinds)
+    _check_starts(house)
     _check_rooms(house)
     _check_furniture(house, kinds)
 
@@ -93,17 +94,33 @@ def _check_user(house: House) -> None:
             )
 
 
-def _check_whereabouts(house: House, kinds: Kinds) -> None:
-    """That things, people and the robot begin at places and in rooms that there are."""
+def _check_things(house: House, kinds: Kinds) -> None:
+    """That every thing may lie somewhere: at the places that the house gives it, which are all to be there, or at one
+    at least of those of its kind."""
     named = house.places_by_name()
     for name, item in house.things.items():
-        for where in item.places or kinds.kinds[item.kind].places:
+        kind = kinds.kinds[item.kind]
+        for where in item.places:
             if where not in named:
-                raise ValueError(f"things.{name}: lies at {where!r}, which no place of the house is, by name or kind")
-            for place in named[where]:
-                kind = house.kind(place, kinds)
-                if not (kind.surface or kind.inside):
-                    raise ValueError(f"things.{name}: nothing can lie on or in {place!r}")
+                raise ValueError(
+                    f"things.{name}.places: {where!r} is no place of the house, by name or kind{among(where, named)}; "
+                    "add it under furniture, or leave it out"
+                )
+        places = item.places or kind.places
+        for place in (place for where in places for place in named.get(where, ())):
+            if not (house.kind(place, kinds).surface or house.kind(place, kinds).inside):
+                raise ValueError(f"things.{name}: nothing can lie on or in {place!r}")
+        absent = kind.absent if item.absent is None else item.absent
+        if absent < 1 and not any(weight and where in named for where, weight in places.items()):
+            floor = house.floor_of(next(iter(house.rooms)))
+            raise ValueError(
+                f"things.{name}: the house has none of the places of its kind ({', '.join(kind.places)}); "
+                f"add one of them under furniture, or give the thing its own, as in places: {{{floor}: 1}}"
+            )
+
+
+def _check_starts(house: House) -> None:
+    """That people and the robot begin in rooms that there are."""
     starts = {f"people.{name}.rooms": person.rooms for name, person in house.people.items()}
     for key, rooms in (*starts.items(), ("robot_start", house.robot_start)):
         for room in rooms:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import shutil
+from pathlib import Path
 
 import gymnasium as gym
 import networkx as nx
@@ -12,7 +14,7 @@ import yaml
 
 import decomplex_bt
 from decomplex_bt.corpus import read_markup
-from decomplex_bt.domain.house import Room
+from decomplex_bt.domain.house import Doorway, Furniture, House, Item, Person, Room
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.chance import Draw
 from decomplex_bt.envs.feasibility import find_cause
@@ -268,7 +270,15 @@ ATTIC = {"kind": "study", "rect": [20, 20, 25, 25]}
         ),
         (changed("people", to={}), r"people: .*at least 1"),
         (changed("rooms", to={}), r"rooms: .*at least 1"),
-        (changed("furniture", to={}), r"things\.\w+: lies at '\w+', which no place of the house is"),
+        (
+            changed("furniture", to={}),
+            r"things\.pen_1: the house has none of the places of its kind \(desk, .*add one of them under furniture, "
+            r"or give the thing its own, as in places: \{kitchen_floor: 1\}",
+        ),
+        (
+            changed("things", "apple", to={"kind": "apple", "places": {"frige": 1}}),
+            r"things\.apple\.places: 'frige' is no place .*the nearest known: fridge; add it under furniture",
+        ),
         (
             changed("things", "apple", to={"kind": "apple", "places": {"tv": 1}}),
             r"things\.apple: nothing can lie .*'tv'",
@@ -300,6 +310,59 @@ def test_the_house_of_a_folder_is_looked_over_as_well(tmp_path):
     (tmp_path / "house.yaml").write_text(text)
     with pytest.raises(DataFileError, match=r"house\.yaml: doorways\.kitchen_doorway"):
         HouseholdEnv(go("kitchen"), domain=tmp_path)
+
+
+def test_a_house_need_not_have_all_the_places_of_a_kind(tmp_path):
+    data = yaml.safe_load((DOMAIN.folder / "house.yaml").read_text())
+    del data["furniture"]["cupboard"]
+    path = tmp_path / "house.yaml"
+    path.write_text(yaml.safe_dump(data, sort_keys=False))
+    env = HouseholdEnv(go("kitchen"), house=path)
+    env.reset(seed=0)
+    assert "cupboard" in DOMAIN.kinds.kinds["cup"].places
+    rows, weights = env.setting.prior.places(env.entities.index("cup_1"))
+    assert weights.sum() == pytest.approx(1)
+    assert {env.entities[row] for row in rows[weights > 0] if row >= 0} >= {"dishwasher", "kitchen_table"}
+
+
+def test_a_thing_that_is_never_there_needs_no_place(tmp_path):
+    data = yaml.safe_load((DOMAIN.folder / "house.yaml").read_text())
+    path = tmp_path / "house.yaml"
+    things = {"apple": {"kind": "apple", "absent": 1}}
+    path.write_text(yaml.safe_dump({**data, "furniture": {}, "things": things}, sort_keys=False))
+    assert HouseholdEnv(go("kitchen"), house=path).reset(seed=0)[1]["feasible"]
+
+
+def test_a_file_that_is_no_house_is_refused(tmp_path):
+    path = tmp_path / "house.yaml"
+    path.write_text("")
+    with pytest.raises(DataFileError, match=r"the whole: Input should be a mapping \(got None\)"):
+        HouseholdEnv(go("kitchen"), house=path)
+
+
+MANUAL = Path(__file__).parents[2] / "docs" / "environment.md"
+
+
+@pytest.mark.skipif(not MANUAL.exists(), reason="not the source tree")
+def test_the_house_of_the_manual_is_lived_in(tmp_path):
+    path = tmp_path / "house.yaml"
+    path.write_text(re.search(r"```yaml\n(.*?)```", MANUAL.read_text(encoding="utf-8"), re.DOTALL)[1])
+    assert HouseholdEnv(go("kitchen"), house=path).reset(seed=0)[1]["feasible"]
+
+
+@pytest.mark.skipif(not MANUAL.exists(), reason="not the source tree")
+@pytest.mark.parametrize("record", [House, Room, Doorway, Furniture, Item, Person])
+def test_the_manual_has_every_key_of_a_house_and_whether_it_is_required(record):
+    lines = MANUAL.read_text(encoding="utf-8").splitlines()
+    sections = {Room: "rooms", Doorway: "doorways", Furniture: "furniture", Item: "things", Person: "people"}
+    section, stated = "", {}
+    for cells in ([cell.strip() for cell in line.split("|")] for line in lines if line.startswith("| ")):
+        section = cells[1].strip("`") if len(cells) == 6 and cells[1] else section
+        keys, required = cells[-4:-2]
+        for key in re.findall(r"`(\w+)`", keys):
+            stated[section if len(cells) == 6 else "", key] = required
+    for key, field in record.model_fields.items():
+        assert stated[sections.get(record, ""), key].startswith("yes" if field.is_required() else "no"), key
 
 
 def test_the_shipped_house_is_in_order():
