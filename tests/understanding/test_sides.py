@@ -10,6 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
+from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 
 
@@ -565,3 +566,53 @@ def test_what_is_done_in_the_opposite_of_a_forbidden_case_is_done_where_that_is_
     roles = ("task", "condition", "mention", "task") if is_ahead else ("condition", "task", "mention", "task")
     sides = (">1-", "top", "<1", "<1+") if is_ahead else ("top", "<1-", "<1", "<1+")
     assert stated_sides(found, roles, sides)[-1] == side
+
+
+@pytest.mark.parametrize(
+    ("markup", "roles", "sides", "expected"),
+    [
+        (
+            "Either [rinse](1:change_state) [the jug](1:object) or [fill](2:change_state) [the vase](2:object), and "
+            "[go](3:motion) [out](3:goal).",
+            ("task", "task", "task"),
+            ("top", "top", "top"),
+            (("condition", "task", "task"), ("top", "<1-", "top")),
+        ),
+        (
+            "If [Ann](1:object) [is](1:check_state) [in](1:state), [ring](2:informing) [her](2:recipient) or "
+            "[fill](3:change_state) [the vase](3:object), and [go](4:motion) [out](4:goal).",
+            ("condition", "task", "task", "task"),
+            ("top", "<1+", "<1+", "<1+"),
+            (("condition", "condition", "task", "task"), ("top", "<1+", "<1-", "<2+")),
+        ),
+        (
+            "Depending on whether [Ann](1:object) [is](1:check_state) [in](1:state), [ring](2:informing) "
+            "[her](2:recipient) or [fill](3:change_state) [the vase](3:object).",
+            ("condition", "task", "task"),
+            ("top", "<1+", "<1-"),
+            (("condition", "task", "task"), ("top", "<1+", "<1-")),
+        ),
+        (
+            "[Rinse](1:change_state) [the jug](1:object) or [fill](2:change_state) [the vase](2:object) if "
+            "[it](3:object)'s [empty](3:check_state).",
+            ("task", "task", "condition"),
+            (">1-", ">1+", "top"),
+            (("task", "task", "condition"), (">1-", ">1+", "top")),
+        ),
+        (
+            "Do n't [rinse](1:change_state) [the jug](1:object) or [fill](2:change_state) [the vase](2:object).",
+            ("task", "task"),
+            ("top", "top"),
+            (("task", "task"), ("top", "top")),
+        ),
+    ],
+)
+def test_of_two_orders_that_an_or_joins_the_second_is_for_where_the_first_fails(
+    markup: str,
+    roles: tuple[str, ...],
+    sides: tuple[str, ...],
+    expected: tuple[tuple[str, ...], tuple[str, ...]],
+) -> None:
+    found = clauses(markup)
+    settled = stated_roles(found, roles)
+    assert (settled, stated_sides(found, settled, sides)) == expected

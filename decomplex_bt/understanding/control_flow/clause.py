@@ -182,6 +182,14 @@ class Clause:
         is_pronoun = (self.is_of_it or self.is_of_somebody) and not self.objects
         return is_pronoun and is_one and bool(order.objects) and not order.has_pronoun and not self.is_of_weather
 
+    def is_choice_beside(self, before: Clause) -> bool:
+        """Whether it is ordered instead of the order before, as it may be: "close the window *or turn the heater on*";
+        not where a condition may choose, nor with what is forbidden."""
+        are_orders = self.task.type != "check_state" != before.task.type and self.sentence == before.sentence
+        is_joined = self.near == ("or",) and not self.far and self.boundary in ("none", ",")
+        is_free = not {*before.far, *before.near, *before.behind, *self.behind} & _CHOOSING
+        return are_orders and is_joined and is_free and not (self.is_forbidden or before.is_forbidden)
+
     def is_elsewhere_than(self, first: Clause) -> bool:
         """Whether it asks if who or what the other looks for is in another place."""
         is_of_them = self.names_same(first) or (self.has_pronoun and not self.objects)
@@ -389,6 +397,7 @@ _NEEDED = {
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _ANSWERS = frozenset(("yes", "no"))
 _IFS = frozenset(("if", "unless", "only_if"))
+_CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
 _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))

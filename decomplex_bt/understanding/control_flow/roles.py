@@ -12,7 +12,7 @@ from decomplex_bt.understanding.control_flow.clauses import last_named
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off):
+    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off, _choose):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     return tuple(stated)
@@ -111,3 +111,19 @@ def _call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tells in which case an order is not to be carried out is a condition."""
     if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].is_case_against(clauses[k - 1]):
         roles[k] = "condition"
+
+
+def _choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of two orders that an "or" joins the second is for where the first fails."""
+    if may_choose(clauses, roles, k) and roles[k - 1] == "task":
+        roles[k - 1] = "condition"
+
+
+def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether task `k` is ordered instead of the one before it, as it may be; not where a condition stands behind them
+    in their sentence ("... or grab the stick if you can't") or chooses between them ("depending on whether ...")."""
+    sentence = clauses[k].sentence
+    around = [j for j, clause in enumerate(clauses) if clause.sentence == sentence]
+    is_chosen = any("depending" in (*clauses[j].far, *clauses[j].near) for j in around)
+    is_asked = any(roles[j] in CONDITION_ROLES for j in around if j > k)
+    return roles[k] == "task" and clauses[k].is_choice_beside(clauses[k - 1]) and not (is_chosen or is_asked)

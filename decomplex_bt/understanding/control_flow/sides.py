@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
+from decomplex_bt.understanding.control_flow.roles import may_choose
 from decomplex_bt.understanding.cues import are_apart
 
 _HOLDS, _FAILS = "<1+", "<1-"
@@ -54,6 +55,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _stand_alone,
             _call_off,
             _exclude,
+            _choose,
         ):
             rule(clauses, roles, sides, k)
     return tuple(sides)
@@ -336,7 +338,7 @@ def _withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     empty")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
-    if not is_behind or _OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1":
+    if not is_behind or _OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
         return
     ahead = list(takewhile(lambda j: _hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
     if any(order.undoes(clauses[j]) or clause.comes_through(clauses[j]) for j in ahead) or (
@@ -406,6 +408,17 @@ def _exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if sides[k] in (_HOLDS, "top") and all(sides[j] in (_HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
         sides[first + 1 : k] = [_HOLDS] * (k - first - 1)
         sides[k] = _FAILS
+
+
+def _choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What may be done instead of the order before it is done where that fails; what goes on behind it hangs on what
+    it hung on."""
+    if roles[k - 1] != "condition" or not may_choose(clauses, roles, k):
+        return
+    sides[k] = _FAILS
+    for j in takewhile(lambda j: roles[j] == "task", range(k + 1, len(clauses))):
+        if sides[j][0] == "<":
+            sides[j] = f"<{min(9, int(sides[j][1]) + 1)}{sides[j][2:]}"
 
 
 def _hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
