@@ -301,7 +301,13 @@ def _clear_away() -> None:
 
 
 def _ended(
-    episode: Episode, info: dict[str, Any], found: Blame | None, *, understood: bool = False, **counts: Any
+    episode: Episode,
+    info: dict[str, Any],
+    found: Blame | None,
+    *,
+    met_at_start: bool,
+    understood: bool = False,
+    **counts: Any,
 ) -> Row:
     """The row of an episode that was begun; `found`: where and why it failed, None for a success."""
     outcome: Outcome = "success" if found is None else "failure"
@@ -312,7 +318,8 @@ def _ended(
         outcome,
         cause=found,
         sim_seconds=round(float(info["seconds"]), 2),
-        path_length=round(float(info["path_length"]), 3),
+        **_lengths(outcome, info, met_at_start=met_at_start),
+        met_at_start=met_at_start,
         goals_met=info["goal_conditions_met"],
         goals_total=info["goal_conditions_total"],
         branches=tuple(info["branches"]),
@@ -321,6 +328,17 @@ def _ended(
         understood=understood if episode.agent in READERS else None,
         **counts,
     )
+
+
+def _lengths(outcome: Outcome, info: dict[str, Any], *, met_at_start: bool) -> dict[str, float | None]:
+    """What a row says of the way. Whose first step ended the episode, whatever it was, has gone no way round."""
+    driven, shortest = float(info["path_length"]), float(info["shortest_length"])
+    lengths = {"path_length": round(driven, 3), "shortest_length": None, "spl": 0.0 if outcome == "failure" else None}
+    if outcome == "success" and shortest >= 0:  # below 0 there is none
+        longer = max(driven, shortest)
+        spl = 1.0 if met_at_start or not longer else round(shortest / longer, 4)
+        lengths |= {"shortest_length": round(shortest, 3), "spl": spl}
+    return lengths
 
 
 def _row(episode: Episode, outcome: Outcome, *, cause: tuple[Any, str] | None = None, **found: Any) -> Row:

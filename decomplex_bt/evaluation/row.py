@@ -24,12 +24,14 @@ class Row:
     "gold" or "own". `judged_by`: whose flow the judge went by, "gold" or "interpreted"; `flow`: that flow, which also
     set the balance, so that a row and a run with this seed and flow are the same world. `stage`, `cause`: where and why
     it went wrong, None for a success. `steps`: of control. `sim_seconds`, `path_length`: simulated seconds, metres
-    driven. `understood`: whether the agent's reading comes to what the gold one does in this house, None for an agent
-    that reads nothing; a wrong reading may still succeed where what it gets wrong never comes due. `goals_met`,
-    `goals_total`: tasks and conditions due. `met_at_start`: nothing was left to do, as where what is to be turned on is
-    on; a success as well. `branches`: one mapping (task, truth, taken) for each condition reached, in order.
-    `moved_by_others`: things that somebody else has moved. `failures`: those the agent knows of, as `run --json` prints
-    them.
+    driven. `shortest_length`: metres of the shortest path there was, None without a success. `spl`: success weighted by
+    path length, `shortest_length` over the longer of the two, 1 where both are 0 or nothing was left to do; 0 for a
+    failure, None for what was infeasible or did not ground. `understood`: whether the agent's reading comes to what the
+    gold one does in this house, None for an agent that reads nothing; a wrong reading may still succeed where what it
+    gets wrong never comes due. `goals_met`, `goals_total`: tasks and conditions due. `met_at_start`: nothing was left
+    to do, as where what is to be turned on is on; a success as well. `branches`: one mapping (task, truth, taken) for
+    each condition reached, in order. `moved_by_others`: things that somebody else has moved. `failures`: those the
+    agent knows of, as `run --json` prints them.
     """
 
     example: str
@@ -44,6 +46,8 @@ class Row:
     steps: int = 0
     sim_seconds: float = 0.0
     path_length: float = 0.0
+    shortest_length: float | None = None
+    spl: float | None = None
     plans: int = 0
     replans: int = 0
     understood: bool | None = None

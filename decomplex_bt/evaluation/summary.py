@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from statistics import median
+from statistics import fmean, median
 from typing import Any
 
 from decomplex_bt.evaluation.proportion import Proportion
@@ -38,7 +38,8 @@ class Summary:
     `success` is over the feasible episodes, `infeasible` over those that ground. `understood`: readings that come to
     what the gold ones do, over the episodes of an agent that reads; `lucky`: successes of the others. `met_at_start`:
     nothing was left to do from the first, which is success as well, over the feasible episodes. `steps`,
-    `sim_seconds`, `replans`: medians over the successes, None where there are none. `branches`: of one instruction.
+    `sim_seconds`, `replans`: medians over the successes, None where there are none. `spl`: success weighted by path
+    length, the mean over the feasible episodes, None where there are none. `branches`: of one instruction.
     `instructions`: one summary for each.
     """
 
@@ -54,6 +55,7 @@ class Summary:
     steps: float | None
     sim_seconds: float | None
     replans: float | None
+    spl: float | None = None
     example: str | None = None
     branches: tuple[BranchCount, ...] = ()
     instructions: tuple[Summary, ...] = ()
@@ -90,6 +92,7 @@ class Summary:
             "median_steps": self.steps,
             "median_sim_seconds": self.sim_seconds,
             "median_replans": self.replans,
+            "spl": self.spl,
         }
         if self.example is not None:
             value["branches"] = [branch.to_json() for branch in self.branches]
@@ -155,6 +158,7 @@ def _summary(
         steps=_median([row.steps for row in successes]),
         sim_seconds=_median([row.sim_seconds for row in successes]),
         replans=_median([row.replans for row in successes]),
+        spl=_mean([row.spl for row in rows if row.spl is not None]),
         understood=Proportion(sum(readings), len(readings)),
         lucky=sum(row.understood is False for row in successes),
         met_at_start=Proportion(sum(row.met_at_start for row in rows if row.is_feasible), feasible),
@@ -198,6 +202,10 @@ def _percent(share: Proportion) -> str:
 
 def _median(values: Sequence[float]) -> float | None:
     return round(float(median(values)), 3) if values else None
+
+
+def _mean(values: Sequence[float]) -> float | None:
+    return round(fmean(values), 4) if values else None
 
 
 def _firsts(values: Iterable[str]) -> tuple[str, ...]:

@@ -49,6 +49,20 @@ def test_a_row_says_whether_anything_was_left_to_do():
     rows = evaluate(parse_corpus(turn_on, DOMAIN.ontology), episodes=8, reading="gold", setup=SETUP)
     assert {row.met_at_start for row in rows} == {True, False}
     assert all(row.met_at_start == (row.steps == 1) for row in rows)
+    assert all(row.spl == 1.0 and row.shortest_length == 0.0 for row in rows if row.met_at_start)
+
+
+def test_a_row_says_how_short_the_way_was(rows):
+    for row in rows:
+        if row.outcome != "success":
+            assert row.shortest_length is None
+            assert row.spl == (0.0 if row.outcome == "failure" else None)
+            continue
+        assert row.shortest_length is not None
+        assert row.shortest_length <= row.path_length
+        driven = max(row.path_length, row.shortest_length)
+        assert row.spl == pytest.approx(row.shortest_length / driven if driven else 1.0, abs=1e-2)
+    assert any(0 < row.spl < 1 for row in rows if row.outcome == "success")
 
 
 def test_infeasible_episodes_name_their_cause(rows):

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -9,6 +10,8 @@ from decomplex_bt.evaluation.proportion import Proportion
 from decomplex_bt.evaluation.report import summary_json, write_results
 from decomplex_bt.evaluation.row import Row, read_rows
 from decomplex_bt.evaluation.summary import summarise, tabulate, tabulate_conditions
+
+COMMANDS = Path(__file__).parents[2] / "docs" / "commands.md"
 
 
 def row(outcome="success", *, example="one", agent="tree", seed=0, **fields):
@@ -75,6 +78,13 @@ def test_what_was_met_at_the_start_is_counted_over_feasible_episodes():
     assert "50%" in tabulate(summarise(rows)).splitlines()[1]
 
 
+def test_the_spl_is_the_mean_over_feasible_episodes():
+    rows = [row(spl=1.0), row(spl=0.5), row("failure", spl=0.0), row("infeasible"), row("ungroundable")]
+    (summary,) = summarise(rows)
+    assert summary.to_json()["spl"] == 0.5
+    assert summarise([row("infeasible")])[0].spl is None
+
+
 def test_warnings_name_the_instruction():
     rows = [row(branches=(branch(True),))] + [row("infeasible") for _ in range(2)] + [row(example="two")]
     assert summarise(rows)[0].warnings == (
@@ -111,3 +121,9 @@ def test_a_file_in_place_of_the_folder_is_bad_input(tmp_path):
     (tmp_path / "taken").write_text("")
     with pytest.raises(InputError, match="taken: cannot write there"):
         write_results(tmp_path / "taken", [row()])
+
+
+@pytest.mark.skipif(not COMMANDS.exists(), reason="not the source tree")
+def test_the_manual_has_every_key_of_a_row():
+    manual = COMMANDS.read_text(encoding="utf-8")
+    assert all(f"`{key}`" in manual for key in row().to_json())
