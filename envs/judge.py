@@ -116,8 +116,8 @@ class Judge:
         report["violations"] = [violation.reason for violation in verdict.violations] if verdict.violations else []
         return report
 
-    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
-        """What was due and is settled, in order, each with its truth; and what the phrases turned out to mean."""
+    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings, dict[str, str]]:
+        """As `Monitor.carried_out`."""
         assert self._monitor is not None
         return self._monitor.carried_out()
 

@@ -141,11 +141,14 @@ class Monitor:
             for reading in self.readings
         )
 
-    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings]:
-        """What was due and is settled, in order, each with its truth; and what the phrases turned out to mean."""
+    def carried_out(self) -> tuple[list[tuple[GroundTask, bool]], Bindings, dict[str, str]]:
+        """What was due and is settled, in order, each with its truth; what the phrases turned out to mean; and where
+        people led the robot last."""
         best = self._best()
         false = {branch.task for branch in best.branches if branch.truth is False}
-        return [(self.instruction.task(number), number not in false) for number in best.met], best.bindings
+        tasks = [(self.instruction.task(number), number not in false) for number in best.met]
+        led = {person: goal for person, (_, goal) in self.record.led.items() if goal is not None}
+        return tasks, best.bindings, led
 
     def _is_still(self) -> bool:
         """Whether nothing has come into view that the judge could go by, since it last looked closely."""

@@ -13,14 +13,15 @@ something can be done:
 
 Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do.
 Where all are meant there is a stop for each ("the kitchen and the study", "everybody"), from near to far. Whoever leads
-the way nowhere in particular is only met. What holds already needs no stop. The path is sought on a grid and then drawn
+the way is met where they stood, and followed to the goal or, where it is theirs to say, into the room they went to;
+from then on they are in that room. What holds already needs no stop. The path is sought on a grid and then drawn
 tight, so that a drive that cuts corners finer may come out some centimetres shorter; divide by the longer of the two,
 as SPL does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import dist, sqrt
@@ -75,13 +76,19 @@ class ShortestPath:
             for row in geometry.thing_rows
         }
         self._values: dict[tuple[str, str], str] = {}
+        self._led: Mapping[str, str] = {}
+        self._room_of: dict[str, str] = {}
         self._rooms = geometry.rooms_at(np.column_stack((self._plan.cell_x, self._plan.cell_y)))
 
-    def length(self, tasks: Sequence[tuple[GroundTask, bool]], bindings: Bindings) -> float | None:
+    def length(
+        self, tasks: Sequence[tuple[GroundTask, bool]], bindings: Bindings, led: Mapping[str, str] | None = None
+    ) -> float | None:
         """Metres, through the stops of all tasks in order; None where there is no path.
 
-        `tasks`: those that were due, each with whether it was true; `bindings`: what the phrases turned out to mean.
+        `tasks`: those that were due, each with whether it was true; `bindings`: what the phrases turned out to mean;
+        `led`: where people led the robot, by name.
         """
+        self._led = led or {}
         stops: list[Mask] = []
         for task, truth in tasks:
             if truth or task.type in FINDING_OUT:
@@ -98,6 +105,9 @@ class ShortestPath:
         if task.type == "change_state":
             for name in _names(task.objects, bindings):
                 yield from self._change(name, task.state)
+            return
+        if task.type == "following":
+            yield from self._follow(task, bindings)
             return
         for group in _groups(task.objects, bindings):
             yield from self._fetch(group, task.type)
@@ -151,13 +161,26 @@ class ShortestPath:
         yield self._any(devices, self._use)
 
     def _fetch(self, group: Sequence[str], kind: str) -> Iterator[Mask]:
-        """To one of these things, if none is on the robot, or to the person who leads."""
+        """To one of these things, if none is on the robot."""
         if any(self._places.get(name) == ROBOT for name in group):
             return
         yield self._any(group, self._use)
         if kind == "taking":
             for name in group[:1]:
                 self._places[name] = ROBOT
+
+    def _follow(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
+        """To who leads the way, and with them to the goal, or into the room that they led to of their own."""
+        goals = () if task.goal is None else candidates(task.goal, bindings)
+        for group in _groups(task.objects, bindings):
+            yield self._any(group, self._use)
+            ends = goals[:1] or [self._led[name] for name in group if name in self._led]
+            rooms = [self._domain.room_of(end) or end for end in ends]
+            self._room_of.update(dict.fromkeys(group, rooms[0]) if rooms else {})
+            if not goals and rooms:
+                yield self._any(rooms, self._use)
+        if goals:
+            yield self._any(goals, self._use)
 
     def _put(self, task: GroundTask, targets: Sequence[str], bindings: Bindings) -> None:
         """Notes where the things are afterwards."""
@@ -185,6 +208,8 @@ class ShortestPath:
         room = name.removesuffix("_floor")
         if room in house.rooms:
             return plan.free & (self._rooms == self._geometry.room_index[room])
+        if name in self._room_of:
+            return self._within(self._room_of[name], reach)
         if name in house.people:
             return self._around(name, self._earshot)
         if name in self._places:
@@ -213,6 +238,8 @@ class ShortestPath:
         house = self._domain.house
         if name.removesuffix("_floor") in house.rooms:
             return self._within(name, 0.0)
+        if name in self._room_of:
+            return self._within(self._room_of[name], 0.0)
         if name in self._places and self._places[name] == ROBOT:
             return self._plan.free
         point = self._point(name)
@@ -255,6 +282,8 @@ class ShortestPath:
 
     def _is_there(self, name: str, places: Sequence[Referent], bindings: Bindings) -> bool:
         """Whether a thing or person is at one of the places asked about."""
+        if name in self._room_of:
+            return any((self._domain.room_of(w) or w) == self._room_of[name] for w in _names(places, bindings))
         point, place = self._point(name), self._places.get(name)
         for where in _names(places, bindings):
             room = where.removesuffix("_floor")

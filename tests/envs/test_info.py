@@ -279,3 +279,34 @@ def test_where_all_are_meant_each_is_a_stop(text, flow, options):
         observation, *_, info = env.step(oracle.act(observation))
     assert info["is_success"]
     assert 0.4 * info["path_length"] < info["shortest_length"] <= info["path_length"] + 0.2
+
+
+def followed(text, flow, **options):
+    """The last info of an oracle that follows, and the room it ends in."""
+    env = HouseholdEnv(markup(text, flow))
+    people = {"anna": "bedroom", "tom": None, "guest": None, "relative": None}
+    observation, info = env.reset(seed=0, options={"chance": False, "people": people, **options})
+    oracle = env.policy("oracle")
+    oracle.reset(observation, info)
+    while not (info["is_success"] or oracle.done):
+        observation, *_, info = env.step(oracle.act(observation))
+    assert info["is_success"]
+    return info, env.truth().room
+
+
+def test_who_leads_wherever_they_like_is_followed_there():
+    """The same way as where the room is named, though who knows the world knows it from the first."""
+    anywhere, room = followed("[Follow](1:following) [Anna](1:object).", [1])
+    assert room != "bedroom"
+    named = f"[Follow](1:following) [Anna](1:object) [to the {room.replace('_', ' ')}](1:goal)."
+    there, _ = followed(named, [1])
+    assert anywhere["shortest_length"] == pytest.approx(there["shortest_length"], abs=0.05)
+    assert 0.5 * anywhere["path_length"] < anywhere["shortest_length"] <= anywhere["path_length"]
+
+
+@pytest.mark.parametrize("goal", ["", " [to the kitchen](1:goal)"])
+def test_who_has_led_the_way_is_spoken_to_where_they_went(goal):
+    alone, _ = followed(f"[Follow](1:following) [Anna](1:object){goal}.", [1])
+    tell = "[tell](2:informing) [her](2:recipient=Anna) [hello](2:message)"
+    told, _ = followed(f"[Follow](1:following) [Anna](1:object){goal}, then {tell}.", [1, 2])
+    assert told["shortest_length"] == pytest.approx(alone["shortest_length"], abs=0.6)
