@@ -18,11 +18,14 @@ from decomplex_bt.planning.pddl import GroundAction
 if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
     from decomplex_bt.behaviour.failure import Failure
+    from decomplex_bt.corpus import Example
     from decomplex_bt.domain.loader import Domain
     from decomplex_bt.envs.household import HouseholdEnv
     from decomplex_bt.envs.world import World
     from decomplex_bt.instruction import Instruction
     from decomplex_bt.planning.planner import Planner
+
+    Reading = Instruction | Example | None
 
 _LOOKS = 4
 """Looks at the truth that a belief takes in before it believes that what is not there is not there."""
@@ -58,14 +61,14 @@ def make_policy(
     name: str,
     env: HouseholdEnv,
     *,
-    reading: Instruction | None = None,
+    flow: Reading = None,
     planner: Planner | None = None,
     seed: int = 0,
 ) -> Policy:
     """The policy of this name for an environment. Raises `InputError` for an unknown name, or for flat spaces.
 
-    `reading`: how the instruction is to be understood (a gold one, or one that was understood beforehand); None: the
-    policy understands the text itself. `planner`: shared by the episodes, for its cache. `seed`: of a random policy.
+    `flow`: what the policy goes by instead of understanding the text, as in `TreeAgent`. `planner`: shared by the
+    episodes, for its cache. `seed`: of a random policy.
     """
     if name not in POLICIES:
         raise InputError(f"there is no agent {name!r}; known: {', '.join(POLICIES)}")
@@ -73,16 +76,16 @@ def make_policy(
         raise InputError(
             f"policies give actions of drive, interact and target, not of {env.action_space}; make Household-v0"
         )
-    return POLICIES[name](env, reading, planner, seed)
+    return POLICIES[name](env, flow, planner, seed)
 
 
 class TreePolicy:
     """The tree agent: it goes by its observations and the house map alone."""
 
-    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+    def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
         from decomplex_bt.behaviour.agent import TreeAgent
 
-        self.agent: TreeAgent = TreeAgent(_Body(env), flow=reading, planner=planner)
+        self.agent: TreeAgent = TreeAgent(_Body(env), flow=flow, planner=planner)
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         self.agent.reset(observation, {"instruction": info["instruction"]})
@@ -110,8 +113,8 @@ class TreePolicy:
 class OraclePolicy(TreePolicy):
     """The tree agent with the whole truth of the start in its belief: what one would reach who need not search."""
 
-    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
-        super().__init__(env, reading, planner, seed)
+    def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
+        super().__init__(env, flow, planner, seed)
         self._env = env
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
@@ -137,7 +140,7 @@ class RandomPolicy:
     plans = replans = 0
     failures: tuple[Failure, ...] = ()
 
-    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+    def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
         self._env, self._seed = env, seed
         self.done = False
 
@@ -160,7 +163,7 @@ class IdlePolicy:
     plans = replans = 0
     failures: tuple[Failure, ...] = ()
 
-    def __init__(self, env: HouseholdEnv, reading: Instruction | None, planner: Planner | None, seed: int) -> None:
+    def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
         self.done = False
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
@@ -171,7 +174,7 @@ class IdlePolicy:
         return {"drive": np.zeros(2, dtype=np.float32), "interact": int(Interaction.FINISH), "target": 0}
 
 
-POLICIES: dict[str, Callable[[HouseholdEnv, Instruction | None, Planner | None, int], Policy]] = {
+POLICIES: dict[str, Callable[[HouseholdEnv, Reading, Planner | None, int], Policy]] = {
     "tree": TreePolicy,
     "oracle": OraclePolicy,
     "random": RandomPolicy,

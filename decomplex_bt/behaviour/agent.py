@@ -17,6 +17,7 @@ from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.session import Session
+from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
@@ -42,9 +43,11 @@ class TreeAgent:
     """Carries an instruction out with a behaviour tree.
 
     `env`: an environment whose `embodiment()` makes a body; nothing else of it is used, and nothing of it is kept.
-    `flow`: a gold instruction to go by instead of understanding the text. `ask`: answers a question for what the
-    instruction does not say (None: such an instruction is an error), and for what was meant where its control flow is
-    less certain than `threshold`, from 0 (never) to 1 (None: the likeliest is done).
+    `flow`: an annotated instruction (or corpus example) to go by instead of understanding the text. `ask`: answers a
+    question for what the instruction does not say (None: such an instruction is an error), and for what was meant where
+    its control flow is less certain than `threshold`, from 0 (never) to 1 (None: the likeliest is done).
+
+    Raises `InputError` for a `flow` that is no instruction.
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
     by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
@@ -55,7 +58,7 @@ class TreeAgent:
         self,
         env: Any,
         *,
-        flow: Instruction | None = None,
+        flow: Instruction | Example | None = None,
         ask: Ask | None = None,
         threshold: float = THRESHOLD,
         planner: Planner | None = None,
@@ -63,7 +66,7 @@ class TreeAgent:
         make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
         self._body = make_body()
         self._planner = planner or PyperplanPlanner()
-        self._gold = flow
+        self._gold = _annotated(flow)
         self._ask = ask
         self._threshold = threshold
         self._session: Session | None = None
@@ -195,6 +198,14 @@ class TreeAgent:
         if self._ask is None:
             return instruction
         return settled(instruction, self._body.domain.ontology, self._ask, threshold=self._threshold)
+
+
+def _annotated(flow: Any) -> Instruction | None:
+    if isinstance(flow, Example):
+        return flow.instruction
+    if flow is None or isinstance(flow, Instruction):
+        return flow
+    raise InputError(f"flow is a {type(flow).__name__}; expected an annotated Instruction or a corpus Example")
 
 
 def compile_instruction(instruction: Instruction, grounded: GroundInstruction, domain: Domain) -> CompiledTree:

@@ -220,7 +220,7 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     if episode.reading is None:
         return ended(info, misread)
     make_policy = env.get_wrapper_attr("policy")
-    policy = make_policy(episode.agent, reading=episode.reading, planner=planner, seed=episode.seed)
+    policy = make_policy(episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
     steps, is_over, truncated = 0, False, False
     try:
         policy.reset(observation, info)

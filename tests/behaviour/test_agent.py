@@ -164,6 +164,15 @@ def test_an_instruction_without_a_task_or_with_an_unknown_thing_is_bad_input():
             agent.reset({}, {"instruction": instruction.text})
 
 
+def test_an_example_is_gone_by_as_its_instruction_is():
+    env, example = make_env(), EXAMPLES["heat"]
+    agent = decomplex_bt.TreeAgent(env, flow=example)
+    agent.reset(*env.reset(seed=1, options={"instruction": example}))
+    assert agent.instruction == example.instruction
+    with pytest.raises(InputError, match="flow is a Flow; expected an annotated Instruction"):
+        decomplex_bt.TreeAgent(env, flow=example.instruction.flow)
+
+
 def test_what_is_no_observation_is_refused_in_words():
     env = make_env()
     agent = decomplex_bt.TreeAgent(env, flow=EXAMPLES["heat"].instruction)

@@ -28,7 +28,7 @@ def run(env, name, *, seed=0, max_seconds=60.0, **options):
     observation, info = env.reset(
         seed=seed, options={"instruction": KEYS, "max_seconds": max_seconds, **START, **options}
     )
-    policy = env.unwrapped.policy(name, reading=KEYS, seed=seed)
+    policy = env.unwrapped.policy(name, flow=KEYS, seed=seed)
     policy.reset(observation, info)
     actions = []
     while True:
@@ -57,7 +57,7 @@ def test_the_oracle_knows_what_is_nowhere_without_looking(env):
     for name in ("tree", "oracle"):
         options = {"instruction": pen, "placement": {"pencil": None}, "people": {"user": "study"}, "balance": 0.0}
         observation, info = env.reset(seed=3, options=options)
-        policy = env.unwrapped.policy(name, reading=pen)
+        policy = env.unwrapped.policy(name, flow=pen)
         policy.reset(observation, info)
         terminated = truncated = False
         while not (terminated or truncated):
@@ -77,7 +77,7 @@ def test_who_is_out_is_found_out(env, name, room):
         flow=[{"if": 1, "then": [2], "else": [3]}],
     )
     observation, info = env.reset(seed=5, options={"instruction": asked, "people": {"anna": room}, "balance": 0.0})
-    policy = env.unwrapped.policy(name, reading=asked)
+    policy = env.unwrapped.policy(name, flow=asked)
     policy.reset(observation, info)
     terminated = truncated = False
     while not (terminated or truncated):
@@ -96,7 +96,7 @@ def test_of_two_lamps_the_oracle_takes_the_one_that_works(env):
     states = {"living_room_lamp": "off", "bedroom_lamp": "off"}
     options = {"instruction": asked, "broken": ["bedroom_lamp"], "states": states, "people": {"anna": "bedroom"}}
     observation, info = env.reset(seed=2, options={**options, "noise": False, "balance": 0.0})
-    policy = env.unwrapped.policy("oracle", reading=asked)
+    policy = env.unwrapped.policy("oracle", flow=asked)
     policy.reset(observation, info)
     terminated = truncated = False
     while not (terminated or truncated):

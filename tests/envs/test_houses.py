@@ -152,7 +152,7 @@ def test_agents_live_in_any_house(identity, seed, policy):
     done = 0
     for k, instruction in enumerate((go("kitchen"), BRING)):
         observation, info = env.reset(seed=k, options={"instruction": instruction, "noise": False})
-        agent = env.unwrapped.policy(policy, reading=instruction)
+        agent = env.unwrapped.policy(policy, flow=instruction)
         agent.reset(observation, info)
         for _ in range(4000):
             observation, _, terminated, truncated, info = env.step(agent.act(observation))

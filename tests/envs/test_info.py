@@ -76,9 +76,7 @@ def test_whether_something_can_be_done_is_true_or_false_without_a_try(is_broken)
     assert info["branches"] == [
         {"task": 1, "truth": False if is_broken else None, "taken": "else" if is_broken else None}
     ]
-    agent = env.unwrapped.policy(
-        "tree", reading=markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", [1])
-    )
+    agent = env.unwrapped.policy("tree", flow=markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", [1]))
     agent.reset(observation, info)
     terminated = False
     while not terminated:
