@@ -705,3 +705,62 @@ def test_after_the_verdict_nothing_changes_it():
     episode = Episode(HandWorld(), [1], task(1, "change_state", "tv", state="on"))
     verdict = episode.do(Interaction.SWITCH_ON, "tv")
     assert episode.do(Interaction.SWITCH_OFF, "tv") == verdict
+
+
+# -- what is undone ---------------------------------------------------------------------------------------------------
+
+
+def test_what_is_done_stays_done_whatever_becomes_of_it():
+    world = HandWorld({"mug_1": "desk"}, {("kitchen_window", "aperture"): "open"})
+    deeds = (
+        task(1, "change_state", "kitchen_window", state="closed"),
+        task(2, "placing", "mug_1", goal="counter"),
+        task(3, "motion", goal="study"),
+    )
+    episode = Episode(world, [1, 2, 3], *deeds)
+    episode.do(Interaction.CLOSE, "kitchen_window")
+    episode.take("mug_1")
+    assert episode.put("mug_1", "counter").met == 2
+    episode.do(Interaction.OPEN, "kitchen_window")
+    episode.take("mug_1")
+    verdict = episode.put("mug_1", "desk")
+    assert (verdict.met, verdict.unsettled, verdict.violations) == (2, 3, ())
+    assert episode.go("study").is_success
+
+
+@pytest.mark.parametrize("before", ["on", "off"])
+def test_what_is_to_be_undone_again_is_done_one_after_the_other(before):
+    on, off = (task(number, "change_state", "tv", state=state) for number, state in ((1, "on"), (2, "off")))
+    episode = Episode(HandWorld(states={("tv", "power"): before}), [1, 2], on, off)
+    assert episode.verdict.unsettled == (1 if before == "off" else 2)
+    if before == "off":
+        assert not episode.do(Interaction.SWITCH_ON, "tv").is_success
+    assert episode.do(Interaction.SWITCH_OFF, "tv").is_success
+
+
+def test_what_held_and_is_undone_before_it_is_due_is_to_be_done():
+    world = HandWorld(states={("tv", "power"): "off"})
+    episode = Episode(world, [1, 2], task(1, "motion", goal="kitchen"), task(2, "change_state", "tv", state="off"))
+    assert not episode.do(Interaction.SWITCH_ON, "tv").violations
+    assert episode.go("kitchen").unsettled == 2
+    assert episode.do(Interaction.SWITCH_OFF, "tv").is_success
+
+
+def test_what_is_to_be_undone_later_is_not_undone_at_once():
+    world = HandWorld(states={("tv", "power"): "off"})
+    on, off = (task(number, "change_state", "tv", state=state) for number, state in ((1, "on"), (3, "off")))
+    episode = Episode(world, [1, 2, 3], on, task(2, "motion", goal="kitchen"), off)
+    episode.do(Interaction.SWITCH_ON, "tv")
+    (violation,) = episode.do(Interaction.SWITCH_OFF, "tv").violations
+    assert (violation.task, violation.due) == (3, 2)
+
+
+def test_a_condition_that_was_done_stays_true_when_it_is_undone():
+    world = HandWorld(states={("tv", "power"): "off"})
+    on = task(1, "change_state", "tv", state="on")
+    deeds = task(2, "motion", goal="kitchen"), task(3, "motion", goal="study")
+    episode = Episode(world, [{"if": 1, "then": [2], "else": [3]}], on, *deeds)
+    episode.do(Interaction.SWITCH_ON, "tv")
+    episode.do(Interaction.SWITCH_OFF, "tv")
+    assert episode.truths == [(1, True, "then")]
+    assert episode.go("kitchen").is_success
