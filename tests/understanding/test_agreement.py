@@ -7,6 +7,11 @@ import pytest
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
 @pytest.mark.parametrize("encoder", [False, True])
 @pytest.mark.parametrize(
     ("text", "kind", "meant"),
@@ -49,3 +54,34 @@ def test_gender_number_and_contrast_say_what_is_meant(text: str, kind: str, mean
 def test_what_is_in_the_first_of_two_things_is_told_by_it() -> None:
     told = Interpreter.load(encoder=True).interpret("Pick up the basket and the apples in it.")
     assert told.tasks[-1].value("source") == "the basket"
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Put the radio on, and if he's still awake, tell me.", 2, "he"),
+        ("Close the shutters in the nursery, and if she wakes up, tell me.", 2, "she"),
+        ("Lay out the rugs, and if she is hungry, call me.", 2, "she"),
+        ("Don't wake him if he's asleep; if he's up, give him his tea.", 2, "he"),
+        ("Clear the counter once they've finished.", 2, "they"),
+        ("When they arrive, take their hats.", 1, "they"),
+        ("Find my dolls' cot, then fetch the goldfish and put him in it.", 3, "the goldfish"),
+        ("Take the towels off Ann's chair, and if she's up, call her.", 2, "Ann"),
+    ],
+)
+def test_he_she_and_they_are_no_thing(interpreter: Interpreter, text: str, number: int, value: str) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Put the cat out and lock up.", 2, None),
+        ("Clear the desk and wash up.", 2, None),
+        ("Walk Ann to the front door, then lock up.", 2, "the front door"),
+    ],
+)
+def test_what_is_done_up_without_an_object_is_done_to_nothing_that_it_cannot_be_done_to(
+    interpreter: Interpreter, text: str, number: int, value: str | None
+) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value

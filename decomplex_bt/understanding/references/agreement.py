@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.context import GROUPS, Context
+from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, WHOLE, Candidate
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, WHOLE, Candidate
 
 _FEMALE = frozenset(
     "wife mother mom mum mama mummy mommy daughter sister woman lady girl grandma granny gran nan grandmother aunt "
@@ -28,6 +28,14 @@ _GROUPS = frozenset(
 )
 """Nouns in the singular for several."""
 _HANDLING = frozenset(("bringing", "placing"))
+_HANDLING_THINGS = _HANDLING | {"change_state", "taking"}
+_ANIMATE = frozenset(("person", "animal", "name"))
+_PERSONAL = frozenset(("he", "she", "they"))
+_OWNING = {"his": "he", "her": "she", "their": "they"}
+_HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
+"""What only somebody does."""
+_CALLED_SHE = frozenset("doll teddy bear bunny boat ship dinghy skiff yacht canoe car mower".split())
+_WITHIN = frozenset("in into inside on onto under behind off out".split())
 _OUT_OF = frozenset((("out", "of"), ("empty", "of"), ("short", "of"), ("low", "on"), ("short", "on")))
 """What stands before the thing of which there is too little."""
 _BEING_WITHOUT = frozenset("be 's \u2019s 're \u2019re run go".split())
@@ -55,6 +63,35 @@ def is_of_other_gender(document: Document, gap: Gap, candidate: Candidate) -> bo
     if is_named and any(document.tokens[i].lower == "and" for i in candidate.tokens):
         return True
     return _gender(document, candidate) not in ("", group)
+
+
+def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "he" or "she" cannot mean a candidate because that is a thing or a place ("turn the *music* on, and if
+    she's still awake, ..."), or "they" because it is one thing ("clear the *table* once they have finished"), or
+    whose it is ("if they call, bring *their coats*"). A boat or a doll may be "she"."""
+    document, group = context.observed.document, GROUPS.get(gap.word, "")
+    head = document.tokens[candidate.head]
+    if group not in _PERSONAL or kind_of(context, candidate) in _ANIMATE:
+        return False
+    if candidate.mention:
+        return candidate.mention == "unsaid" or GROUPS.get(candidate.mention) == "it"
+    first, behind = document.tokens[candidate.tokens.start], document.tokens[candidate.tokens.stop :][:1]
+    is_of_them = first.tag == "PRP$" and _OWNING.get(first.lower) == group
+    if is_of_them and (group != "they" or candidate.tokens.start > gap.position):
+        return True
+    if any(token.tag == "POS" for token in behind):
+        return False  # "in *Ann*'s room"
+    category = context.observed.gazetteer.category(head.lemma)
+    is_handled = candidate.type == "object" and candidate.task_type in _HANDLING_THINGS
+    if group == "they":
+        is_thing = category not in ("", "person") or (is_handled and context.lemmas[gap.task.id] in _HUMAN)
+        is_one = head.tag == "NN" and not _is_of_several(document, candidate)
+        return gap.word == "they" and is_thing and is_one  # "them" may be two things named one by one
+    if head.lemma in _CALLED_SHE | ANIMALS:
+        return False
+    before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
+    is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
+    return is_handled or is_place
 
 
 def _gender(document: Document, candidate: Candidate) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.agreement import is_of_other_gender, meant
+from decomplex_bt.understanding.references.agreement import is_no_person, is_of_other_gender, meant
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
@@ -190,17 +190,34 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     before somebody is told or given something ("bring her the cake and tell her ..."); and nobody is opened or shut."""
     if gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and kind_of(context, candidate) in _ANIMATE:
         return True
+    if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
+        return True
     if gap.word not in _ELSEWHERE:
         return False
+    if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
+        return True
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
-    if is_of_other_gender(context.observed.document, gap, candidate):
+    if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether what is done "up" without an object is not done to a candidate: who washes or tidies up does it to no
+    table in particular, who locks up locks the house, or a door, no cat and no heater."""
+    verb, head = context.lemmas[gap.task.id], context.observed.document.tokens[candidate.head].lemma
+    if verb != "lock up":
+        return verb in ("wash up", "tidy up")
+    if context.observed.document.tokens[candidate.head].pos == "ADV":
+        return True
+    gazetteer = context.observed.gazetteer
+    is_known = bool(gazetteer.category(head)) and "aperture" not in gazetteer.changeable.get(head, ())
+    return kind_of(context, candidate) in _ANIMATE or (is_known and kind_of(context, candidate) != "room")
 
 
 def _is_beside(context: Context, gap: Gap, candidate: Candidate) -> bool:

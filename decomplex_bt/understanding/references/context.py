@@ -51,6 +51,11 @@ class Context:
         self.types = {task.id: task.type for task in self.tasks}
 
     @cached_property
+    def verbs(self) -> frozenset[int]:
+        """The tokens of the tasks, which name nothing whatever the tagger takes them for ("*Lay* the table")."""
+        return frozenset(self.observed.document.indices(task.span).start for task in self.tasks)
+
+    @cached_property
     def predicates(self) -> list[Candidate]:
         return predicates_of(self.observed, self.tasks)
 

@@ -22,7 +22,7 @@ WHOLE = frozenset("something anything everything somebody someone anyone anybody
 """Words that point to nothing said before but that something said after may refer to."""
 ANIMALS = frozenset(
     "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
-    "gerbil mouse rat sheep cow donkey".split()
+    "gerbil mouse rat sheep lamb cow donkey goldfish pup bunny pet".split()
 )
 PERSON_NOUNS = frozenset(
     "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "

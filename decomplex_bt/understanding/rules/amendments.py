@@ -50,6 +50,7 @@ _BEFORE_WEATHER = frozenset(
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
 _HANDLING = frozenset(("bringing", "taking", "placing"))
+_HANDLED = frozenset(("change_state", "taking", "placing", "following"))
 _ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
@@ -96,6 +97,8 @@ def amended(
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
             kept = _named(document, _identified(observed, kept, token), token)
+        if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
+            kept = _told(kept, token, _taken_up_behind(document, token))
         if kind != "check_state" and not any((a.owner, a.type) == (token, "object") for a in kept):
             kept = _told(kept, token, in_need(observed, token))
     for fragment in fragments(document):
@@ -105,6 +108,13 @@ def amended(
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
     kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
+
+
+def _taken_up_behind(document: Document, verb: int) -> dict[str, range]:
+    """The pronoun right behind a verb as its object: "wake *him*"."""
+    token = document.tokens[verb + 1] if verb + 1 < len(document) else None
+    is_object = token is not None and token.lower in ("him", "it", "them", "her") and token.tag == "PRP"
+    return {"object": range(verb + 1, verb + 2)} if is_object else {}
 
 
 def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: range) -> list[FoundArgument]:
