@@ -28,6 +28,8 @@ _IS_OR_HAS = frozenset(("'s", "\u2019s"))
 _HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
 _HAVING = frozenset("has have had 've \u2019ve".split())
 _PAST = frozenset(("VBN", "VBD"))
+_OBJECTS = frozenset("it them him me us".split())
+_HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether"))
 _SPEAKING = frozenset(("you", "i", "we", "to"))
@@ -192,6 +194,9 @@ def _place(document: Document, at: int) -> int:
     passive = _passive(document, at)
     if passive is not None:
         return passive
+    done = _perfect(document, at) if _has_done(document, at) else None
+    if done is not None:
+        return done
     if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
         return at if _goes_on(document, at) else at - 1
     participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
@@ -228,7 +233,7 @@ def _perfect(document: Document, have: int) -> int | None:
     has, put the kettle on".
     """
     tokens = document.tokens
-    if tokens[have].lower not in _HAVING:
+    if tokens[have].lower not in _HAVING and not _has_done(document, have):
         return None
     participle = next((token for token in tokens[have + 1 :] if token.lower not in _BETWEEN), None)
     if participle is None or participle.tag not in _PAST:
@@ -238,6 +243,19 @@ def _perfect(document: Document, have: int) -> int | None:
     behind = tokens[participle.i + 1 :]
     end = next((token for token in behind if token.lower in MARKS or token.tag in ("VB", "VBP")), None)
     return participle.i if end is not None and end.lower in MARKS and participle.lower in _SAME_FORMS else None
+
+
+def _has_done(document: Document, at: int) -> bool:
+    """Whether a "'s" is a "has", since what was done has an object: "somebody's fed *the dog*", "Ann's put *it* away";
+    not "he's given a book", "she's called Ann"."""
+    tokens = document.tokens
+    participle = next((token for token in tokens[at + 1 :] if token.lower not in _BETWEEN), None)
+    if tokens[at].lower not in _IS_OR_HAS or participle is None or participle.tag not in (*_PAST, "VB", "VBP", "NN"):
+        return False
+    behind = next((token for token in tokens[participle.i + 1 :] if token.tag != "RP"), None)
+    is_done = participle.tag in _PAST or participle.lower in _SAME_FORMS
+    is_object = behind is not None and (behind.tag in ("DT", "PRP$", "CD") or behind.lower in _OBJECTS)
+    return is_done and is_object and participle.lower not in _HAVING_TWO_OBJECTS
 
 
 def _is_done_by_others(document: Document, at: int) -> bool:
