@@ -20,7 +20,8 @@ class WorldConfig:
 
     `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
     rad/s². `reach` [m]: from the robot's centre to the nearest point of what it handles; `speak_reach` [m]: from centre
-    to centre, to speak and to hand over. `tray_slots`: things the tray holds.
+    to centre, to speak and to hand over. `tray_slots`: things the tray holds. The tree's skills get everywhere with a
+    `reach` from 0.7 and a `speak_reach` from 1.0; with less they do not, and the judge calls it feasible all the same.
     """
 
     substep: float = 0.01

@@ -268,7 +268,8 @@ def _known(key: str, value: Any, named: _Named, geometry: Geometry) -> str:
         one, several = Nouns.of(geometry.house, geometry.kinds).lookup(word.lower())
         return (*one, *several)
 
-    return known(key, value, named.names, named.expected, aliases, listed_by="`env.unwrapped.entities`")
+    listed_by = "" if named.expected == ROOM else "`env.unwrapped.entities`"  # of rooms it has the floors
+    return known(key, value, named.names, named.expected, aliases, listed_by=listed_by)
 
 
 def _states(wanted: Any, geometry: Geometry) -> dict[str, tuple[str, ...]] | None:

@@ -314,7 +314,7 @@ def test_a_seed_answers_each_question_anew_and_the_same_question_alike():
         ({"placement": {"pan": "tv"}}, r"placement\.pan: nothing can lie .*name a surface"),
         ({"states": {"tv": "open"}}, "tv cannot be open"),
         ({"states": {"tv": "onn"}}, r"states\.tv: 'onn' is no state; the nearest known: on"),
-        ({"people": {"anna": "attic"}}, "'attic' is no room of this house; known: kitchen, living_room"),
+        ({"people": {"anna": "attic"}}, "'attic' is no room of this house; known: kitchen, .*, hallway$"),
         ({"people": {"bob": "kitchen"}}, "'bob' is no person of this house; known: user, anna"),
         ({"people": {"user": None}}, "always at home"),
         ({"broken": ["couch"]}, r"'couch' is no device .*known: coffee_machine.*\(16 in all\)"),
