@@ -84,7 +84,7 @@ def generate_house(domain: Domain, rooms: int, seed: int) -> House:
 
 def with_house(domain: Domain, house: House) -> Domain:
     """The domain with another house in it. Raises `ValueError` for a house that does not fit it, or together."""
-    check_house(house, domain.kinds)
+    check_house(house, domain.kinds, domain.lexicon.colours)
     return replace(domain, house=house, nouns=Nouns.of(house, domain.kinds))
 
 

@@ -121,7 +121,7 @@ def _load(folder: Path, texts: tuple[str, ...]) -> Domain:
     with _blame(folder / "kinds.yaml"):
         _check_tags(kinds)
     with _blame(folder / "house.yaml"):
-        check_house(house, kinds)
+        check_house(house, kinds, lexicon.colours)
     with _blame(folder / "words.yaml"):
         _check_words(lexicon, ontology, kinds)
     with _blame(folder / "domain.pddl"):

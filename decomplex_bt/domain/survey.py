@@ -28,16 +28,18 @@ _CATEGORIES: dict[str, tuple[Category, ...]] = {
 """What kinds the entries of a section may be of."""
 
 
-def check_house(house: House, kinds: Kinds) -> None:
+def check_house(house: House, kinds: Kinds, colours: Collection[str]) -> None:
     """Raises `ValueError` naming the key where a kind, place or room is unknown, two things are in one place, or the
-    house is too large."""
+    house is too large. `colours`: those that there are words for."""
     _check_extent(house)
     _check_kinds(house, kinds)
     _check_user(house)
     _check_things(house, kinds)
+    _check_colours(house, colours)
     _check_starts(house)
     _check_rooms(house)
     _check_furniture(house, kinds)
+    _check_parts(house)
 
 
 def _check_extent(house: House) -> None:
@@ -119,6 +121,14 @@ def _check_things(house: House, kinds: Kinds) -> None:
             )
 
 
+def _check_colours(house: House, colours: Collection[str]) -> None:
+    """That the colours that tell things apart can be said."""
+    for name, item in house.things.items():
+        if item.colour is not None and item.colour not in colours:
+            known = among(item.colour, colours)
+            raise ValueError(f"things.{name}.colour: {item.colour!r} is none of the colours of words.yaml{known}")
+
+
 def _check_starts(house: House) -> None:
     """That people and the robot begin in rooms that there are."""
     starts = {f"people.{name}.rooms": person.rooms for name, person in house.people.items()}
@@ -150,6 +160,23 @@ def _check_furniture(house: House, kinds: Kinds) -> None:
                     f"furniture.{name}: it overlaps {other}; move it, or make it a part of that (part_of: {other})"
                 )
         bodies[piece.room][name] = piece.footprint
+
+
+def _check_parts(house: House) -> None:
+    """That what is part of another piece is where that is, and not in turn what that is part of."""
+    for name, piece in house.furniture.items():
+        if piece.part_of is None:
+            continue
+        whole = house.furniture[piece.part_of]
+        if whole.room != piece.room:
+            raise ValueError(f"furniture.{name}: it is part of {piece.part_of}, which is in {whole.room}, another room")
+        if _overlap(piece.footprint, whole.footprint) < -TOLERANCE:
+            raise ValueError(f"furniture.{name}: it is part of {piece.part_of} and does not touch it; move it there")
+        wholes = [name]
+        while (above := house.furniture[wholes[-1]].part_of) is not None:
+            if above in wholes:
+                raise ValueError(f"furniture.{name}: it is part of itself, by way of {', '.join([*wholes[1:], above])}")
+            wholes.append(above)
 
 
 def _overlap(one: Rect, other: Rect) -> float:
