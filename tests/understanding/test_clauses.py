@@ -116,3 +116,19 @@ def test_a_condition_may_say_that_all_hangs_on_it(opening: str, covers: str) -> 
         f"[Take](1:taking) [the bag](1:object). {opening} [the gate](2:object) [is](2:check_state) [open](2:state)."
     )
     assert found[1].covers == covers
+
+
+@pytest.mark.parametrize(
+    ("words", "is_contrary"),
+    [
+        ("we [are](2:check_state) out", True),
+        ("we've [run](2:check_state) out of it", True),
+        ("[they](2:object) have all [gone](2:check_state)", True),
+        ("we [are](2:check_state) out in the garden", False),
+        ("[they](2:object) have [gone](2:check_state) cold", False),
+        ("[he](2:object) has [run](2:check_state) out of the house", False),
+    ],
+)
+def test_what_is_used_up_is_not_there(words: str, is_contrary: bool) -> None:
+    found = clauses(f"[See](1:check_state) if there are [rolls](1:object), and if {words}, [call](3:informing) Ann.")
+    assert found[1].wording.is_contrary == is_contrary

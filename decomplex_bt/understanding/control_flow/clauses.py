@@ -10,7 +10,7 @@ from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause, MarkedTask
 from decomplex_bt.understanding.control_flow.denials import WILLING, is_answer, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, normal_form
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, head_of, nobody
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
@@ -51,6 +51,9 @@ _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
 _WAYS = frozenset(("back", "home", "out", "again"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
+_OURS = frozenset(("we", "you", "i"))
+_LEFT = frozenset(("they", "it", "those"))
+_ADDED = frozenset("if all already now completely just still and but or".split())
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
 _OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
@@ -413,9 +416,20 @@ def _wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: 
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
+        or _says_used_up(tokens[first : last + 1])
         or (state == "out" and _is_being_of(observed.document, task, _PERSONS)),
         _is_bare(observed.document, task, last, _ECHOING),  # "if he is", "if it does", "when they have"
     )
+
+
+def _says_used_up(clause: Sequence[Token]) -> bool:
+    """Whether a clause says that there is none left: "we're out (of it)", "we've run out", "they've gone"."""
+    words = [normal_form(token.lower) for token in clause if token.text not in _PUNCTUATION]
+    words = [word for word in words if word not in _ADDED]
+    first, behind = words[:1], words[words.index("out") + 1 :] if "out" in words else ["in"]
+    is_ours = not _OURS.isdisjoint(first) and not {"is", "are", "am", "run"}.isdisjoint(words)
+    is_out = not behind or behind[0] == "of"
+    return (is_ours and is_out) or (words[-1:] == ["gone"] and not _LEFT.isdisjoint(first))
 
 
 def _is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[str]) -> bool:
