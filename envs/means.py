@@ -67,7 +67,8 @@ def _rooms(name: str, domain: Domain, truth: Truth) -> tuple[str, ...]:
 
 
 def _names(referents: Iterable[Referent], bindings: Bindings) -> tuple[str, ...]:
-    return tuple(name for referent in referents for name in candidates(referent, bindings))
+    """What the phrases may mean for the robot: where nothing in the house fits one, it has yet to find that out."""
+    return tuple(n for referent in referents for n in candidates(referent, bindings) or referent.candidates)
 
 
 def _is_goal(target: str, task: GroundTask, bindings: Bindings, domain: Domain) -> bool:

@@ -665,6 +665,20 @@ def test_searching_for_what_is_nowhere_is_no_violation_of_what_comes_then():
         assert not episode.go(room).violations
 
 
+def test_looking_in_a_container_for_what_is_nowhere_is_no_violation():
+    """The robot has yet to find out that there is no shirt, though the judge knows that it is the other branch."""
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    tasks = (
+        task(1, "taking", "shirt"),
+        task(2, "change_state", "wardrobe", state="open"),
+        task(3, "motion", goal="kitchen"),
+    )
+    episode = Episode(HandWorld(room="bedroom"), flow, *tasks)
+    assert episode.truths == [(1, False, "else")]
+    assert not episode.do(Interaction.OPEN, "wardrobe").violations
+    assert episode.go("kitchen").is_success
+
+
 def test_going_to_the_room_of_the_other_branch_is_a_violation():
     flow = [{"if": 1, "then": [2], "else": [3]}]
     tasks = (
