@@ -27,6 +27,7 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects
+from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, naming, reported, retracted
@@ -175,7 +176,7 @@ class Interpreter:
             observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
         )
         tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
-        tasks = with_effects(document, tasks, self.domain.lexicon)
+        tasks = with_messages(document, with_effects(document, tasks, self.domain.lexicon), reading.flow)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,

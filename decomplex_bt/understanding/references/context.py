@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -30,7 +30,7 @@ class Context:
     pool: list[Candidate] = field(init=False)
     mentions: dict[str, list[str]] = field(init=False, default_factory=dict)
     fillings: dict[int, set[str]] = field(init=False, default_factory=dict)
-    paths: dict[int, tuple[tuple[int, str], ...]] = field(init=False, default_factory=dict)
+    paths: Mapping[int, tuple[tuple[int, str], ...]] = field(init=False)
     first: dict[int, int] = field(init=False, default_factory=dict)
     lemmas: dict[int, str] = field(init=False)
     topic: str = field(init=False)
@@ -41,11 +41,10 @@ class Context:
         for candidate in self.pool:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
-        for node, path in _walk(self.flow.nodes, ()):
-            for number in node.tasks:
-                self.paths.setdefault(number, path)
-                if isinstance(node, If):
-                    self.first[number] = node.task
+        self.paths = paths_of(self.flow)
+        for node, _ in _walk(self.flow.nodes, ()):
+            if isinstance(node, If):
+                self.first.update(dict.fromkeys(node.tasks, node.task))
         self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
         self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
         self.types = {task.id: task.type for task in self.tasks}
@@ -105,6 +104,15 @@ class Context:
         if path == other:
             return "same"
         return "inner" if len(other) > len(path) else "outer"
+
+
+def paths_of(flow: Flow) -> Mapping[int, tuple[tuple[int, str], ...]]:
+    """By the number of a task the conditions under which it stands, each with its side, outermost first."""
+    paths: dict[int, tuple[tuple[int, str], ...]] = {}
+    for node, path in _walk(flow.nodes, ()):
+        for number in node.tasks:
+            paths.setdefault(number, path)
+    return paths
 
 
 def _walk(

@@ -1,0 +1,39 @@
+"""Who is told something in somebody's place, or as well, is told the same."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("Inform the caretaker that the lift is stuck; if he's at lunch, inform the porter.", "that the lift is stuck"),
+        ("ask paul to walk the dog and if hes still asleep ask rita", "to walk the dog"),
+        ("If Jo is in the garden, tell her the kettle is on; otherwise tell Max.", "the kettle is on"),
+        ("Let my wife know the bath is free; if she doesn't hear you, tell the kids.", "the bath is free"),
+        ("Tell Sven the film is starting, and then tell Olga too.", "the film is starting"),
+    ],
+)
+def test_who_is_told_in_somebodys_place_is_told_the_same(interpreter: Interpreter, text: str, message: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("message") == message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ask Leo what he wants for supper and tell Nora.",
+        "Tell Ben that lunch is ready, and if he says no, tell Clara.",
+        "Tell Ben that lunch is ready, and if he's out, tell me.",
+        "Tell Ben that lunch is ready, look in the shed, and if nobody's there, tell Clara.",
+    ],
+)
+def test_what_was_found_out_in_between_may_be_what_is_told(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("message") is None
