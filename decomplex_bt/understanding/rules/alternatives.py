@@ -33,6 +33,7 @@ _DO_NOT = frozenset((("do", "n't"), ("do", "n\u2019t"), ("do", "not"), ("do", "n
 _TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
+_WHERE = frozenset("in out outside inside up upstairs downstairs off on".split())
 _LEFT = frozenset("any one some it that them yet already there".split())
 
 
@@ -131,7 +132,7 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
         return _is_either(document, parts[:k], part, condition)
-    is_next = part.lead == "mark" and part.body.stop == condition.opening.start and condition.is_last
+    is_next = part.lead == "mark" and part.body.stop == condition.opening.start and is_done
     if is_next and _follows_condition(parts, k, tasks):
         # "tea if it's morning, *coffee* if it's evening", which an order with a verb says as it stands
         is_named = condition.lead == "if" and not any(i in tasks for i in part.body)
@@ -215,19 +216,27 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
 
 
 def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, str], *, is_turned: bool) -> int | None:
-    """Where in a condition that is said in full a phrase begins that is no part of it; `ahead`: the order before."""
+    """Where in a condition that is said in full a phrase begins that is no part of it, behind an "and" at most
+    (`is_turned`: where another condition follows, "in the rack if it's wet *and in the drawer* if it's dry"); `ahead`:
+    the order before."""
     said = [i for i in body if i in tasks]
     if not said or any(tasks[i] not in ("check_state", "searching") for i in said[:1]):
         return None
     led = {document.tokens[i].lower for i in ahead} & PREPOSITIONS
     for i in range(said[0] + 1, min(said[1:2], default=body.stop)):
         first, before = document.tokens[i], document.tokens[i - 1]
+        is_added = is_turned and before.lower == "and" and i > said[0] + 2
+        before = document.tokens[i - 2] if is_added else before
         is_state = before.pos == "ADJ" or (before.i == said[0] + 1 and document.tokens[said[0]].lower == "its")
         is_full = is_state or (before.tag == "VBN" and before.i > said[0]) or before.lower in _CLOSED
+        is_full = is_full or (is_added and (before.lower in _WHERE or before.pos in _NAMING))
         if first.lower in PREPOSITIONS and i + 1 < body.stop:
-            is_start = (is_full or before.pos in _NAMING) and first.lower in led and not is_turned
+            is_start = is_full and bool(led) if is_added else first.lower in led and not is_turned
+            is_start = is_start and (is_full or before.pos in _NAMING)
         else:
-            is_start = is_full and first.lower not in _ONE and (first.pos in ("DET", "NUM") or first.tag == "PRP$")
+            is_noun = is_added and first.pos in _NAMING
+            is_named = first.pos in ("DET", "NUM") or first.tag == "PRP$" or is_noun
+            is_start = is_full and first.lower not in _ONE and is_named
         is_start = is_start or (is_turned and is_state and first.lower in PARTICLES and i + 1 == body.stop)
         if is_start and (words := _bare(document, range(i, body.stop), tasks)) and _is_phrase(document, words, tasks):
             return i
