@@ -145,6 +145,8 @@ def _atom_holds(evidence: Evidence, predicate: str, first: str = "", second: str
 
 
 def _searching(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
+    """Found, or looked for in vain wherever the task says: of two pens one may lie elsewhere in view, and the phrase
+    still mean either."""
     if not task.objects:
         yield from _looked(task, bindings, evidence)
         return
@@ -153,7 +155,8 @@ def _searching(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
         return
     found = tuple(_done(_choose(task.objects, bindings, evidence.was_seen)))
     yield from found
-    if not found and task.places:
+    is_settled = any(outcome.is_final for outcome in found) or (found and _are_there(task, bindings, evidence))
+    if task.places and not is_settled:
         yield from (Outcome(False, outcome.bindings) for outcome in _looked(task, bindings, evidence))
 
 
@@ -173,6 +176,13 @@ def _looked(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     """Whether each place the task names was looked into, at least one of what its phrase may mean."""
     is_looked_into = partial(evidence.was_inspected, for_person=_asks_people(task, evidence))
     yield from _done(_choose(task.places, bindings, is_looked_into))
+
+
+def _are_there(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool:
+    """Whether the objects truly are where the task says."""
+    wheres = [where for place in task.places for where in candidates(place, bindings)]
+    there = _choose(task.objects, bindings, lambda name: any(evidence.is_there(name, where) for where in wheres))
+    return there is not None
 
 
 def _presence(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:

@@ -103,6 +103,26 @@ def test_searching_places_is_done_when_all_were_inspected_or_the_thing_was_seen(
     assert episode.see("keys").is_success
 
 
+@pytest.mark.parametrize("taken", ["pen_1", "pen_2"])
+def test_what_lies_elsewhere_in_view_need_not_be_what_was_looked_for_in_vain(taken):
+    pen = referent("pen_1", "pen_2", phrase="the pen")
+    search, take = task(1, "searching", pen, at=["desk"]), task(2, "taking", pen)
+    episode = Episode(HandWorld({"pen_1": "couch", "pen_2": "bed"}), [1, 2], search, take)
+    episode.world.inspected = {"desk"}
+    assert episode.see("pen_1").unsettled == 2
+    assert episode.take(taken).is_success
+
+
+def test_what_was_found_there_is_what_is_meant():
+    pen = referent("pen_1", "pen_2", phrase="the pen")
+    search, take = task(1, "searching", pen, at=["desk"]), task(2, "taking", pen)
+    episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "bed"}), [1, 2], search, take)
+    episode.world.inspected = {"desk"}
+    assert episode.see("pen_1").unsettled == 2
+    assert not episode.take("pen_2").is_success
+    assert episode.take("pen_1").is_success
+
+
 def test_a_place_named_by_several_words_is_looked_into_at_any():
     table = referent("kitchen_table", "coffee_table", phrase="the table")
     episode = Episode(HandWorld(), [1], task(1, "searching", at=[table]))
