@@ -95,6 +95,8 @@ class Clause:
     of what is said in the clause before ("unless it's *after* ten or somebody is in")."""
     calls_off: bool = False
     """Whether all that is said to be done in its case is to leave what was ordered: "but if it's wet, *leave it*"."""
+    allows: bool = False
+    """Whether all that is said of its case is that what was forbidden may be done: "but if it's hot, *do*"."""
     is_had_done: bool = False
     """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
 

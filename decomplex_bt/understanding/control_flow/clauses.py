@@ -45,6 +45,14 @@ _LEAVING = tuple(
     )
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
+_ALLOWING = frozenset(
+    tuple(phrase.split())
+    for phrase in (
+        "do", "do so", "do it", "do that", "go ahead", "you may", "you can", "you may do so", "that is fine",
+        "that is ok", "that is okay", "that is all right", "it is fine", "it is ok", "fine", "ok", "okay",
+    )
+)  # fmt: skip
+"""What says that something may be done after all, in the normal form of cues."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
@@ -231,6 +239,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
         calls_off=task.type == "check_state" and _calls_off(document, token, following, far + near),
+        allows=task.type == "check_state" and _allows(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
     )
 
@@ -252,6 +261,22 @@ def _calls_off(document: Document, token: int, following: int, leading: Sequence
         if "but" in leading and words[i - 1] in _PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
+
+
+def _allows(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
+    """Whether the words behind a condition, from a mark to the end of its sentence, are no more than "do", "you may" or
+    the like."""
+    if _OPENERS.isdisjoint(leading):
+        return False
+    sentence = document.sentences[token]
+    words = [
+        normal_form(t.lower) for t in document.tokens[token + 1 : following] if document.sentences[t.i] == sentence
+    ]
+    marks = [i for i, word in enumerate(words[:-1]) if word in _PUNCTUATION]
+    behind = words[marks[-1] + 1 :] if marks else []
+    while behind and behind[-1] in _PUNCTUATION:
+        behind = behind[:-1]
+    return tuple(word for word in behind if word not in ("then", "please", "by", "all", "means")) in _ALLOWING
 
 
 def _is_letting(words: Sequence[str]) -> bool:

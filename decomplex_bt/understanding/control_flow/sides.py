@@ -54,6 +54,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _go_ahead,
             _stand_alone,
             _call_off,
+            _allow,
             _exclude,
             _choose,
         ):
@@ -394,6 +395,14 @@ def _call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
             break
         sides[j] = ">1-"
     sides[k] = "top"
+
+
+def _allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden but allowed in a case is done in that ("don't open it, but if it's hot, do")."""
+    if (roles[k - 1], roles[k]) != ("task", "condition") or not clauses[k].allows or not clauses[k - 1].is_forbidden:
+        return
+    if sides[k - 1] in ("top", ">1+", ">1-") and sides[k] in ("top", _HOLDS):
+        sides[k - 1], sides[k] = ">1+", "top"
 
 
 def _exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
