@@ -66,7 +66,7 @@ class Others:
         surely = self._before.get(self._task, Before()).surely
         taken = sum(r.count for r, task in open_ones.items() if task in surely and not settled & {*r.candidates})
         if len(left) < taken + phrase.count:
-            raise too_few(phrase.text, names)
+            raise too_few(phrase.text, names, are_named=bool(taken or settled))
         return left, tuple(dict.fromkeys(r for _, r in excluded if len(r.candidates) > 1))
 
     def _excluded(self, phrase: NounPhrase, names: tuple[str, ...]) -> list[tuple[int, Referent]]:
@@ -96,13 +96,11 @@ class Others:
         return found
 
 
-def too_few(words: str, names: tuple[str, ...]) -> ImpossibleGoalError:
-    """The error for one more than there are."""
-    count, those = ("only one", "it") if len(names) == 1 else (f"only {len(names)}", "all of them")
-    verb = "is" if len(names) == 1 else "are"
-    return ImpossibleGoalError(
-        f"{words!r}: there {verb} {count} in this house, and the instruction has named {those} before"
-    )
+def too_few(words: str, names: tuple[str, ...], *, are_named: bool = True) -> ImpossibleGoalError:
+    """The error for more than there are; `are_named`: than there are besides those that were named before."""
+    there, those = ("is only one", "it") if len(names) == 1 else (f"are only {len(names)}", "all of them")
+    why = f", and the instruction has named {those} before" if are_named else "; ask for fewer"
+    return ImpossibleGoalError(f"{words!r}: there {there} in this house{why}")
 
 
 def _walk(nodes: Sequence[Node], before: Before) -> Iterator[tuple[int, Before]]:

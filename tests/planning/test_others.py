@@ -86,6 +86,13 @@ def test_one_more_than_there_are_is_refused(more: str) -> None:
         second(GIVE_TOM + "[a glass of water](1:object)," + GIVE_ME + f"[{more}](2:object)")
 
 
+def test_more_than_there_are_is_refused_in_words_that_fit() -> None:
+    with pytest.raises(ImpossibleGoalError, match="'three mugs': there are only 2 in this house; ask for fewer"):
+        tasks("[Take](1:taking) [three mugs](1:object)", [1])
+    with pytest.raises(ImpossibleGoalError, match="has named all of them before"):
+        second(GIVE_TOM + "[a mug](1:object)," + GIVE_ME + "[the other two mugs](2:object)")
+
+
 def test_a_pen_and_another_are_two() -> None:
     objects = tasks("[Take](1:taking) [a pen and another pen](1:object)", [1])[0].objects
     assert [referent.count for referent in objects] == [2]
