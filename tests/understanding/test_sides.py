@@ -628,6 +628,7 @@ def test_of_two_orders_that_an_or_joins_the_second_is_for_where_the_first_fails(
 )
 def test_what_is_forbidden_but_allowed_in_a_case_is_done_in_that(words: str, expected: tuple[str, ...]) -> None:
     found = clauses(
-        f"Do n't [open](1:change_state) [it](1:object), but if [it](2:object)'[s](2:check_state) [hot](2:state), {words}."
+        "Do n't [open](1:change_state) [it](1:object), but if [it](2:object)'[s](2:check_state) [hot](2:state), "
+        f"{words}."
     )
     assert stated_sides(found, ("task", "condition"), (">1-", "top")) == expected
