@@ -21,6 +21,10 @@ FOLLOW_GAP = 0.9
 """[m] How near the robot comes up behind a person it follows."""
 LOST_AFTER = 5
 """[control steps] A person out of sight for so long has to be looked for."""
+WAIT_SECONDS = 6.0
+"""[s] How long somebody who walks is waited for until they stand, at most."""
+MAX_ASKS = 3
+"""How often somebody is asked to lead the way wherever they like."""
 SETTLED_SECONDS = 2.5
 """[s] A person who has stood still for so long has arrived where they wanted to go."""
 
@@ -38,10 +42,23 @@ def follow(body: HouseholdEmbodiment, person: str, start: str, goal: str) -> Scr
 
 
 def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
-    """Asks a person to lead the way wherever they like and keeps behind them until they stay where they are."""
+    """Asks a person to lead the way wherever they like and keeps behind them until they stay where they are.
+
+    Who is still in the room they were asked in was not the one who felt asked: others may have stood nearer by then.
+    """
+    for _ in range(MAX_ASKS):
+        yield from _step_up_to(body, person)
+        asked_in = body.senses.room_of_person(person)
+        yield from perform(body, Interaction.SAY, "robot", near=person)
+        yield from _keep_behind(body, person, _stays(body, person))
+        if body.senses.room_of_person(person) != asked_in:
+            return
+    raise SkillError(f"{person} does not lead the way")
+
+
+def _stays(body: HouseholdEmbodiment, person: str) -> Callable[[], bool]:
+    """Whether a person has stayed where they are for a while, the robot with them; to be asked at every step."""
     senses = body.senses
-    yield from _step_up_to(body, person)
-    yield from perform(body, Interaction.SAY, "robot", near=person)
     stood_at, since = senses.position(person), senses.seconds
 
     def have_stayed() -> bool:
@@ -52,12 +69,18 @@ def tag_along(body: HouseholdEmbodiment, person: str) -> Script:
         is_with = senses.distance(person) <= 1.2 and senses.room == senses.room_of_person(person)
         return is_with and senses.is_seen(person) and senses.seconds - since > SETTLED_SECONDS
 
-    yield from _keep_behind(body, person, have_stayed)
+    return have_stayed
 
 
 def _step_up_to(body: HouseholdEmbodiment, person: str) -> Script:
-    """Drives to where nobody else is as near as this person: who is asked to lead the way is the nearest."""
+    """Drives to where nobody else is as near as this person: who is asked to lead the way is the nearest.
+
+    Who still walks is waited for, since it is only seen now and then where they are.
+    """
     senses, plan = body.senses, body.floorplan
+    since = senses.seconds
+    while senses.has_walked(person) and senses.seconds - since < WAIT_SECONDS:
+        yield _turn_to(body, person)
     others = [at for name in body.house.people if name != person and (at := senses.position(name)) is not None]
 
     def is_nearest() -> bool:

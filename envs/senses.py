@@ -18,6 +18,10 @@ from decomplex_bt.envs.navigation import Pose
 
 STEADY = 0.3
 """[s] For so long somebody or something out of view still counts as seen for the sake of a skill."""
+STANDING = 1.0
+"""[s] A person who was not seen to move for so long stands."""
+STIR = 0.05
+"""[m] Less than this between two looks is no move."""
 RECALL = 15.0
 """[s] For so long a floor seen bit by bit counts as inspected, and people seen meanwhile as still there."""
 REMEMBERED = 10.0
@@ -95,6 +99,8 @@ class Senses:
         self._recalled: tuple[str, ...] = ()
         self._door_states: dict[str, str] = {}
         self._about: list[Obstacle] = []
+        self._stood: dict[str, tuple[float, float]] = {}
+        self._walked_at: dict[str, float] = {}
         self._lying: list[Obstacle] = []
         self._on_floors: list[tuple[str, int]] = []
         self._told: dict[int, tuple[list[float], str | None, dict[tuple[str, str], str]]] = {}
@@ -148,6 +154,10 @@ class Senses:
         position = self.position(name)
         return None if position is None else self.floorplan.room_at(*position)
 
+    def has_walked(self, name: str) -> bool:
+        """Whether a person was seen to walk a moment ago; between two looks they may be elsewhere by now."""
+        return self.seconds - self._walked_at.get(name, -math.inf) < STANDING
+
     def closed_doors(self) -> frozenset[str]:
         """The doorways last seen closed."""
         return frozenset(name for name, value in self._door_states.items() if value == "closed")
@@ -194,6 +204,9 @@ class Senses:
             until = math.inf if visible[row] else float(self._seen_at[row]) + REMEMBERED
             if self.seconds < until:
                 x, y = self._position[row].tolist()
+                if math.dist(self._stood.get(name, (x, y)), (x, y)) > STIR:
+                    self._walked_at[name] = self.seconds
+                self._stood[name] = x, y
                 about.append((name, Disc(x, y, _PERSON_RADIUS), until))
         self._about = about
 

@@ -241,3 +241,20 @@ def test_results_that_mean_failure_have_words():
 
     assert set(Result) - {Result.NONE, Result.OK} == set(WHY)
     assert not any(action["interact"] == Interaction.FINISH for action in attempt().actions)
+
+
+@pytest.mark.parametrize("goal", ["", " [to the study](2:goal)"])
+def test_who_is_asked_to_lead_on_is_the_one_who_was_followed(goal):
+    """Somebody else may stand nearer by the time that who has led the way comes to a stand."""
+    first = "[Follow](1:following) [Tom](1:object) [to the bedroom](1:goal)"
+    told = read_markup(f"{first}, [follow](2:following) [Tom](2:object){goal}.", DOMAIN.ontology, flow=[1, 2])
+    env = HouseholdEnv(told)
+    for seed in (0, 6, 9, 10):
+        people = {"tom": "kitchen", "user": "bedroom", "anna": "bedroom"}
+        observation, info = env.reset(seed=seed, options={"noise": False, "people": people})
+        oracle = env.policy("oracle", flow=told)
+        oracle.reset(observation, info)
+        while not (info["is_success"] or oracle.done):
+            observation, *_, info = env.step(oracle.act(observation))
+        assert info["is_success"], seed
+        assert info["seconds"] < 100, seed
