@@ -632,3 +632,12 @@ def test_what_is_forbidden_but_allowed_in_a_case_is_done_in_that(words: str, exp
         f"{words}."
     )
     assert stated_sides(found, ("task", "condition"), (">1-", "top")) == expected
+
+
+@pytest.mark.parametrize(("opening", "side"), [("Now", "top"), ("Anyway,", "top"), ("Then", "<1+"), ("", "<1+")])
+def test_what_a_now_opens_hangs_on_no_condition_before(opening: str, side: str) -> None:
+    found = clauses(
+        f"If [Ann](1:object) [asks](1:check_state), I am out. {opening} [bring](2:bringing) [tea](2:object) and "
+        "[go](3:motion) [home](3:goal)."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+")) == ("top", side, side)

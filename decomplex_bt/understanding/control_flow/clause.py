@@ -95,6 +95,8 @@ class Clause:
     of what is said in the clause before ("unless it's *after* ten or somebody is in")."""
     calls_off: bool = False
     """Whether all that is said to be done in its case is to leave what was ordered: "but if it's wet, *leave it*"."""
+    is_new_matter: bool = False
+    """Whether its sentence, of which it is the first, begins with a "now" or the like: "*Now* bring me the tea"."""
     allows: bool = False
     """Whether all that is said of its case is that what was forbidden may be done: "but if it's hot, *do*"."""
     is_had_done: bool = False

@@ -45,6 +45,7 @@ _LEAVING = tuple(
     )
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
+_TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
 _ALLOWING = frozenset(
     tuple(phrase.split())
     for phrase in (
@@ -239,6 +240,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
         calls_off=task.type == "check_state" and _calls_off(document, token, following, far + near),
+        is_new_matter=previous >= 0 and not is_joined and _opens_matter(document, token),
         allows=task.type == "check_state" and _allows(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
     )
@@ -261,6 +263,12 @@ def _calls_off(document: Document, token: int, following: int, leading: Sequence
         if "but" in leading and words[i - 1] in _PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
+
+
+def _opens_matter(document: Document, token: int) -> bool:
+    """Whether the sentence of a token begins with a word that turns to something else."""
+    first = document.sentences.index(document.sentences[token])
+    return document.tokens[first].lower in _TURNING_TO
 
 
 def _allows(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:

@@ -56,6 +56,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _call_off,
             _allow,
             _exclude,
+            _turn_away,
             _choose,
         ):
             rule(clauses, roles, sides, k)
@@ -403,6 +404,18 @@ def _allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         return
     if sides[k - 1] in ("top", ">1+", ">1-") and sides[k] in ("top", _HOLDS):
         sides[k - 1], sides[k] = ">1+", "top"
+
+
+def _turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence with a "now" or the like opens hangs on no condition before ("if Ann asks, I'm out. *Now bring me
+    the tea*")."""
+    if not clauses[k].is_new_matter or sides[k] not in (_HOLDS, _FAILS):
+        return
+    side = sides[k]
+    for j in range(k, len(clauses)):
+        if clauses[j].sentence != clauses[k].sentence or roles[j] != "task" or sides[j] != side:
+            return
+        sides[j] = "top"
 
 
 def _exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
