@@ -180,9 +180,11 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
 
 def _goes_on(document: Document, words: Sequence[str], position: int, end: int) -> bool:
     """Whether words that may stand for a whole condition only begin one: "if no cup is clean"; where nothing was said
-    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"."""
+    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"; and "if none comes" says itself what does not."""
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
-    if words[position] != "if" or not (is_first or words[end - 1] == "no"):
+    comes = document.tokens[end] if end < len(words) else None
+    is_of_none = words[end - 1] == "none" and comes is not None and comes.pos == "VERB" and comes.tag in ("VBZ", "VBP")
+    if words[position] != "if" or not (is_first or words[end - 1] == "no" or is_of_none):
         return False
     rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in MARKS), len(document))]
     if words[end - 1] in ("able", "unable", "possible", "impossible", "to"):

@@ -82,7 +82,8 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(token.tag == "POS" for token in behind):
         return False  # "in *Ann*'s room"
     category = context.observed.gazetteer.category(head.lemma)
-    is_handled = candidate.type == "object" and candidate.task_type in _HANDLING_THINGS
+    is_whole = candidate.type == "object" or "across" in candidate.shape  # "put *the cake on the table*"
+    is_handled = is_whole and candidate.task_type in _HANDLING_THINGS
     if group == "they":
         is_thing = category not in ("", "person") or (is_handled and context.lemmas[gap.task.id] in _HUMAN)
         is_one = head.tag == "NN" and not _is_of_several(document, candidate)

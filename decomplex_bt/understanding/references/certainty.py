@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.agreement import is_no_person, is_of_other_gender, meant
 from decomplex_bt.understanding.references.context import Context, kind_of
@@ -9,6 +10,7 @@ from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_relatives
+from decomplex_bt.understanding.references.wholes import is_part
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
@@ -192,6 +194,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
+    if _is_weather(context, gap):
+        return True
     if gap.word not in _ELSEWHERE:
         return False
     if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
@@ -204,6 +208,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
+    if is_part(context, gap, candidate):
+        return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
 
 
@@ -212,12 +218,21 @@ def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
     table in particular, who locks up locks the house, or a door, no cat and no heater."""
     verb, head = context.lemmas[gap.task.id], context.observed.document.tokens[candidate.head].lemma
     if verb != "lock up":
-        return verb in ("wash up", "tidy up")
-    if context.observed.document.tokens[candidate.head].pos == "ADV":
+        return verb in ("wash up", "tidy up", "clear up")
+    is_adverb = candidate.type == "location" and len(candidate.tokens) == 1
+    if is_adverb or context.observed.document.tokens[candidate.head].pos == "ADV":
         return True
     gazetteer = context.observed.gazetteer
     is_known = bool(gazetteer.category(head)) and "aperture" not in gazetteer.changeable.get(head, ())
     return kind_of(context, candidate) in _ANIMATE or (is_known and kind_of(context, candidate) != "room")
+
+
+def _is_weather(context: Context, gap: Gap) -> bool:
+    """Whether a check without an object is of the weather: nothing named is what "*it* looks like rain" is of."""
+    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    is_unsaid = gap.type == "object" and not gap.word and gap.task.type == "check_state"
+    return is_unsaid and tokens[verb - 1].lower == "it" and not WEATHER.isdisjoint(words)
 
 
 def _is_beside(context: Context, gap: Gap, candidate: Candidate) -> bool:
