@@ -265,3 +265,22 @@ def test_what_comes_along_with_a_thing_is_handled_too(text: str, objects: list[s
 def test_who_somebody_walks_along_with_is_followed() -> None:
     (task,) = Interpreter.load().interpret("Walk along with the nurse to the gate.").tasks
     assert (task.type, task.value("object")) == ("following", "with the nurse")
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "kind", "value"),
+    [
+        ("If no lamps are on downstairs, come back up.", 1, "object", "lamps"),
+        ("If no one is in the den, turn the fan off.", 1, "object", None),
+        ("If none of the chairs is free, bring a stool.", 1, "object", "none of the chairs"),
+        ("Get the cushions, and if it looks like snow, close the shed.", 2, "object", None),
+        ("Check the milk, and if it looks sour, tell me.", 2, "object", "the milk"),
+        ("Light the lamp, and if the baby wakes up, come and get me.", 3, "object", "me"),
+        ("Get me the paper.", 1, "recipient", "me"),
+        ("Bring me my cocoa with two biscuits, please.", 1, "object", "my cocoa with two biscuits"),
+        ("Give Dad the blue pills with a glass of water.", 1, "object", "the blue pills with a glass of water"),
+        ("Give Tom the letter with my regards.", 1, "object", "the letter"),
+    ],
+)
+def test_what_a_phrase_ends_and_begins_with(text: str, number: int, kind: str, value: str | None) -> None:
+    assert Interpreter.load().interpret(text).task(number).value(kind) == value

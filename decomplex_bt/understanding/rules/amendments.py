@@ -44,7 +44,8 @@ _OF_CHECKS = frozenset(("object", "state", "location"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
 _BEFORE_WEATHER = frozenset(
     "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
-    "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to".split()
+    "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
+    "look looking like".split()
 )
 """What may stand between the verb of a check and the word for the weather or the day."""
 _HANDING = frozenset("give feed hand serve offer pass".split())
@@ -54,12 +55,14 @@ _HANDLED = frozenset(("change_state", "taking", "placing", "following"))
 _ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
+_REGARDS = frozenset("compliment regard thanks thank love wish care hand finger apology smile".split())
+"""What comes with a thing without being one."""
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
 _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
-_NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into"))
+_NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
@@ -92,8 +95,11 @@ def amended(
         if kind == "bringing":
             kept = _divided(document, kept, token)
             kept = _given(kept, token, for_somebody(document, token))
+            kept = _called(document, kept, token)
+            kept = _served(document, kept, token)
             kept = _told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "check_state":
+            kept = [_undenied(document, a) if a.owner == token else a for a in kept]
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
             kept = _named(document, _identified(observed, kept, token), token)
@@ -146,6 +152,51 @@ def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
 def _is_of_nobody(document: Document, argument: FoundArgument) -> bool:
     """Whether it is the "one" of "if no one is in": a negation names nothing."""
     return argument.type == "object" and set(argument.tokens) <= set(nobody(document, argument.owner))
+
+
+def _called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
+    """The arguments with who is fetched as the object where the order names nothing else: "if she cries, get *me*"."""
+    whom, end = range(fetching + 1, fetching + 2), fetching + 2
+    is_end = end >= len(document) or document.tokens[end].text in MARKS
+    own = {a.type for a in arguments if a.owner == fetching and a.tokens != whom}
+    if document.tokens[fetching].lemma not in ("get", "fetch") or not is_end or "object" in own:
+        return list(arguments)
+    return [replace(a, type="object") if (a.owner, a.tokens) == (fetching, whom) else a for a in arguments]
+
+
+def _served(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
+    """The arguments with what is brought along as part of the thing right behind which it stands: "bring me *my coffee
+    with two biscuits*"; not how or in what it is brought ("with care", "with my regards")."""
+    taken = {i for a in arguments for i in a.tokens}
+    stops = {phrase.start: phrase.stop for phrase in noun_chunks(document)}
+    return [
+        replace(a, tokens=range(a.tokens.start, stop))
+        if (a.owner, a.type) == (bringing, "object")
+        and a.tokens.start > bringing
+        and not is_pronoun(document, a.tokens)
+        and (stop := _with_behind(document, a.tokens.stop, stops))
+        and taken.isdisjoint(range(a.tokens.stop, stop))
+        else a
+        for a in arguments
+    ]
+
+
+def _with_behind(document: Document, at: int, stops: Mapping[int, int]) -> int:
+    """Where a "with" and a thing end that stand at a token; 0 where none do."""
+    tokens, stop = document.tokens, stops.get(at + 1, 0)
+    is_thing = stop and tokens[at].lower == "with" and tokens[at + 1].tag in ("DT", "CD", "PRP$")
+    if not is_thing or tokens[stop - 1].lemma in _REGARDS:
+        return 0
+    return stops.get(stop + 1, stop) if [token.lower for token in tokens[stop : stop + 1]] == ["of"] else stop
+
+
+def _undenied(document: Document, argument: FoundArgument) -> FoundArgument:
+    """The argument of a check without the "no" ahead of its noun, which denies the condition: "if no *lamp* is on". In
+    "none of the lamps" the words pick one."""
+    words = [document.tokens[i].lower for i in argument.tokens]
+    if argument.type != "object" or len(words) < 2 or words[0] != "no" or words[1] == "one":
+        return argument
+    return replace(argument, tokens=range(argument.tokens.start + 1, argument.tokens.stop))
 
 
 def _is_said_again(document: Document, argument: FoundArgument, others: Sequence[FoundArgument]) -> bool:
