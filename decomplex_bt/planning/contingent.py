@@ -130,7 +130,7 @@ class _Branch:
 
     def _pursue(self, task: GroundTask) -> TaskPlan:
         before = len(self.world.steps)
-        finds_out = task.type in _FINDING_OUT
+        finds_out = task.type in _FINDING_OUT or task.question is not None
         pursuit = self.world.run(task, self.belief, self.planner, self.bindings, up_to_looks=finds_out)
         self.bindings = pursuit.bindings
         has_held = pursuit.status is PursuitStatus.DONE and pursuit.truth is not False

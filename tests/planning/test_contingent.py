@@ -100,3 +100,11 @@ def test_a_condition_is_planned_up_to_its_look():
 def test_what_is_in_view_from_the_first_takes_no_step():
     text = "[Check](1:check_state) whether [the front door](1:object) is [open](1:state)."
     assert "  ; in view already, nothing to do" in str(plan(text, [1])).splitlines()
+
+
+def test_what_is_told_is_looked_at_first():
+    text = "[Tell](1:informing) [me](1:recipient) [whether the tv is on](1:message)."
+    (told,) = plan(text, [1]).nodes
+    assert isinstance(told, TaskPlan)
+    steps = [str(step) for step in told.steps]
+    assert steps.index("(sense-place power__tv tv)") < steps.index("(say user)")
