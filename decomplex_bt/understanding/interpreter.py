@@ -14,6 +14,7 @@ from typing import TypeVar
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
 from decomplex_bt.errors import InputError
+from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
@@ -26,7 +27,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
-from decomplex_bt.understanding.references.effects import with_effects
+from decomplex_bt.understanding.references.effects import with_effects, with_tries
 from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
@@ -175,8 +176,7 @@ class Interpreter:
         tasks = self._references.resolve(
             observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
         )
-        tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
-        tasks = with_messages(document, with_effects(document, tasks, self.domain.lexicon), reading.flow)
+        tasks = self._settled(document, tasks, reading.flow)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,
@@ -189,6 +189,13 @@ class Interpreter:
                 Alternative(flow, shrunk(chance, belief.flow, certainty)) for flow, chance in belief.flows[1:]
             ),
         )
+
+    def _settled(self, document: Document, tasks: Sequence[Task], flow: Flow) -> tuple[Task, ...]:
+        """The tasks, their values as English settles them once it is known what words refer to."""
+        tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
+        tasks = with_effects(document, tasks, self.domain.lexicon)
+        tasks = with_tries(document, tasks, flow, self.domain.lexicon)
+        return with_messages(document, tasks, flow)
 
     def _hints(self, observed: Observed, reading: Reading) -> Hints | None:
         if self._stages.references is None:

@@ -30,3 +30,22 @@ def test_a_condition_that_says_no_more_asks_whether_the_order_is_carried_out(
     checks = [task for task in found.tasks if task.type == "check_state"]
     assert [check.value("state") for check in checks][:1] == [state]
     assert not found.missing
+
+
+@pytest.mark.parametrize(
+    ("text", "thing", "state"),
+    [
+        ("Turn on the fan. If that fails, try the heater.", "the heater", "on"),
+        ("Open the shutters; if they're stuck, try the door.", "the door", "open"),
+    ],
+)
+def test_what_is_tried_where_a_change_fails_is_changed_likewise(
+    interpreter: Interpreter, text: str, thing: str, state: str
+) -> None:
+    task = interpreter.interpret(text).tasks[-1]
+    assert (task.type, task.value("object"), task.value("state")) == ("change_state", thing, state)
+
+
+def test_where_something_is_looked_for_instead_nothing_is_changed(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Bring me the keys from the desk. If they aren't there, try the shelf.")
+    assert (found.tasks[-1].type, found.tasks[-1].value("location")) == ("searching", "the shelf")

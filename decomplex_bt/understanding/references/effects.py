@@ -1,4 +1,5 @@
-"""Effects: the state that an order ends in, which a bare "if it isn't already" behind it asks."""
+"""Effects: the state that an order ends in, which a bare "if it isn't already" behind it asks, and which is tried on
+another thing where it fails ("turn the tv on; if it won't, try the radio")."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from dataclasses import replace
 
 from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.verbs import sense_of
+from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.gaps import DENYING, is_bare_being
@@ -24,13 +26,44 @@ def with_effects(document: Document, tasks: Sequence[Task], lexicon: Lexicon) ->
         order = found[-1] if found and all(one.type != "check_state" for one in found) else None
         state = None
         if order is not None and order.type == "change_state" and _asks_whether_done(document, task, order):
-            sense = sense_of(order.span.of(document.text), (), lexicon)
-            state = order.value("state") or (None if sense is None else sense.state)
+            state = _end(document, order, lexicon)
         if state is not None:
             own = tuple(a for a in task.arguments if a.type not in _ANSWERED)
             task = replace(task, arguments=(*own, Argument("state", state, None, task.confidence)))
         found.append(task)
     return tuple(found)
+
+
+def with_tries(document: Document, tasks: Sequence[Task], flow: Flow, lexicon: Lexicon) -> tuple[Task, ...]:
+    """The tasks; a thing that is to be tried where a change failed is to be changed likewise: "turn the tv on. If that
+    fails, *try the radio*"."""
+    found = {task.id: task for task in tasks}
+    for node, _ in flow.walk():
+        if not isinstance(node, If) or found[node.task].type != "change_state":
+            continue
+        for other in node.orelse:
+            task = found[other.task]
+            named = _tried(document, task)
+            state = _end(document, found[node.task], lexicon)
+            if named is not None and state is not None:
+                told = (Argument("state", state, None, task.confidence), replace(named, type="object"))
+                found[task.id] = replace(task, type="change_state", arguments=told)
+    return tuple(found[task.id] for task in tasks)
+
+
+def _tried(document: Document, task: Task) -> Argument | None:
+    """What stands right behind a "try"; None for any other verb."""
+    verb = document.indices(task.span).start
+    behind = (a for a in task.arguments if a.span and document.indices(a.span).start == verb + 1)
+    named = next(behind, None) if document.tokens[verb].lemma == "try" else None
+    is_led = named is not None and document.tokens[verb + 1].pos in ("ADP", "PART", "VERB")
+    return None if is_led else named
+
+
+def _end(document: Document, order: Task, lexicon: Lexicon) -> str | None:
+    """The state that an order ends in, as it says or by its verb."""
+    sense = sense_of(order.span.of(document.text), (), lexicon)
+    return order.value("state") or (None if sense is None else sense.state)
 
 
 def _asks_whether_done(document: Document, task: Task, order: Task) -> bool:
