@@ -13,6 +13,7 @@ from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
+from decomplex_bt.understanding.rules.times import times
 
 NO_TASK = "no task that this robot knows was found in the text"
 
@@ -72,7 +73,7 @@ def _asks_who(observed: Observed, task: Task) -> bool:
 
 def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     """One line each: no task found, a prohibition that is not watched, what has no verb, what is left out, repetition
-    that is read as once."""
+    that is read as once, times."""
     document = observed.document
     for verb in forbidden(observed):
         if is_needless(document, verb):
@@ -103,6 +104,10 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         if word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
+    for time in times(document):
+        span = document.span(time.start, time.stop - 1)
+        if not any(one.start < span.end and span.start < one.end for one in said_of):
+            yield f"{span.of(document.text)!r} is not heeded: times are not part of the flow"
 
 
 _END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "but"))
