@@ -297,6 +297,18 @@ LOOK_IN_DRAWER = task(3, "searching", referent("pen_1", "pen_2", phrase="a pen")
 PEN_FLOW = [{"if": 1, "then": [2], "else": [3]}]
 
 
+@pytest.mark.parametrize(("other", "truth"), [("bookshelf", True), ("desk", False), (None, True)])
+@pytest.mark.parametrize("kind", ["check_state", "searching"])
+def test_all_are_there_only_when_none_is_elsewhere(kind: str, other: str | None, truth: bool):
+    books = referent("book_1", "book_2", phrase="all the books", is_all=True)
+    asked = task(1, kind, books, at=["bookshelf"], state=HERE if kind == "check_state" else None)
+    world = HandWorld({"book_1": "bookshelf", "book_2": other})
+    episode = Episode(world, [{"if": 1, "then": [2]}], asked, task(2, "motion", goal="kitchen"))
+    episode.world.inspected = {"bookshelf"}
+    episode.see("book_1", "book_2")
+    assert episode.truths == [(1, truth, "then" if truth else None)]
+
+
 def test_a_search_holds_when_the_thing_is_seen_there():
     episode = Episode(HandWorld({"pen_1": "desk", "pen_2": "couch"}), PEN_FLOW, FIND_PEN, BRING_PEN, LOOK_IN_DRAWER)
     episode.see("pen_2")
