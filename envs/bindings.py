@@ -8,7 +8,7 @@ from itertools import combinations
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.evidence import is_there
 from decomplex_bt.envs.truth import Truth
-from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
+from decomplex_bt.planning.ground_task import GroundTask, Referent
 
 Bindings = Mapping[Referent, tuple[str, ...]]
 """What each phrase may still mean; all of its candidates where it is not named."""
@@ -23,11 +23,10 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
     """The bindings when a task becomes due: phrases not met before mean what fits them now.
 
     That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
-    meant or it is only to be taken from there, at the place that the task names; unless that is what the task asks
-    ("are all the books on the shelf"). What fits may be nothing.
+    meant or it is only to be taken from there, at the place that the task names; but for a search, which asks where
+    they are. What fits may be nothing.
     """
     named = dict(bindings)
-    asks_where = task.type == "searching" or (task.type == "check_state" and task.state in (None, HERE))
     for referent in task.referents():
         is_only_there = task.is_only_there and referent in task.objects
         if referent not in bindings:
@@ -37,7 +36,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                 if _is_somewhere(domain, truth, name)
                 and all(truth.state(name, pair) == value for pair, value in referent.where)
             )
-        is_of_place = referent.is_all and referent in task.objects and bool(task.places) and not asks_where
+        is_of_place = referent.is_all and referent in task.objects and bool(task.places) and task.type != "searching"
         if is_only_there or (referent not in bindings and is_of_place):
             wheres = [where for place in task.places for where in candidates(place, bindings)]
             named[referent] = tuple(

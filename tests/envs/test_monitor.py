@@ -298,15 +298,25 @@ PEN_FLOW = [{"if": 1, "then": [2], "else": [3]}]
 
 
 @pytest.mark.parametrize(("other", "truth"), [("bookshelf", True), ("desk", False), (None, True)])
-@pytest.mark.parametrize("kind", ["check_state", "searching"])
-def test_all_are_there_only_when_none_is_elsewhere(kind: str, other: str | None, truth: bool):
+def test_all_are_found_there_only_when_none_is_elsewhere(other: str | None, truth: bool):
     books = referent("book_1", "book_2", phrase="all the books", is_all=True)
-    asked = task(1, kind, books, at=["bookshelf"], state=HERE if kind == "check_state" else None)
+    asked = task(1, "searching", books, at=["bookshelf"])
     world = HandWorld({"book_1": "bookshelf", "book_2": other})
     episode = Episode(world, [{"if": 1, "then": [2]}], asked, task(2, "motion", goal="kitchen"))
     episode.world.inspected = {"bookshelf"}
     episode.see("book_1", "book_2")
     assert episode.truths == [(1, truth, "then" if truth else None)]
+
+
+def test_there_are_some_when_not_all_are_there():
+    """ "If there are books on the shelf" means all that are there, and holds where any is."""
+    books = referent("book_1", "book_2", phrase="books", is_all=True)
+    asked = task(1, "check_state", books, at=["bookshelf"], state=HERE)
+    world = HandWorld({"book_1": "bookshelf", "book_2": "desk"})
+    episode = Episode(world, [{"if": 1, "then": [2]}], asked, task(2, "motion", goal="kitchen"))
+    episode.world.inspected = {"bookshelf"}
+    episode.see("book_1")
+    assert episode.truths == [(1, True, "then")]
 
 
 def test_a_search_holds_when_the_thing_is_seen_there():
