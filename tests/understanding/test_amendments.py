@@ -280,6 +280,20 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("Bring me my cocoa with two biscuits, please.", 1, "object", "my cocoa with two biscuits"),
         ("Give Dad the blue pills with a glass of water.", 1, "object", "the blue pills with a glass of water"),
         ("Give Tom the letter with my regards.", 1, "object", "the letter"),
+        ("Throw out the tulips from last week and wash the vase.", 1, "object", "the tulips from last week"),
+        ("Take the pies from yesterday out of the fridge.", 1, "source", "out of the fridge"),
+        ("Bring the bread from the bakery.", 1, "object", "the bread"),
+        (
+            "If the jam is off, open the new jar, it's in the larder, and bin the old one.",
+            2,
+            "location",
+            "in the larder",
+        ),
+        ("If the jam is off, open the new jar, it's in the larder, and bin the old one.", 3, "source", None),
+        ("My cup is on the desk. Wash it and bring it here.", 2, "source", "on the desk"),
+        ("After we've gone to bed, lock the gate.", 1, "state", "to bed"),
+        ("After we've gone to bed, lock the gate.", 1, "object", "we"),
+        ("When you've gone to the kitchen, bring me a cup.", 1, "goal", "to the kitchen"),
     ],
 )
 def test_what_a_phrase_ends_and_begins_with(text: str, number: int, kind: str, value: str | None) -> None:

@@ -39,6 +39,12 @@ _UNNAMED = frozenset("somebody someone something visitor visitors caller strange
 _PLACES = frozenset(("source", "location"))
 _TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}
 """By what the argument of a type is taken up that was said before its verb."""
+_IT_IS = tuple(
+    [pronoun, be] for pronoun, be in (("it", "'s"), ("it", "\u2019s"), ("it", "is"), ("they", "'re"), ("they", "are"))
+)
+_ORDERED = frozenset(("change_state", "bringing", "taking"))
+_MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
+_TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())
 _WAYS = frozenset(("path", "manner"))
 _OF_CHECKS = frozenset(("object", "state", "location"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
@@ -87,6 +93,7 @@ def amended(
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
+    kept = _of_days(document, [_whereabouts(document, tasks, a, kept) for a in kept])
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
     kept = [a for a in kept if not _is_of_nobody(document, a)]
     for phrase in withdrawals.corrections:
@@ -100,6 +107,7 @@ def amended(
             kept = _told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
+            kept = _departed(document, kept, token)
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
             kept = _named(document, _identified(observed, kept, token), token)
@@ -223,6 +231,61 @@ def _meant(document: Document, tasks: Mapping[int, str], argument: FoundArgument
     starts = range(max(0, first - 4), first)
     is_of_somebody = any(first in (whereabouts(document, at) or ()) for at in starts)
     return replace(argument, type="goal") if is_of_somebody else argument
+
+
+def _whereabouts(
+    document: Document, tasks: Mapping[int, str], argument: FoundArgument, others: Sequence[FoundArgument]
+) -> FoundArgument:
+    """The argument; the place that is told right behind a thing is of the order that names it: "open the new carton,
+    it's *in the fridge*, and pour the old one away"."""
+    first = argument.tokens.start
+    words = [token.lower for token in document.tokens[max(0, first - 3) : first]]
+    if argument.type not in _PLACES or words[:1] != [","] or words[1:] not in _IT_IS:
+        return argument
+    named = (a for a in others if a.type == "object" and a.tokens.stop == first - 3 and a.owner < a.tokens.start)
+    order = next((a.owner for a in named), None)
+    kind = tasks.get(argument.owner if order is None else order)
+    if order is None or kind not in _ORDERED or argument.owner < order:
+        return argument
+    return replace(argument, owner=order, type="location" if kind == "change_state" else "source")
+
+
+def _departed(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments of a check with where somebody has gone as how they are, and who: "after *we*'ve gone *to bed*"."""
+    own = {a.type for a in arguments if a.owner == check}
+    tokens = document.tokens
+    if "goal" not in own or "state" in own or tokens[check].lemma != "go":
+        return list(arguments)
+    kept = [replace(a, type="state") if (a.owner, a.type) == (check, "goal") else a for a in arguments]
+    subject = next((i for i in document.children[check] if tokens[i].dep == "nsubj" and tokens[i].tag == "PRP"), None)
+    if subject is None or "object" in own:
+        return kept
+    return [*kept, FoundArgument("object", check, range(subject, subject + 1), CERTAIN)]
+
+
+def _of_days(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with the day or the meal that a thing is from as part of it: "*the soup from yesterday*"."""
+    days = {first: stop for first in range(len(document)) if (stop := _day_behind(document, first)) > 0}
+    ends = {a.tokens.stop for a in arguments if a.type == "object" and not is_pronoun(document, a.tokens)}
+    dated = {first: days[first] for first in days.keys() & ends}
+    rest = [replace(a, tokens=range(dated.get(a.tokens.start, a.tokens.start), a.tokens.stop)) for a in arguments]
+    return [
+        replace(a, tokens=range(a.tokens.start, dated[a.tokens.stop]))
+        if a.type == "object" and a.tokens.stop in dated
+        else a
+        for a in rest
+        if a.tokens
+    ]
+
+
+def _day_behind(document: Document, first: int) -> int:
+    """Where a "from yesterday" or "from last night" ends; 0 where none begins."""
+    words = [token.lower for token in document.tokens[first : first + 3]]
+    if words[:1] != ["from"] or len(words) < 2:
+        return 0
+    if words[1] in _MEALS:
+        return first + 2
+    return first + 3 if words[1:] and words[1] in ("last", "this") and words[2:] and words[2] in _TIMES_OF_DAY else 0
 
 
 def _of_spills(document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:

@@ -32,6 +32,7 @@ _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether"))
+_OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
@@ -274,6 +275,13 @@ def _is_done_by_others(document: Document, at: int) -> bool:
     return False
 
 
+def _are_gone(document: Document, at: int) -> bool:
+    """Whether who speaks has gone, which is no way of the robot's: "after *we've gone* to bed"."""
+    words = [token.lower for token in document.tokens[max(0, at - 5) : at] if token.lower not in _BETWEEN | {"both"}]
+    is_of_speaker = words[-2:-1] in (["we"], ["i"]) and words[-1] in _HAVING
+    return is_of_speaker and words[-3:-2] != [] and words[-3] in _OPENING and document.tokens[at].tag in _PAST
+
+
 def _goes_on(document: Document, gone: int) -> bool:
     """Whether "gone" tells what something has become, or where to: "gone cold", "gone out"."""
     token = document.tokens[gone + 1] if gone + 1 < len(document) else None
@@ -298,6 +306,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     if task.type == "check_state" and is_assured(document, task.token):
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):
+        return "check_state"
+    if task.type == "motion" and _are_gone(document, task.token):
         return "check_state"
     return task.type
 
