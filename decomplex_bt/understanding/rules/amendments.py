@@ -30,6 +30,7 @@ from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
+from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
@@ -114,7 +115,7 @@ def amended(
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
             kept = _told(kept, token, _taken_up_behind(document, token))
         if kind != "check_state" and not any((a.owner, a.type) == (token, "object") for a in kept):
-            kept = _told(kept, token, in_need(observed, token))
+            kept = _told(kept, token, in_need(observed, token) or _telegraphed(document, token))
     for fragment in fragments(document):
         if fragment.carrier in tasks:
             told = {"object": fragment.object, "location": fragment.location}
@@ -122,6 +123,13 @@ def amended(
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
     kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
+
+
+def _telegraphed(document: Document, verb: int) -> dict[str, range]:
+    """What a verb that the tagger takes for a noun is done to: "water *plants*"."""
+    is_telegram = not any(token.tag in ("DT", "PRP$") for token in document.tokens)
+    thing = named(document, verb) if is_telegram else range(0)
+    return {"object": thing} if thing else {}
 
 
 def _taken_up_behind(document: Document, verb: int) -> dict[str, range]:

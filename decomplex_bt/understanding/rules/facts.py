@@ -15,6 +15,7 @@ from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.questions import questions
+from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -106,10 +107,11 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
 
 
 def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
-    """The tasks with those that are idioms, needs or fragments, and without other words of these ("might be
-    *switched*")."""
+    """The tasks with those that are idioms, needs, telegraphed or fragments, and without other words of these ("might
+    be *switched*")."""
     document, found = observed.document, {task.token: task.type for task in tasks}
-    idioms = {i: type for i, type in {**needed(observed, found), **idiomatic(document, found)}.items() if type in types}
+    told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, found)}
+    idioms = {i: type for i, type in told.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
     for fragment in fragments(document):
         behind.update(fragment.tokens)
