@@ -293,6 +293,8 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("My cup is on the desk. Wash it and bring it here.", 2, "source", "on the desk"),
         ("After we've gone to bed, lock the gate.", 1, "state", "to bed"),
         ("After we've gone to bed, lock the gate.", 1, "object", "we"),
+        ("If no one reads the paper, throw it away.", 1, "object", "the paper"),
+        ("If nobody comes this morning, lock the gate.", 1, "object", None),
         ("When you've gone to the kitchen, bring me a cup.", 1, "goal", "to the kitchen"),
     ],
 )

@@ -12,6 +12,7 @@ from documents import document
 
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.facts import corrected
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -219,3 +220,15 @@ def test_what_somebody_cannot_find_is_not_looked_for_yet(words: str, is_task: bo
 def test_who_looks_how_much_something_is_so_checks_it() -> None:
     assert found("look/VB how/WRB warm/JJ the/DT milk/NN is/VBZ", (0, "searching")) == [(0, "check_state")]
     assert found("look/VB how/WRB many/JJ eggs/NNS are/VBP left/VBN", (0, "searching")) == [(0, "searching")]
+
+
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("Feed the cat, wipe the table and clear up.", ["change_state", "change_state", "change_state"]),
+        ("When we've gone out, lock the gate.", ["check_state", "change_state"]),
+        ("Walk to the gate and clear off.", ["motion", "motion"]),
+    ],
+)
+def test_who_clears_up_or_has_gone_is_not_sent_anywhere(text: str, kinds: list[str]) -> None:
+    assert [task.type for task in Interpreter.load().interpret(text).tasks] == kinds

@@ -44,6 +44,7 @@ _IT_IS = tuple(
     [pronoun, be] for pronoun, be in (("it", "'s"), ("it", "\u2019s"), ("it", "is"), ("they", "'re"), ("they", "are"))
 )
 _ORDERED = frozenset(("change_state", "bringing", "taking"))
+_STATING = frozenset("be 's \u2019s 're have".split())
 _MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
 _TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())
 _WAYS = frozenset(("path", "manner"))
@@ -109,6 +110,7 @@ def amended(
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
             kept = _departed(document, kept, token)
+            kept = _told(kept, token, _done_by_nobody(document, token))
             kept = _told(kept, token, predicated(document, token))
             kept = _asked(document, kept, token, tasks)
             kept = _named(document, _identified(observed, kept, token), token)
@@ -256,6 +258,16 @@ def _whereabouts(
     if order is None or kind not in _ORDERED or argument.owner < order:
         return argument
     return replace(argument, owner=order, type="location" if kind == "change_state" else "source")
+
+
+def _done_by_nobody(document: Document, verb: int) -> dict[str, range]:
+    """What nobody does something to, as the object of the check: "if nobody answers *the phone*"."""
+    things = (phrase for phrase in noun_chunks(document) if phrase.start == verb + 1)
+    is_act = document.tokens[verb].tag in ("VBZ", "VBP", "VBD") and document.tokens[verb].lemma not in _STATING
+    thing = next(things, None) if is_act and nobody(document, verb) else None
+    if thing is None or document.tokens[thing.start].tag not in ("DT", "PRP$"):
+        return {}
+    return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
 
 
 def _departed(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:

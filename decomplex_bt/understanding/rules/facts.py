@@ -33,6 +33,7 @@ _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether"))
+_TIDYING = frozenset(("clear", "tidy", "clean", "wash"))
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
@@ -309,6 +310,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):
         return "check_state"
+    if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
+        return "change_state"  # "hoover the stairs and clear up"
     if task.type == "motion" and _are_gone(document, task.token):
         return "check_state"
     return task.type
