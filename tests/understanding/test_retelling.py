@@ -51,6 +51,12 @@ def interpreter() -> Interpreter:
          [{"if": [2, 4], "then": [1], "else": [3]}]),
         ("Put the coat in the chest if it's dry, on the hook if it's damp, and close the door.", "on", "on the hook",
          [{"if": [2, 4], "then": [1], "else": [3]}, 5]),
+        ("Take the large bag upstairs, the small one if the large one's too full.", "one", "the small bag",
+         [{"if": 3, "then": [2], "else": [1]}]),
+        ("Can you put the coat in the wardrobe, on the hook if the wardrobe's full?", "on", "on the hook",
+         [{"if": 3, "then": [2], "else": [1]}]),
+        ("Give Anna the apple, the pear if the apple is bad, and close the door.", "pear", "the pear",
+         [{"if": 3, "then": [2], "else": [1]}, 4]),
         ("Wipe the desk and don't forget the shelf.", "shelf", "the shelf", [1, 2]),
         ("Bring the plates to the table. And never forget the forks.", "forks", "the forks", [1, 2]),
         ("Pack my toothbrush, but don't forget the charger.", "charger", "the charger", [1, 2]),
@@ -107,8 +113,31 @@ def test_what_is_named_behind_its_kind_is_what_is_meant(interpreter: Interpreter
         "Leave everything else on the bench if it rains.",
         "Close the window if it's windy and the heater is on.",
         "Walk the dog and don't forget the bags.",
+        "Bring me the cup, the red one if it's clean.",
+        "Bring the cup, the plate and the bowl if the cup is clean.",
         "Sweep the hall, and don't forget the hamster. Fill his bottle.",
     ],
 )
 def test_what_is_no_alternative_is_read_as_it_stands(interpreter: Interpreter, text: str) -> None:
     assert not any(task.repeats for task in interpreter.interpret(text).tasks)
+
+
+@pytest.mark.parametrize(
+    ("text", "task", "places"),
+    [
+        ("Find my glasses, they're on the shelf or else beside the sink, and bring them to me.", 1,
+         ["on the shelf", "beside the sink"]),
+        ("My bag is in the hall or else under the desk, fetch it for me.", 1, ["in the hall", "under the desk"]),
+        ("Get the ladder, it'll be in the shed or perhaps behind the garage.", 1, ["in the shed", "behind the garage"]),
+        ("Look for my wallet on the table, or failing that in the car.", 1, ["on the table", "in the car"]),
+        ("The keys could be under the mat, or else behind the pot. Bring them to me.", 1,
+         ["under the mat", "behind the pot"]),
+        ("Put the milk on the shelf or else on the table.", 1, []),
+        ("Tell Tom dinner is at six or else at seven.", 1, []),
+    ],
+)  # fmt: skip
+def test_of_two_places_one_may_be_the_one(interpreter: Interpreter, text: str, task: int, places: list[str]) -> None:
+    instruction = interpreter.interpret(text)
+    found = instruction.task(task)
+    assert [*found.values("location"), *found.values("source")] == places
+    assert not (places and instruction.warnings)

@@ -15,6 +15,7 @@ _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
 _JOINING = frozenset("and but or so then just maybe perhaps please".split())
 _CLOSING = frozenset("please instead then though thanks too also well as".split())
+_ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
 _NAMING = frozenset(("NOUN", "PROPN"))
 _ONE = frozenset(("one", "ones"))
@@ -34,6 +35,8 @@ _TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
 _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split())
+_UNSURE = frozenset((("else",), ("perhaps",), ("maybe",), ("possibly",), ("failing", "that")))
+"""What stands behind an "or" between two places of which the speaker does not know which it is."""
 _LEFT = frozenset("any one some it that them yet already there".split())
 
 
@@ -76,6 +79,7 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
     document = observed.document
     if not any(cue.name in _OPENING | _TURNING for cue in observed.cues) and _FORGET not in document.words:
         return
+    known = {place.start for _, place in other_places(document, tasks)}
     parts = list(_split(document, list(_parts(observed, tasks)), tasks))
     for k, part in enumerate(parts):
         if (rest := _in_any_case(observed, part)) and _is_phrase(document, rest, tasks):
@@ -87,7 +91,7 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
             continue
         body = _bare(document, part.body, tasks)
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
-        if not body or not (is_verbal or _is_phrase(document, body, tasks)):
+        if not body or body.start in known or not (is_verbal or _is_phrase(document, body, tasks)):
             continue
         if _is_ahead(document, parts, k, tasks):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
@@ -97,6 +101,25 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
             is_run_on = part.lead == "mark" and not part.opening
             yield Alternative(body, range(body.stop, body.stop), is_run_on=is_run_on)
+
+
+def other_places(document: Document, tasks: Mapping[int, str]) -> Iterator[tuple[int, range]]:
+    """Of every second place where something is said to be or looked for, the "or" that joins it to the first, and its
+    words: "it's in the hall or else *under the desk*". An order for another place says what to do where it fails."""
+    tokens, words = document.tokens, [token.lower for token in document.tokens]
+    for joint in (i for i, word in enumerate(words) if word == "or"):
+        start = joint + 1 + (words[joint + 1 : joint + 2] == [","])
+        unsure = next((u for u in _UNSURE if words[start : start + len(u)] == [*u]), ())
+        start += len(unsure)
+        start += words[start : start + 1] == [","]
+        ends = (t.i for t in tokens[start:] if t.text in MARKS or t.tag == "CC" or t.i in tasks)
+        place = range(start, next(ends, len(tokens)))
+        if not unsure or len(place) < 2 or words[start] not in PREPOSITIONS or not _is_phrase(document, place, tasks):
+            continue
+        before = [t for t in tokens[:joint] if document.sentences[t.i] == document.sentences[joint]]
+        verb = next((t for t in reversed(before) if t.pos in ("VERB", "AUX") or t.i in tasks), None)
+        if verb is not None and (verb.lemma in ("be", "'s") or tasks.get(verb.i) == "searching"):
+            yield joint, place
 
 
 def _reminders(document: Document) -> Iterator[range]:
@@ -133,11 +156,30 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
         return _is_either(document, parts[:k], part, condition)
     is_next = part.lead == "mark" and part.body.stop == condition.opening.start and is_done
+    if is_next and _is_second_choice(document, parts[k - 1], part, condition, tasks):
+        return True
     if is_next and _follows_condition(parts, k, tasks):
         # "tea if it's morning, *coffee* if it's evening", which an order with a verb says as it stands
         is_named = condition.lead == "if" and not any(i in tasks for i in part.body)
         return _is_contrary(document, condition) or (is_named and any(i in tasks for i in condition.body))
     return False
+
+
+def _is_second_choice(
+    document: Document, before: _Part, part: _Part, condition: _Part, tasks: Mapping[int, str]
+) -> bool:
+    """Whether what is named behind an order and a comma is for where something is the matter with what the order names:
+    "take the big pan, *the small one* if the big one is dirty", "a pen, *a pencil* if there isn't one"."""
+    tokens, body = document.tokens, part.body
+    is_ordered = before.lead == "start" and any(tasks.get(i, "check_state") != "check_state" for i in before.body)
+    is_named = not any(i in tasks or tokens[i].tag == "CC" for i in body) and condition.lead == "if"
+    if not (is_ordered and is_named and tokens[part.opening.start].text == ","):
+        return False
+    first = {tokens[i].lemma for i in before.body if tokens[i].pos in _NAMING | {"ADJ"}}
+    own, asked = ({tokens[i].lemma for i in words} for words in (body, condition.body))
+    if not _ADDING.isdisjoint(own):
+        return False  # "mop the kitchen, the hall too if the kitchen is dirty"
+    return _is_contrary(document, condition) or not asked.isdisjoint(first - own)
 
 
 def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:

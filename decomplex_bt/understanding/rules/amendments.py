@@ -21,7 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
     nobody,
     noun_chunks,
 )
-from decomplex_bt.understanding.rules.alternatives import alternatives
+from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
@@ -123,6 +123,7 @@ def amended(
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
+    kept = _at_either(document, tasks, kept)
     kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
@@ -132,6 +133,19 @@ def _telegraphed(document: Document, verb: int) -> dict[str, range]:
     is_telegram = not any(token.tag in ("DT", "PRP$") for token in document.tokens)
     thing = named(document, verb) if is_telegram else range(0)
     return {"object": thing} if thing else {}
+
+
+def _at_either(document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with the second of two places of which one is meant, as the first is one ("it's in the hall or else
+    *under the desk*")."""
+    kept = list(arguments)
+    for joint, place in other_places(document, tasks):
+        ends = (joint, joint - 1) if document.tokens[joint - 1].text == "," else (joint,)
+        first = next((a for a in kept if a.type in _PLACES and a.tokens.stop in ends), None)
+        if first is not None:
+            kept = [a for a in kept if set(a.tokens).isdisjoint(place)]
+            kept.append(FoundArgument(first.type, first.owner, place, CERTAIN))
+    return kept
 
 
 def _taken_up_behind(document: Document, verb: int) -> dict[str, range]:
