@@ -26,6 +26,8 @@ def parser() -> Parser:
         ("Well, somebody at the gate? Tell me.", "at", "somebody", "the gate"),
         ("Not anyone in the sauna? Turn it off.", "in", "anyone", "the sauna"),
         ("Nobody in the sauna? Turn it off.", "in", "", "the sauna"),
+        ("Letter on mat? Bring it up.", "on", "Letter", "mat"),
+        ("dog in garden? let him in", "in", "dog", "garden"),
     ],
 )
 def test_a_question_without_a_verb_is_carried_by_its_preposition(
@@ -47,6 +49,8 @@ def test_a_question_without_a_verb_is_carried_by_its_preposition(
         "Is there any milk in the fridge? Bring me some.",
         "Oven on? Turn it off.",
         "Bring me any letters in the mailbox.",
+        "Breakfast in the garden?",
+        "Ready in the kitchen? Start the oven.",
     ],
 )
 def test_other_questions_are_left_to_the_models(parser: Parser, text: str) -> None:

@@ -71,11 +71,11 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         first += 1
     is_denied = first < stop and tokens[first].lower == "not"
     first += is_denied
-    if first >= stop or tokens[first].lower not in _SOME | _NONE:
-        return None
-    if any(token.pos in ("AUX", "VERB") for token in tokens[first:stop]):
+    if first >= stop or any(token.pos in ("AUX", "VERB") for token in tokens[first:stop]):
         return None
     carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in _WHERE), stop)
+    if tokens[first].lower not in _SOME | _NONE and not _is_telegram(document, range(first, carrier), stop):
+        return None
     last = stop
     while last > carrier and tokens[last - 1].lower in _BEHIND:
         last -= 1
@@ -85,6 +85,13 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     begin = first + (tokens[first].lower in _NONE)
     return Fragment(range(start, stop), carrier, range(begin, carrier), range(carrier + 1, last))
+
+
+def _is_telegram(document: Document, named: range, stop: int) -> bool:
+    """Whether a thing without an article is asked of, and what follows says what to do about it: "*letter* on mat?
+    Bring it up"; "breakfast in the garden?" at the end proposes it."""
+    words = document.tokens[named.start : named.stop]
+    return stop + 1 < len(document) and all(word.pos in ("ADJ", "NOUN", "PROPN") for word in words)
 
 
 def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
