@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.truth import ROBOT, Truth
+from decomplex_bt.planning.abilities import is_fixed, stands_at
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
@@ -75,9 +76,11 @@ class Evidence:
         return is_there(self.domain, self.truth, name, where)
 
     def was_seen(self, name: str) -> bool:
-        """Whether an entity was seen; a room is seen by being in it."""
+        """Whether an entity was seen; a room is seen by being in it, what is fixed also by being at it."""
         if name in self.domain.house.rooms:
             return self.truth.room == name
+        if is_fixed(name, self.domain) and self.was_visited(name):
+            return True
         return self.record.seen.get(name, BEFORE) >= max(self.since, 0)
 
     def was_carried(self, name: str) -> bool:
@@ -120,10 +123,12 @@ class Evidence:
 
 def is_there(domain: Domain, truth: Truth, name: str, where: str) -> bool:
     """Whether a thing or person truly is at a place, in a room, beside a thing, or with a person."""
+    house = domain.house
+    if is_fixed(name, domain):
+        return stands_at(name, where, domain)
     place = truth.place(name)
     if place is None:
         return False
-    house = domain.house
     if name in house.people and where not in house.things and where not in house.people:
         return place == (domain.room_of(where) or where)
     if where in house.rooms:

@@ -14,6 +14,7 @@ from itertools import product
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
 from decomplex_bt.envs.evidence import Evidence
 from decomplex_bt.envs.truth import ROBOT
+from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
 
@@ -156,7 +157,10 @@ def _searching(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
     found = tuple(_done(_choose(task.objects, bindings, evidence.was_seen)))
     yield from found
     is_settled = any(outcome.is_final for outcome in found) or (found and _are_there(task, bindings, evidence))
-    if task.places and not is_settled:
+    if task.places and not is_settled and _is_on_map(task, evidence):
+        if not _are_there(task, bindings, evidence):
+            yield Outcome(False, bindings)
+    elif task.places and not is_settled:
         yield from (Outcome(False, outcome.bindings) for outcome in _looked(task, bindings, evidence))
 
 
@@ -166,6 +170,8 @@ def _check_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_co
         return
     if task.places:
         found = _presence(task, bindings, evidence)
+    elif _is_on_map(task, evidence):
+        found = _done(_choose(task.objects, bindings, lambda name: True))
     else:
         found = _done(_choose(task.objects, bindings, evidence.was_seen))
     for outcome in found:
@@ -192,13 +198,21 @@ def _presence(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Itera
     def is_here(name: str) -> bool:
         return any(evidence.is_there(name, where) for where in wheres)
 
-    seen = _choose(task.objects, bindings, lambda name: is_here(name) and evidence.was_seen(name))
+    is_on_map = _is_on_map(task, evidence)
+    is_known = is_on_map and task.type == "check_state"
+    seen = _choose(task.objects, bindings, lambda name: is_here(name) and (is_known or evidence.was_seen(name)))
     truly = _choose(task.objects, bindings, is_here)
     if seen is not None and truly is not None:
         yield Outcome(True, _narrow_places(task, truly.bindings, evidence))
     for_person = _asks_people(task, evidence)
-    if truly is None and all(evidence.was_inspected(where, for_person=for_person) for where in wheres):
+    if truly is None and (is_on_map or all(evidence.was_inspected(where, for_person=for_person) for where in wheres)):
         yield Outcome(False, bindings)
+
+
+def _is_on_map(task: GroundTask, evidence: Evidence) -> bool:
+    """Whether the house's map answers where the objects are: neither they nor the places can be carried or walk."""
+    names = [name for referent in (*task.objects, *task.places) for name in referent.candidates]
+    return bool(names) and all(is_fixed(name, evidence.domain) for name in names)
 
 
 def _narrow_places(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Bindings:

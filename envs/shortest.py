@@ -38,7 +38,7 @@ from decomplex_bt.envs.floorplan import RESOLUTION, Floorplan, floorplan_of
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
-from decomplex_bt.planning.abilities import devices_for, wipers_of
+from decomplex_bt.planning.abilities import devices_for, is_fixed, wipers_of
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
 if TYPE_CHECKING:
@@ -127,6 +127,9 @@ class ShortestPath:
         all, that not all are from one.
         """
         asks_value = task.state is not None and task.state != HERE
+        asked = [name for referent in (*task.objects, *task.places) for name in referent.candidates]
+        if task.type == "check_state" and not asks_value and all(is_fixed(name, self._domain) for name in asked):
+            return  # the map has the answer
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
         if found and (asks_value or not task.places or self._is_there(found[0], task.places, bindings)):
             for thing in task.objects:

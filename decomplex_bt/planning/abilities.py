@@ -48,3 +48,20 @@ def holds_things(name: str, domain: Domain) -> bool:
         return False
     kind = domain.kind(name)
     return kind.surface or kind.inside
+
+
+def is_fixed(name: str, domain: Domain) -> bool:
+    """Whether something is where the map has it: a room, a door or furniture."""
+    return name in domain.house.doorways or domain.room_of(name) is not None
+
+
+@lru_cache(maxsize=4096)
+def stands_at(name: str, where: str, domain: Domain) -> bool:
+    """Whether what is fixed is in a room or part of a place, by the map; its own floor stands for a room."""
+    doorway = domain.house.doorways.get(name)
+    rooms = doorway.rooms if doorway is not None else (domain.room_of(name),)
+    if where.removesuffix("_floor") in rooms:
+        return True
+    pieces = domain.house.furniture
+    parts = ((name, where), (where, name))
+    return name == where or any(one in pieces and pieces[one].part_of == other for one, other in parts)

@@ -17,6 +17,7 @@ from typing import Any
 
 from decomplex_bt.flow import If, Node
 from decomplex_bt.instruction import escaped
+from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
@@ -162,6 +163,8 @@ def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: boo
 
 def _assume_presence(world: AssumedWorld, belief: Belief, task: GroundTask, referent: Referent, holds: bool) -> None:
     house = world.domain.house
+    if all(is_fixed(name, world.domain) for name in referent.candidates):
+        return  # it is where the map has it
     is_person = referent.candidates[0] in house.people
     wheres = [where for place in task.places for where in places_of(place.candidates, belief, for_people=is_person)]
     if holds:

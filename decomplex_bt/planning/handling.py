@@ -24,7 +24,9 @@ class Handling(Looking):
         there ("if there are dirty plates in the sink") finds out whether anything is."""
         is_check = self.task.type == "check_state" and self.task.state == HERE
         handles = self.task.type in _HANDLING
-        if not (handles or is_check) or not self.wheres or any(self._is_open(place) for place in self.wheres):
+        if not (handles or is_check) or not self.wheres:
+            return
+        if not self._is_on_map() and any(self._is_open(place) for place in self.wheres):
             return
         for referent in self.task.objects:
             if referent.is_all and referent not in self.bindings:

@@ -49,9 +49,19 @@ class Looking(Standing):
             return self._inspect(place, self._objects_phrase())
         inspected = [place for place in self.wheres if self._was_inspected(place)]
         if len(inspected) == len(self.wheres) or (inspected and may_be_partial):
-            reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not there"
-            return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self.bindings)
+            return self._not_there()
         raise NothingLeftError(self._why("not all places could be inspected", self.wheres), truth=None)
+
+    def _look_at_fixed(self) -> Pursuit:
+        """A search for what is fixed: it is where the map has it, and nothing has to be opened for it."""
+        if self._found(self._is_there) is None:
+            return self._not_there()
+        there = [name for name in self._missing(self._was_seen) if self._is_there(name)]
+        return self._bring_about([(Atom("at", (name,)),) for name in there], f"going to {self._objects_phrase()}")
+
+    def _not_there(self) -> Pursuit:
+        reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not there"
+        return Pursuit(PursuitStatus.DONE, truth=False, reason=reason, bindings=self.bindings)
 
     def _look_for(self, names: Sequence[str]) -> Pursuit:
         """A search through the house, for what is not where the robot has looked."""

@@ -55,9 +55,11 @@ class _Pursuer(Handling):
     def _searching(self) -> Pursuit:
         if not self.task.objects:
             return self._look_at_places()
-        found = self._found(lambda name: self.belief.seen(name) >= self.since and self._is_there(name))
+        found = self._found(lambda name: self._was_seen(name) and self._is_there(name))
         if found is not None:
             return self._done(found)
+        if self.task.places and self._is_on_map():
+            return self._look_at_fixed()
         if not self.task.places:
             return self._look_for(self._missing(lambda name: self.belief.seen(name) >= self.since))
         return self._look_through(may_be_partial=True)
@@ -71,6 +73,9 @@ class _Pursuer(Handling):
         return presence
 
     def _check_presence(self) -> Pursuit:
+        if self._is_on_map():
+            there = self._found(self._is_there)
+            return self._done(there) if there is not None else self._not_there()
         found = self._found(lambda name: self._was_seen(name) and self._is_there(name))
         if found is None and self.task.places and not any(self._is_open(place) for place in self.wheres):
             # A floor is looked over by what was in view a moment ago; who was seen there then is there as well.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from decomplex_bt.domain.nouns import be
-from decomplex_bt.planning.abilities import holds_things
+from decomplex_bt.planning.abilities import holds_things, is_fixed
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 from decomplex_bt.planning.others import without_others
@@ -135,6 +135,11 @@ class Standing:
     def _is_there(self, name: str) -> bool:
         """Whether an object is where the task says, if it says a place."""
         return not self.task.places or is_at(name, self.theres, self.belief)
+
+    def _is_on_map(self) -> bool:
+        """Whether the map tells whether the objects are where the task says: all of it is fixed."""
+        names = [name for referent in (*self.task.objects, *self.task.places) for name in referent.candidates]
+        return bool(self.task.objects) and all(is_fixed(name, self.domain) for name in names)
 
     def _lost_landmarks(self) -> tuple[str, ...]:
         """The things beside which the task looks ("under the pillow") that are not found yet."""

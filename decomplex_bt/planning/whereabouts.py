@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.planning.abilities import holds_things
+from decomplex_bt.planning.abilities import holds_things, is_fixed, stands_at
 from decomplex_bt.planning.belief import ROBOT, Belief
 
 HOP_COST = 1.0
@@ -48,7 +48,10 @@ def places_in(room: str, domain: Domain) -> tuple[str, ...]:
 
 
 def is_at(name: str, places: Iterable[str], belief: Belief) -> bool:
-    """Whether a thing is believed to lie at one of these places, or a person to be in the room of one."""
+    """Whether a thing is believed to lie at one of these places, or a person to be in the room of one; what is fixed is
+    where the map has it."""
+    if is_fixed(name, belief.domain):
+        return any(stands_at(name, other, belief.domain) for other in places)
     place = belief.place_of(name)
     if place is None:
         return False

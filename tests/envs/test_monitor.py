@@ -444,6 +444,33 @@ def test_presence_is_checked_like_a_search():
     assert episode.truths == [(1, False, None)]
 
 
+@pytest.mark.parametrize(
+    ("what", "at", "truth"),
+    [
+        ("tv", ["living_room"], True),
+        ("tv", ["kitchen"], False),
+        ("radio", ["counter"], True),
+        ("kitchen_light", [], True),
+        ("bedroom_window", ["bedroom_floor"], True),
+    ],
+)
+def test_where_something_fixed_is_needs_no_look(what: str, at: list[str], truth: bool):
+    check = task(1, "check_state", what, state=HERE, at=at)
+    go = task(2, "motion", goal="kitchen"), task(3, "motion", goal="study")
+    episode = Episode(HandWorld(), [{"if": 1, "then": [2], "else": [3]}], check, *go)
+    assert episode.truths == [(1, truth, "then" if truth else "else")]
+
+
+def test_a_search_for_something_fixed_is_true_once_the_robot_is_there_and_false_by_the_map():
+    search, go = task(1, "searching", "radio", at=["kitchen"]), task(2, "motion", goal="study")
+    episode = Episode(HandWorld(), [{"if": 1, "then": [2]}], search, go)
+    assert episode.truths == [(1, None, None)]
+    episode.go("kitchen", "radio")
+    assert episode.truths == [(1, True, "then")]
+    search = task(1, "searching", "radio", at=["bedroom"])
+    assert Episode(HandWorld(), [{"if": 1, "then": [2]}], search, go).truths == [(1, False, None)]
+
+
 def test_a_person_who_is_out_is_not_here():
     flow = [{"if": 1, "then": [2], "else": [3]}]
     tasks = (

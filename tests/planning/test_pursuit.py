@@ -107,6 +107,31 @@ def test_looking_into_a_room_looks_at_everything_in_it() -> None:
     assert opened == {"(open-up washing_machine)", "(open-up medicine_cabinet)"}
 
 
+@pytest.mark.parametrize(
+    ("said", "truth"),
+    [
+        ("[is](1:check_state) [a tv](1:object) [in the living room](1:location)", True),
+        ("[is](1:check_state) [a tv](1:object) [in the kitchen](1:location)", False),
+        ("[are](1:check_state) [lamps](1:object) [in the bedroom](1:location)", True),
+        ("[is](1:check_state) [a radio](1:object) [on the counter](1:location)", True),
+        ("[is](1:check_state) [a kitchen light](1:object) [here](1:location)", True),
+        ("[Look](1:searching) for [a heater](1:object) [in the bathroom](1:location)", False),
+    ],
+)
+def test_where_something_fixed_is_the_map_tells(said: str, truth: bool) -> None:
+    inside = world()
+    (looked,) = run(said, inside)
+    assert (looked.status, looked.truth) == (DONE, truth)
+    assert not names(inside)
+
+
+def test_a_search_for_something_fixed_goes_there_and_opens_nothing() -> None:
+    inside = world()
+    (looked,) = run("[Look](1:searching) for [the radio](1:object) [in the kitchen](1:location)", inside)
+    assert (looked.status, looked.truth) == (DONE, True)
+    assert not [step for step in names(inside) if step.startswith("(open-up")]
+
+
 BRING_BALL = "[Bring](1:bringing) [me](1:recipient) [the ball](1:object) [from the box](1:source). "
 LOOK = "[Open](1:change_state) [the drawer](1:object) and [look](2:searching) [for a pen](2:object). "
 TELL = "[tell](3:informing) [me](3:recipient)"
