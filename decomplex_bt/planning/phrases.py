@@ -260,7 +260,8 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
         count = number or (measures[measure] if measure else 1)
         is_all = any(word in domain.lexicon.all_words or word == "both" for word in head)
         is_definite = whole.is_definite and number is None and not any(word in _PICKS for word in head)
-        return replace(whole, text=" ".join([*head, "of", rest]), count=count, is_all=is_all, is_definite=is_definite)
+        text = " ".join([*head, "of", rest])
+        return _of_kind(replace(whole, text=text, count=count, is_all=is_all, is_definite=is_definite), domain)
     own = _read_simple(" ".join(head), preposition, domain, None)
     return _inside(own, whole, domain) if own is not None and whole is not None else own
 
@@ -327,7 +328,28 @@ def _modified(phrase: NounPhrase, before: list[str], domain: Domain) -> NounPhra
         wanted=tuple(dict.fromkeys(wanted)),
         is_other=_is_other(before, domain),
     )
-    return phrase if phrase.entities or phrase.plurals else None
+    return _of_kind(phrase, domain) if phrase.entities or phrase.plurals else None
+
+
+def _of_kind(phrase: NounPhrase, domain: Domain) -> NounPhrase:
+    """The phrase as a plural, where its noun is one and the name of something else as well ("glasses"), and it speaks
+    of more than that has, or of a state that nothing of that name can be in."""
+    if not phrase.entities or not phrase.plurals:
+        return phrase
+    pairs = {pair for pair, _ in phrase.wanted}
+    is_of_several = phrase.is_all or phrase.count > 1
+    is_too_few = is_of_several and len(phrase.entities) < max(2, phrase.count)
+    is_stateless = not any(_has_states(name, pairs, domain) for name in phrase.entities)
+    if not is_too_few and not (is_stateless and any(_has_states(name, pairs, domain) for name in phrase.plurals)):
+        return phrase
+    also = domain.nouns.lookup(phrase.noun)[1]
+    plurals = (*(name for name in phrase.entities if name in also), *phrase.plurals)
+    return replace(phrase, entities=(), plurals=plurals)
+
+
+def _has_states(name: str, pairs: set[str], domain: Domain) -> bool:
+    """Whether something of the house has all of these state pairs."""
+    return name not in domain.house.rooms and pairs <= set(domain.kind(name).states)
 
 
 def _special(words: str, preposition: str, domain: Domain) -> NounPhrase | None:

@@ -60,6 +60,26 @@ def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ..
 
 
 @pytest.mark.parametrize(
+    ("phrase", "expected"),
+    [
+        ("the glasses", ("glasses",)),
+        ("my glasses", ("glasses",)),
+        ("two glasses", ("glass_1", "glass_2")),
+        ("both glasses", ("glass_1", "glass_2")),
+        ("all the glasses", ("glass_1", "glass_2")),
+        ("two of the glasses", ("glass_1", "glass_2")),
+        ("clean glasses", ("glass_1", "glass_2")),
+        ("both shoes", ("shoes",)),
+    ],
+)
+def test_a_name_that_is_a_plural_too_is_one_where_number_or_state_ask_for_it(
+    phrase: str, expected: tuple[str, ...]
+) -> None:
+    (task,) = grounded(f"[Find](1:searching) [{phrase}](1:object)").tasks
+    assert task.objects[0].candidates == expected
+
+
+@pytest.mark.parametrize(
     ("phrase", "is_any"),
     [
         ("a window", True),
