@@ -21,6 +21,7 @@ from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state
 from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
+from decomplex_bt.planning.sources import with_source
 from decomplex_bt.planning.wording import Wording
 
 __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
@@ -74,6 +75,7 @@ class _Grounder:
         """The grounded task. Raises `InputError`s without the task's number."""
         self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
+        task = with_source(task, self.domain)
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))

@@ -541,3 +541,23 @@ def test_what_is_suggested_is_named_once() -> None:
     with pytest.raises(UnknownWordError) as caught:
         first("[Open](1:change_state) [the red curtains](1:object)")
     assert str(caught.value).count("bedroom curtains") == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Put](1:placing) [everything](1:object) [on the couch in the box](1:goal)",
+        "[Move](1:bringing) [everything](1:object) [on the couch](1:path) [to the box](1:goal)",
+    ],
+)
+def test_everything_is_taken_from_where_a_goal_says_first(text: str) -> None:
+    task = first(text)
+    assert [place.candidates for place in task.places] == [("couch",)]
+    assert task.goal is not None
+    assert task.goal.candidates == ("box",)
+
+
+@pytest.mark.parametrize("goal", ["in the box", "in the cupboard in the kitchen"])
+def test_everything_of_nowhere_is_refused(goal: str) -> None:
+    with pytest.raises(UnknownWordError):
+        first(f"[Put](1:placing) [everything](1:object) [{goal}](1:goal)")
