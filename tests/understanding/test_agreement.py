@@ -85,3 +85,16 @@ def test_what_is_done_up_without_an_object_is_done_to_nothing_that_it_cannot_be_
     interpreter: Interpreter, text: str, number: int, value: str | None
 ) -> None:
     assert interpreter.interpret(text).task(number).value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("If the fan or the heater is on, turn it off.", 2, "the fan or the heater"),
+        ("Look for a pen or a pencil and bring it to me.", 2, "a pen or a pencil"),
+        ("If it's Thursday or the bin is full, empty it.", 3, "the bin"),
+    ],
+)
+def test_whichever_of_two_it_is(interpreter: Interpreter, text: str, number: int, value: str) -> None:
+    found = interpreter.interpret(text)
+    assert found.tasks[min(number, len(found.tasks)) - 1].value("object") == value

@@ -202,6 +202,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
+    if _is_one_of_a_choice(context, candidate):
+        return True
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
@@ -233,6 +235,23 @@ def _is_weather(context: Context, gap: Gap) -> bool:
     words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
     is_unsaid = gap.type == "object" and not gap.word and gap.task.type == "check_state"
     return is_unsaid and tokens[verb - 1].lower == "it" and not WEATHER.isdisjoint(words)
+
+
+def _is_one_of_a_choice(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is only one of the things that an "or" joins: if *the radio or the fan* is on, "turn it off"
+    is of whichever is."""
+    tokens = context.observed.document.tokens
+    return not candidate.mention and any(
+        c.tokens.start <= candidate.tokens.start
+        and candidate.tokens.stop <= c.tokens.stop
+        and c.tokens != candidate.tokens
+        and not c.mention
+        and c.owner
+        and any(tokens[i].lower == "or" for i in c.tokens)
+        and WEATHER.isdisjoint(tokens[i].lower for i in c.tokens)  # "if it's Thursday or the bin is full"
+        for c in context.pool
+        if (c.owner, c.type) == (candidate.owner, candidate.type)
+    )
 
 
 def _is_beside(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -123,7 +123,7 @@ def amended(
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
-    kept = _at_either(document, tasks, kept)
+    kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
@@ -389,6 +389,23 @@ def _accompanied(
             kept = [replace(a, tokens=range(a.tokens.start, phrase.stop)) if a is last else a for a in kept]
         else:
             kept.append(FoundArgument("object", verb, phrase, CERTAIN))
+    return kept
+
+
+def _chosen(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments, with two of one kind and task that no more than an "or" parts as one: "if *the radio or the fan*
+    is on"."""
+    kept: list[FoundArgument] = []
+    for argument in sorted(arguments, key=lambda a: a.tokens.start):
+        before = next((a for a in reversed(kept) if a.tokens.stop + 1 == argument.tokens.start), None)
+        behind = document.tokens[argument.tokens.stop :][:1]
+        is_clause = argument.tokens.stop > argument.owner and any(token.pos in ("AUX", "VERB") for token in behind)
+        is_choice = document.tokens[argument.tokens.start - 1].lower == "or" and not is_clause
+        if before is not None and is_choice and (before.type, before.owner) == (argument.type, argument.owner):
+            whole = replace(before, tokens=range(before.tokens.start, argument.tokens.stop))
+            kept[kept.index(before)] = whole
+        else:
+            kept.append(argument)
     return kept
 
 
