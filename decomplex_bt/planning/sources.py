@@ -1,4 +1,4 @@
-"""Sources: where everything is taken from, where a reading has that in the goal ("everything on the couch in the box")."""
+"""Sources: where everything is taken from, where a goal says that first ("everything on the couch in the box")."""
 
 from __future__ import annotations
 
