@@ -5,26 +5,29 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
-from itertools import dropwhile, pairwise
+from itertools import pairwise
 
-from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
-from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
-from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
-    ANIMALS,
-    PERSON_NOUNS,
-    degree_asked,
     is_pronoun,
     nobody,
-    noun_chunks,
 )
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
+from decomplex_bt.understanding.rules.checks import (
+    asked,
+    departed,
+    done_by_nobody,
+    identified,
+    with_named_state,
+    with_told,
+)
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
+from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, served
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
@@ -34,9 +37,6 @@ from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
-_BE = frozenset(("is", "'s", "\u2019s", "was"))
-_NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
-_UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _PLACES = frozenset(("source", "location"))
 _TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}
 """By what the argument of a type is taken up that was said before its verb."""
@@ -44,30 +44,11 @@ _IT_IS = tuple(
     [pronoun, be] for pronoun, be in (("it", "'s"), ("it", "\u2019s"), ("it", "is"), ("they", "'re"), ("they", "are"))
 )
 _ORDERED = frozenset(("change_state", "bringing", "taking"))
-_STATING = frozenset("be 's \u2019s 're have".split())
 _MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
 _TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())
 _WAYS = frozenset(("path", "manner"))
-_OF_CHECKS = frozenset(("object", "state", "location"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
-_BEFORE_WEATHER = frozenset(
-    "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
-    "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
-    "look looking like".split()
-)
-"""What may stand between the verb of a check and the word for the weather or the day."""
-_HANDING = frozenset("give feed hand serve offer pass".split())
-_CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
-_HANDLING = frozenset(("bringing", "taking", "placing"))
 _HANDLED = frozenset(("change_state", "taking", "placing", "following"))
-_ALONG = frozenset(("along", "together"))
-_OWNING = frozenset("baby child kid dad mum mom".split())
-"""Persons by whom things are called: "bring the baby bottle"."""
-_REGARDS = frozenset("compliment regard thanks thank love wish care hand finger apology smile".split())
-"""What comes with a thing without being one."""
-_TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
-_OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
-_OF_THINGS = frozenset(("foggy", "pours"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
 _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
@@ -102,29 +83,29 @@ def amended(
         kept = _corrected(observed, kept, phrase)
     for token, kind in tasks.items():
         if kind == "bringing":
-            kept = _divided(document, kept, token)
-            kept = _given(kept, token, for_somebody(document, token))
-            kept = _called(document, kept, token)
-            kept = _served(document, kept, token)
-            kept = _told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
+            kept = divided(document, kept, token)
+            kept = given(kept, token, for_somebody(document, token))
+            kept = called(document, kept, token)
+            kept = served(document, kept, token)
+            kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
-            kept = _departed(document, kept, token)
-            kept = _told(kept, token, _done_by_nobody(document, token))
-            kept = _told(kept, token, predicated(document, token))
-            kept = _asked(document, kept, token, tasks)
-            kept = _named(document, _identified(observed, kept, token), token)
+            kept = departed(document, kept, token)
+            kept = with_told(kept, token, done_by_nobody(document, token))
+            kept = with_told(kept, token, predicated(document, token))
+            kept = asked(document, kept, token, tasks)
+            kept = with_named_state(document, identified(observed, kept, token), token)
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
-            kept = _told(kept, token, _taken_up_behind(document, token))
+            kept = with_told(kept, token, _taken_up_behind(document, token))
         if kind != "check_state" and not any((a.owner, a.type) == (token, "object") for a in kept):
-            kept = _told(kept, token, in_need(observed, token) or _telegraphed(document, token))
+            kept = with_told(kept, token, in_need(observed, token) or _telegraphed(document, token))
     for fragment in fragments(document):
         if fragment.carrier in tasks:
             told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
     kept = _at_either(document, tasks, _chosen(document, kept))
-    kept = with_gapped(observed, tasks, _accompanied(document, tasks, kept))
+    kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 
@@ -186,42 +167,6 @@ def _is_of_nobody(document: Document, argument: FoundArgument) -> bool:
     return argument.type == "object" and set(argument.tokens) <= set(nobody(document, argument.owner))
 
 
-def _called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
-    """The arguments with who is fetched as the object where the order names nothing else: "if she cries, get *me*"."""
-    whom, end = range(fetching + 1, fetching + 2), fetching + 2
-    is_end = end >= len(document) or document.tokens[end].text in MARKS
-    own = {a.type for a in arguments if a.owner == fetching and a.tokens != whom}
-    if document.tokens[fetching].lemma not in ("get", "fetch") or not is_end or "object" in own:
-        return list(arguments)
-    return [replace(a, type="object") if (a.owner, a.tokens) == (fetching, whom) else a for a in arguments]
-
-
-def _served(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
-    """The arguments with what is brought along as part of the thing right behind which it stands: "bring me *my coffee
-    with two biscuits*"; not how or in what it is brought ("with care", "with my regards")."""
-    taken = {i for a in arguments for i in a.tokens}
-    stops = {phrase.start: phrase.stop for phrase in noun_chunks(document)}
-    return [
-        replace(a, tokens=range(a.tokens.start, stop))
-        if (a.owner, a.type) == (bringing, "object")
-        and a.tokens.start > bringing
-        and not is_pronoun(document, a.tokens)
-        and (stop := _with_behind(document, a.tokens.stop, stops))
-        and taken.isdisjoint(range(a.tokens.stop, stop))
-        else a
-        for a in arguments
-    ]
-
-
-def _with_behind(document: Document, at: int, stops: Mapping[int, int]) -> int:
-    """Where a "with" and a thing end that stand at a token; 0 where none do."""
-    tokens, stop = document.tokens, stops.get(at + 1, 0)
-    is_thing = stop and tokens[at].lower == "with" and tokens[at + 1].tag in ("DT", "CD", "PRP$")
-    if not is_thing or tokens[stop - 1].lemma in _REGARDS:
-        return 0
-    return stops.get(stop + 1, stop) if [token.lower for token in tokens[stop : stop + 1]] == ["of"] else stop
-
-
 def _undenied(document: Document, argument: FoundArgument) -> FoundArgument:
     """The argument of a check without the "no" ahead of its noun, which denies the condition: "if no *lamp* is on". In
     "none of the lamps" the words pick one."""
@@ -274,29 +219,6 @@ def _whereabouts(
     return replace(argument, owner=order, type="location" if kind == "change_state" else "source")
 
 
-def _done_by_nobody(document: Document, verb: int) -> dict[str, range]:
-    """What nobody does something to, as the object of the check: "if nobody answers *the phone*"."""
-    things = (phrase for phrase in noun_chunks(document) if phrase.start == verb + 1)
-    is_act = document.tokens[verb].tag in ("VBZ", "VBP", "VBD") and document.tokens[verb].lemma not in _STATING
-    thing = next(things, None) if is_act and nobody(document, verb) else None
-    if thing is None or document.tokens[thing.start].tag not in ("DT", "PRP$"):
-        return {}
-    return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
-
-
-def _departed(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
-    """The arguments of a check with where somebody has gone as how they are, and who: "after *we*'ve gone *to bed*"."""
-    own = {a.type for a in arguments if a.owner == check}
-    tokens = document.tokens
-    if "goal" not in own or "state" in own or tokens[check].lemma != "go":
-        return list(arguments)
-    kept = [replace(a, type="state") if (a.owner, a.type) == (check, "goal") else a for a in arguments]
-    subject = next((i for i in document.children[check] if tokens[i].dep == "nsubj" and tokens[i].tag == "PRP"), None)
-    if subject is None or "object" in own:
-        return kept
-    return [*kept, FoundArgument("object", check, range(subject, subject + 1), CERTAIN)]
-
-
 def _of_days(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments with the day or the meal that a thing is from as part of it: "*the soup from yesterday*"."""
     days = {first: stop for first in range(len(document)) if (stop := _day_behind(document, first)) > 0}
@@ -341,57 +263,6 @@ def _of_spills(document: Document, tasks: Mapping[int, str], arguments: Sequence
     return kept
 
 
-def _divided(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
-    """The arguments, with what stands right behind a verb of giving as who gets it, then what: "give the dog water",
-    "bring the guests towels"; where nothing else says who gets it."""
-    own = {a.type: a for a in arguments if a.owner == bringing}
-    both = own.get("object")
-    if both is None or both.tokens.start != bringing + 1 or {"recipient", "goal"} & own.keys():
-        return list(arguments)
-    nouns = [document.tokens[j] for j in both.tokens if document.tokens[j].pos in ("NOUN", "PROPN")]
-    if len(nouns) < 2 or nouns[-1].i != both.tokens.stop - 1 or nouns[0].i + len(nouns) != both.tokens.stop:
-        return list(arguments)
-    whom, verb = nouns[-2], document.tokens[bringing].lemma
-    is_name = nouns[0].i == both.tokens.start and all(noun.tag == "NNP" for noun in nouns[:-1])
-    is_living = is_name or whom.lemma in PERSON_NOUNS | ANIMALS
-    is_whom = (verb in _HANDING and is_living) or is_name or whom.tag == "NNS" or whom.lemma in PERSON_NOUNS - _OWNING
-    if (len(nouns) > 2 and not is_name) or verb not in _CARRYING or not is_whom:
-        return list(arguments)
-    others = [a for a in arguments if a is not both]
-    recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[-1].i))
-    return [*others, recipient, replace(both, tokens=range(nouns[-1].i, both.tokens.stop))]
-
-
-def _accompanied(
-    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
-) -> list[FoundArgument]:
-    """The arguments with what is handled along with a thing: part of its words where it stands right behind them
-    ("fetch *the drill along with the cable*"), else another object ("carry it out together with *the flowers*")."""
-    tokens, kept = document.tokens, list(arguments)
-    phrases = {phrase.start: phrase for phrase in noun_chunks(document)}
-    for i in range(1, len(tokens) - 2):
-        phrase = phrases.get(i + 2)
-        if tokens[i].lower not in _ALONG or tokens[i + 1].lower != "with" or phrase is None:
-            continue
-        verb = max((token for token in tasks if token < i), default=None)
-        if verb is None or tasks[verb] not in _HANDLING or not _is_of_clause(document, verb, i):
-            continue
-        if any(not set(a.tokens).isdisjoint(phrase) for a in kept if a.owner != verb or a.tokens.start < i):
-            continue
-        things = [a for a in kept if (a.owner, a.type) == (verb, "object") and a.tokens.start < i]
-        if not things:
-            continue
-        known = (a.tokens.stop for a in kept if a.type == "object" and a.tokens.start in (i + 1, phrase.start))
-        phrase = range(phrase.start, max(phrase.stop, *known, 0))
-        kept = [a for a in kept if set(a.tokens).isdisjoint(range(i, phrase.stop))]
-        last = things[-1]
-        if last.tokens.stop == i and not is_pronoun(document, last.tokens):
-            kept = [replace(a, tokens=range(a.tokens.start, phrase.stop)) if a is last else a for a in kept]
-        else:
-            kept.append(FoundArgument("object", verb, phrase, CERTAIN))
-    return kept
-
-
 def _chosen(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments, with two of one kind and task that no more than an "or" parts as one: "if *the radio or the fan*
     is on"."""
@@ -407,98 +278,6 @@ def _chosen(document: Document, arguments: Sequence[FoundArgument]) -> list[Foun
         else:
             kept.append(argument)
     return kept
-
-
-def _is_of_clause(document: Document, verb: int, at: int) -> bool:
-    """Whether a word stands in the clause of a verb before it."""
-    return not any(token.lower in MARKS - {"-"} for token in document.tokens[verb:at])
-
-
-def _given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:
-    """The arguments with the recipient that a "for Ella" tells, where nobody else gets it."""
-    is_taken = any(
-        set(a.tokens) & set(whom) or (a.owner == bringing and a.type in ("recipient", "goal")) for a in arguments
-    )
-    return [*arguments, FoundArgument("recipient", bringing, whom, CERTAIN)] if whom and not is_taken else [*arguments]
-
-
-def _identified(observed: Observed, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
-    """The arguments with who or what it is as the state of "it", where somebody was spoken of before: "Somebody is at
-    the door. If it's the plumber, ..."; where only "who" was asked for, "it" names nothing."""
-    tokens = observed.document.tokens
-    is_it = check > 0 and tokens[check].lower in _BE and tokens[check - 1].lower == "it"
-    said = {token.lower for token in tokens[: max(0, check - 1)]}
-    is_asked = said.isdisjoint(_UNNAMED)  # "ask who it is. If it's the plumber, ..."
-    is_typed = is_asked and tokens[check].lower == "its"  # for "it's"
-    if not (is_it or is_typed) or said.isdisjoint(_UNNAMED | {"who"}):
-        return list(arguments)
-    it = FoundArgument("object", check, range(check - is_it, check), CERTAIN)
-    own = [a for a in arguments if a.owner == check and a.type in ("object", "state") and a.tokens != it.tokens]
-    if is_asked and not own:
-        names = (chunk for chunk in noun_chunks(observed.document) if chunk.start == check + 1)
-        own = [FoundArgument("object", check, name, CERTAIN) for name in names]
-    if len(own) != 1 or own[0].tokens.start != check + 1 or tokens[check + 1].pos not in _NOMINAL:
-        return list(arguments)
-    others = [a for a in arguments if a is not own[0] and set(a.tokens).isdisjoint(it.tokens)]
-    if is_asked:
-        return [*others, replace(own[0], type="object")]
-    return [*others, it, replace(own[0], type="state")]
-
-
-def _named(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
-    """The arguments with what a condition says something is: the object where "it" names nothing ("if it's *my
-    cousin*"), else the state of what is spoken of ("if that noise is *the dryer*", "if that was *the last one*")."""
-    identity = identity_of(document, check)
-    if identity is None:
-        return list(arguments)
-    order = order_behind(document, identity)
-    said = {*identity.subject, *identity.name, order}
-    kept = [a for a in arguments if a.owner != order or document.tokens[a.tokens.start - 1].lower != "for"]
-    others = [a for a in kept if a.owner != check or said.isdisjoint(a.tokens) or a.type not in _OF_CHECKS]
-    own = {a.type: a for a in kept if a not in others}
-    is_it = document.tokens[identity.subject.start].lower in ("it", "they")
-    is_of_it = "object" in own and own["object"].tokens == identity.subject
-    is_first = not any(a.tokens.stop <= identity.subject.start for a in kept)
-    is_told = is_it and "state" in own and own["state"].tokens.start in identity.name and (is_of_it or not is_first)
-    is_new = is_it and not is_told and not is_of_it and (is_first or not identity.is_of_order(document))
-    is_new = is_new and not any(a.owner == check and a.type == "object" for a in others)
-    if is_new or (is_it and identity.is_of_person(document) and not (is_told and is_of_it)):
-        return [*others, FoundArgument("object", check, identity.name, CERTAIN)]
-    if is_told or (not is_it and identity.is_pronoun(document) and not identity.is_of_order(document)):
-        return kept
-    subject = FoundArgument("object", check, identity.subject, CERTAIN)
-    return [*others, subject, FoundArgument("state", check, identity.name, CERTAIN)]
-
-
-def _told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, range]) -> list[FoundArgument]:
-    """The arguments with what an idiom tells of a check: in place of what lies within its words, but for what is of
-    the right type already."""
-    kept = list(arguments)
-    for name, tokens in told.items():
-        own = {a.type: a for a in kept if a.owner == check and a.type in _OF_CHECKS}
-        if name == "location" and "state" in own:
-            continue
-        if name in own and not set(own[name].tokens) < set(tokens):
-            continue
-        kept = [a for a in kept if not set(a.tokens) <= set(tokens)]
-        if not any(set(a.tokens) & set(tokens) for a in kept):
-            kept.append(FoundArgument(name, check, tokens, CERTAIN))
-    return kept
-
-
-def _asked(
-    document: Document, arguments: Sequence[FoundArgument], check: int, tasks: Mapping[int, str]
-) -> list[FoundArgument]:
-    """The arguments, with what a "how full the jug is" is about as the object of its check, and without a state of that
-    where a later check may say one."""
-    thing = degree_asked(document, check)
-    if not thing:
-        return list(arguments)
-    is_said_later = any(token > check and kind == "check_state" for token, kind in tasks.items())
-    kept = [a for a in arguments if a.owner != check or a.type not in ("object", "state")]
-    kept = [a for a in kept if set(a.tokens).isdisjoint(thing)]
-    states = [a for a in arguments if (a.owner, a.type) == (check, "state")]
-    return [*kept, FoundArgument("object", check, thing, CERTAIN), *([] if is_said_later else states)]
 
 
 def answered(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
@@ -541,19 +320,6 @@ def _is_denied(document: Document, words: range) -> bool:
 def _is_taken_back(between: Sequence[Token]) -> bool:
     words = [token.lower for token in between if token.text[0].isalnum()]
     return not _CORRECTING.isdisjoint(words) and _AROUND_CORRECTIONS.issuperset(words)
-
-
-def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
-    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
-    that tells of things as well ("if it is foggy") only where nothing is named before."""
-    words = [token.lower for token in document.tokens[verb : verb + 7]]
-    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
-    is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
-    if not said or not (is_outside or said[0] in WEATHER):
-        return list(arguments)
-    if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
-        return list(arguments)
-    return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
 
 
 def reported(arguments: Sequence[FoundArgument]) -> list[FoundArgument]:

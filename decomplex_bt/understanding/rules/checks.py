@@ -1,0 +1,148 @@
+"""Checks: what a check asks of, and which state of it, as English settles it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import dropwhile
+
+from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.identity import identity_of, order_behind
+from decomplex_bt.understanding.references.phrases import (
+    degree_asked,
+    nobody,
+    noun_chunks,
+)
+
+_BE = frozenset(("is", "'s", "\u2019s", "was"))
+_NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
+_UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
+_STATING = frozenset("be 's \u2019s 're have".split())
+_OF_CHECKS = frozenset(("object", "state", "location"))
+_BEFORE_WEATHER = frozenset(
+    "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
+    "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
+    "look looking like".split()
+)
+"""What may stand between the verb of a check and the word for the weather or the day."""
+_TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
+_OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
+_OF_THINGS = frozenset(("foggy", "pours"))
+
+
+def done_by_nobody(document: Document, verb: int) -> dict[str, range]:
+    """What nobody does something to, as the object of the check: "if nobody answers *the phone*"."""
+    things = (phrase for phrase in noun_chunks(document) if phrase.start == verb + 1)
+    is_act = document.tokens[verb].tag in ("VBZ", "VBP", "VBD") and document.tokens[verb].lemma not in _STATING
+    thing = next(things, None) if is_act and nobody(document, verb) else None
+    if thing is None or document.tokens[thing.start].tag not in ("DT", "PRP$"):
+        return {}
+    return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
+
+
+def departed(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments of a check with where somebody has gone as how they are, and who: "after *we*'ve gone *to bed*"."""
+    own = {a.type for a in arguments if a.owner == check}
+    tokens = document.tokens
+    if "goal" not in own or "state" in own or tokens[check].lemma != "go":
+        return list(arguments)
+    kept = [replace(a, type="state") if (a.owner, a.type) == (check, "goal") else a for a in arguments]
+    subject = next((i for i in document.children[check] if tokens[i].dep == "nsubj" and tokens[i].tag == "PRP"), None)
+    if subject is None or "object" in own:
+        return kept
+    return [*kept, FoundArgument("object", check, range(subject, subject + 1), CERTAIN)]
+
+
+def identified(observed: Observed, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with who or what it is as the state of "it", where somebody was spoken of before: "Somebody is at
+    the door. If it's the plumber, ..."; where only "who" was asked for, "it" names nothing."""
+    tokens = observed.document.tokens
+    is_it = check > 0 and tokens[check].lower in _BE and tokens[check - 1].lower == "it"
+    said = {token.lower for token in tokens[: max(0, check - 1)]}
+    is_asked = said.isdisjoint(_UNNAMED)  # "ask who it is. If it's the plumber, ..."
+    is_typed = is_asked and tokens[check].lower == "its"  # for "it's"
+    if not (is_it or is_typed) or said.isdisjoint(_UNNAMED | {"who"}):
+        return list(arguments)
+    it = FoundArgument("object", check, range(check - is_it, check), CERTAIN)
+    own = [a for a in arguments if a.owner == check and a.type in ("object", "state") and a.tokens != it.tokens]
+    if is_asked and not own:
+        names = (chunk for chunk in noun_chunks(observed.document) if chunk.start == check + 1)
+        own = [FoundArgument("object", check, name, CERTAIN) for name in names]
+    if len(own) != 1 or own[0].tokens.start != check + 1 or tokens[check + 1].pos not in _NOMINAL:
+        return list(arguments)
+    others = [a for a in arguments if a is not own[0] and set(a.tokens).isdisjoint(it.tokens)]
+    if is_asked:
+        return [*others, replace(own[0], type="object")]
+    return [*others, it, replace(own[0], type="state")]
+
+
+def with_named_state(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with what a condition says something is: the object where "it" names nothing ("if it's *my
+    cousin*"), else the state of what is spoken of ("if that noise is *the dryer*", "if that was *the last one*")."""
+    identity = identity_of(document, check)
+    if identity is None:
+        return list(arguments)
+    order = order_behind(document, identity)
+    said = {*identity.subject, *identity.name, order}
+    kept = [a for a in arguments if a.owner != order or document.tokens[a.tokens.start - 1].lower != "for"]
+    others = [a for a in kept if a.owner != check or said.isdisjoint(a.tokens) or a.type not in _OF_CHECKS]
+    own = {a.type: a for a in kept if a not in others}
+    is_it = document.tokens[identity.subject.start].lower in ("it", "they")
+    is_of_it = "object" in own and own["object"].tokens == identity.subject
+    is_first = not any(a.tokens.stop <= identity.subject.start for a in kept)
+    is_told = is_it and "state" in own and own["state"].tokens.start in identity.name and (is_of_it or not is_first)
+    is_new = is_it and not is_told and not is_of_it and (is_first or not identity.is_of_order(document))
+    is_new = is_new and not any(a.owner == check and a.type == "object" for a in others)
+    if is_new or (is_it and identity.is_of_person(document) and not (is_told and is_of_it)):
+        return [*others, FoundArgument("object", check, identity.name, CERTAIN)]
+    if is_told or (not is_it and identity.is_pronoun(document) and not identity.is_of_order(document)):
+        return kept
+    subject = FoundArgument("object", check, identity.subject, CERTAIN)
+    return [*others, subject, FoundArgument("state", check, identity.name, CERTAIN)]
+
+
+def with_told(arguments: Sequence[FoundArgument], check: int, told: Mapping[str, range]) -> list[FoundArgument]:
+    """The arguments with what an idiom tells of a check: in place of what lies within its words, but for what is of
+    the right type already."""
+    kept = list(arguments)
+    for name, tokens in told.items():
+        own = {a.type: a for a in kept if a.owner == check and a.type in _OF_CHECKS}
+        if name == "location" and "state" in own:
+            continue
+        if name in own and not set(own[name].tokens) < set(tokens):
+            continue
+        kept = [a for a in kept if not set(a.tokens) <= set(tokens)]
+        if not any(set(a.tokens) & set(tokens) for a in kept):
+            kept.append(FoundArgument(name, check, tokens, CERTAIN))
+    return kept
+
+
+def asked(
+    document: Document, arguments: Sequence[FoundArgument], check: int, tasks: Mapping[int, str]
+) -> list[FoundArgument]:
+    """The arguments, with what a "how full the jug is" is about as the object of its check, and without a state of that
+    where a later check may say one."""
+    thing = degree_asked(document, check)
+    if not thing:
+        return list(arguments)
+    is_said_later = any(token > check and kind == "check_state" for token, kind in tasks.items())
+    kept = [a for a in arguments if a.owner != check or a.type not in ("object", "state")]
+    kept = [a for a in kept if set(a.tokens).isdisjoint(thing)]
+    states = [a for a in arguments if (a.owner, a.type) == (check, "state")]
+    return [*kept, FoundArgument("object", check, thing, CERTAIN), *([] if is_said_later else states)]
+
+
+def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
+    that tells of things as well ("if it is foggy") only where nothing is named before."""
+    words = [token.lower for token in document.tokens[verb : verb + 7]]
+    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
+    is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
+    if not said or not (is_outside or said[0] in WEATHER):
+        return list(arguments)
+    if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
+        return list(arguments)
+    return [a for a in arguments if len(a.tokens) > 1 or document.tokens[a.tokens.start].lower != "it"]
