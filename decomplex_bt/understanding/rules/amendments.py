@@ -33,6 +33,7 @@ from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
+from decomplex_bt.understanding.rules.statements import without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
@@ -106,6 +107,7 @@ def amended(
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
+    kept = without_places_of_others(observed, tasks, kept)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

@@ -1,0 +1,58 @@
+"""Where something is said to be, which tells nothing of another thing."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load(encoder=True)
+
+
+def _sources(interpreter: Interpreter, text: str) -> list[str]:
+    return [a.value for a in interpreter.interpret(text).tasks[-1].arguments if a.type == "source"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Grandma is in the garden. Fetch me the newspaper.",
+        "There's a wasp on the window, get a glass.",
+        "the dog is on the sofa bring me a blanket",
+        "Lisa's in the kitchen. Grab my phone.",
+    ],
+)
+def test_where_somebody_is_no_thing_is_fetched_from(interpreter: Interpreter, text: str) -> None:
+    assert _sources(interpreter, text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "source"),
+    [
+        ("The cups are on the shelf and the bowls are in the dishwasher. Bring me a bowl.", "in the dishwasher"),
+        ("The pens are in the drawer, the pencils are in the jar. Get me a pencil.", "in the jar"),
+        ("The milk is in the fridge and the bread is on the table, so bring me the milk.", "in the fridge"),
+    ],
+)
+def test_of_two_statements_the_one_about_the_thing_tells_where_it_is(
+    interpreter: Interpreter, text: str, source: str
+) -> None:
+    assert _sources(interpreter, text) == [source]
+
+
+@pytest.mark.parametrize(
+    ("text", "sources"),
+    [
+        ("My keys are on the table. Bring me my keys.", ["on the table"]),
+        ("The forks are in the drawer and the plates are on the rack. Bring me a plate and a fork.",
+         ["in the drawer", "on the rack"]),
+        ("The tools are in the shed. Get me the hammer.", ["in the shed"]),  # which may be among them
+        ("The cat is in the garden. Bring her in.", ["in the garden"]),
+        ("New bulbs are in the cupboard. Get one.", ["in the cupboard"]),
+    ],
+)  # fmt: skip
+def test_where_the_thing_itself_may_be_is_kept(interpreter: Interpreter, text: str, sources: list[str]) -> None:
+    assert _sources(interpreter, text) == sources
