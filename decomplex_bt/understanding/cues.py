@@ -371,8 +371,9 @@ SCALES: tuple[frozenset[str], ...] = tuple(
         "asleep awake sleeping dozing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
         "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
-        "crying fussing", "sick ill poorly feverish", "on off running stopped",
-        "heavy", "blue red green yellow black white grey gray brown pink orange purple", "dead alive wilting wilted",
+        "crying fussing", "sick ill poorly feverish", "on off running stopped lit unlit blinking flashing flickering",
+        "heavy", "blue red green yellow amber black white grey gray brown pink orange purple",
+        "dead alive wilting wilted", "full half empty overflowing", "raining pouring snowing sunny dry",
     )
 )  # fmt: skip
 """States that tell of one and the same matter."""
@@ -383,6 +384,11 @@ def are_apart(state: str, other: str) -> bool:
     known of one."""
     scales, others = ({i for i, scale in enumerate(SCALES) if word in scale} for word in (state, other))
     return bool(scales) and bool(others) and scales.isdisjoint(others)
+
+
+def are_alike(state: str, other: str) -> bool:
+    """Whether two states are known to tell of one and the same matter: "hot" and "lukewarm"."""
+    return any(state in scale and other in scale for scale in SCALES)
 
 
 def last_of(names: Sequence[str], wanted: frozenset[str]) -> str:

@@ -101,6 +101,8 @@ class Clause:
     """Whether all that is said of its case is that what was forbidden may be done: "but if it's hot, *do*"."""
     is_had_done: bool = False
     """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
+    said_state: tuple[str, ...] = ()
+    """The words of the state that it tests: "half", "full"."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
@@ -193,6 +195,17 @@ class Clause:
         is_joined = self.near == ("or",) and not self.far and self.boundary in ("none", ",")
         is_free = not {*before.far, *before.near, *before.behind, *self.behind} & _CHOOSING
         return are_orders and is_joined and is_free and not (self.is_forbidden or before.is_forbidden)
+
+    def is_case_beside(self, first: Clause) -> bool:
+        """Whether it tests another state of what the other tests, as far as its words say: "if it's lukewarm" beside
+        "if the soup is hot"."""
+        state, other = self.wording.state or "", first.wording.state or ""
+        is_other_state = self.said_state != first.said_state and not are_apart(state, other)
+        is_same_verb = self.verb == first.verb or {self.verb, first.verb} <= _BEING
+        is_one = not (self.number and first.number) or self.number == first.number
+        is_of_it = (self.is_of_it or self.is_of_somebody) and not self.objects
+        is_same = is_one and (self.names_same(first) or is_of_it) and not self.is_of_weather
+        return is_other_state and is_same_verb and (is_same or (self.is_of_weather and first.is_of_weather))
 
     def is_elsewhere_than(self, first: Clause) -> bool:
         """Whether it asks if who or what the other looks for is in another place."""
@@ -401,6 +414,7 @@ _NEEDED = {
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _ANSWERS = frozenset(("yes", "no"))
 _IFS = frozenset(("if", "unless", "only_if"))
+_BEING = frozenset(("be", "'s", "\u2019s", "s"))
 _CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
 _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))

@@ -243,6 +243,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_new_matter=previous >= 0 and not is_joined and _opens_matter(document, token),
         allows=task.type == "check_state" and _allows(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
+        said_state=_said_state(document, task),
     )
 
 
@@ -482,6 +483,12 @@ def _question(document: Document, task: MarkedTask) -> frozenset[str]:
     if task.type != "informing" or not messages or document.tokens[messages[0].start].lower not in _WHETHER:
         return frozenset()
     return frozenset(word for j in messages[0] for word in (document.tokens[j].lemma, document.tokens[j].lower))
+
+
+def _said_state(document: Document, task: MarkedTask) -> tuple[str, ...]:
+    """The words of the state argument of a check."""
+    said = [j for kind, indices in task.arguments if kind == "state" for j in indices]
+    return tuple(document.tokens[j].lower for j in said)
 
 
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:

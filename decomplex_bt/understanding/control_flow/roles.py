@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 
@@ -15,6 +16,9 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
     for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off, _choose):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
+    for cases in told_apart(clauses, stated):
+        for k in cases[1:]:  # of three states none is the other side of another: "hot", "lukewarm", "cold"
+            stated[k] = "condition"
     return tuple(stated)
 
 

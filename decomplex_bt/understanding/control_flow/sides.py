@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
+from decomplex_bt.understanding.control_flow.cases import told_apart, told_in_a_row
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
@@ -60,7 +61,33 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _choose,
         ):
             rule(clauses, roles, sides, k)
+    _tell_apart(clauses, roles, sides)
     return tuple(sides)
+
+
+def _tell_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]) -> None:
+    """A further state of the same thing is never asked for where it has the one before, and of three or more each
+    where it has none of those before; what is done in the case follows on it ("if it's lit, empty it; if it's blinking,
+    call Tom; if it's out, start it")."""
+    for run in told_in_a_row(clauses, roles):
+        for k in run[1:]:
+            if roles[k] == "condition" and sides[k] == _HOLDS and sides[k - 1][:2] != ">1":
+                sides[k] = _FAILS
+    for run in told_apart(clauses, roles):
+        for k, later in zip(run, [*run[1:], len(clauses)], strict=True):
+            sides[k] = _FAILS if k != run[0] else sides[k]
+            _follow_case(clauses, roles, sides, range(k, later))
+
+
+def _follow_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], of: range) -> None:
+    """What follows on the first of some clauses, a case, in its sentence is done in that case till something turns
+    it."""
+    for j in of[1:]:
+        is_turned = bool(_TURNING & {*clauses[j].far, *clauses[j].near}) or clauses[j].is_forbidden
+        is_next = clauses[j].sentence == clauses[of.start].sentence and roles[j] == "task"
+        if not is_next or sides[j][:2] != "<1" or is_turned:
+            return
+        sides[j] = _HOLDS
 
 
 def _repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -1,0 +1,45 @@
+"""Cases: the states of one thing, told one by one ("if it's lit, ...; if it's blinking, ...; if it's out, ...")."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.cues import OPPOSITES, are_alike
+
+_MANY = 3
+"""From so many cases on even opposites are states among others: "hot", "lukewarm", "cold"."""
+_OPENING = frozenset(("if", "when"))
+_TURNING = frozenset(("unless", "only_if", "even_if", "or"))
+
+
+def told_apart(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[int]]:
+    """The conditions that tell three or more states of one thing, each list in text order."""
+    return [run for run in told_in_a_row(clauses, roles) if len(run) >= _MANY]
+
+
+def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[int]]:
+    """The conditions that follow each other for different states of one thing: two at least are known to be of one
+    matter, and none of another."""
+    runs: list[list[int]] = [[]]
+    for k, role in enumerate(roles):
+        if role not in CONDITION_ROLES:
+            continue
+        if role in JOINTS or not all(clauses[k].is_case_beside(clauses[j]) for j in runs[-1]):
+            runs.append([])
+        if role not in JOINTS and _opens_case(clauses[k]):
+            runs[-1].append(k)
+    return [run for run in runs if _are_of_one_matter([clauses[k].wording.state or "" for k in run])]
+
+
+def _are_of_one_matter(states: Sequence[str]) -> bool:
+    return any(are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2))
+
+
+def _opens_case(clause: Clause) -> bool:
+    """Whether a clause says in which case something is done, ahead of that: not "call me if it's red"."""
+    leading = {*clause.far, *clause.near}
+    is_led = not _OPENING.isdisjoint(clause.near) and leading.isdisjoint(_TURNING) and clause.boundary != "none"
+    return clause.is_check and is_led and bool(clause.said_state) and not clause.wording.is_negated
