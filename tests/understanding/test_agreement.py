@@ -38,6 +38,24 @@ def interpreter() -> Interpreter:
         # within one order
         ("Take Mia's tablet from her.", "source", "Mia"),
         ("Take the tray and put the cups on it.", "goal", "the tray"),
+        # one of two, by its place in the order
+        ("Check the radio and the heater. If the former is on, turn it off.", "object", "the radio"),
+        ("Find the hammer and the saw and bring me the latter.", "object", "the saw"),
+        (
+            "Get the red bowl and the white bowl; if the second one is cracked, throw it away.",
+            "object",
+            "the white bowl",
+        ),
+        # one of all of them
+        ("If all the plates are clean, bring me one.", "object", "one plate"),
+        ("If all the plates are clean, bring me them.", "object", "all the plates"),
+        # the place that is asked of, not the one that tells which it is
+        ("If the table by the window is clean, put the flowers there.", "goal", "the table"),
+        ("If the lamp in the hall is on, put the shoes there.", "goal", "the hall"),
+        ("If the carpet in the study is dry, take the chair there.", "goal", "the study"),
+        # where the rest is
+        ("Move three chairs from the hall to the kitchen and leave the rest there.", "goal", "the hall"),
+        ("Move three chairs from the hall to the kitchen and leave them there.", "goal", "the kitchen"),
         # back where it was
         ("Remove the lid from the pan, take out a sausage and put it back on.", "object", "the lid"),
         ("Take the picture out of the frame, wipe the glass and put it back in.", "object", "the picture"),
@@ -54,6 +72,11 @@ def test_gender_number_and_contrast_say_what_is_meant(text: str, kind: str, mean
 def test_what_is_in_the_first_of_two_things_is_told_by_it() -> None:
     told = Interpreter.load(encoder=True).interpret("Pick up the basket and the apples in it.")
     assert told.tasks[-1].value("source") == "the basket"
+
+
+def test_what_is_open_is_a_place_itself() -> None:
+    told = Interpreter.load(encoder=True).interpret("See if the library near the park is open, and if so, go there.")
+    assert told.tasks[-1].value("goal") == "the library"
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from decomplex_bt.understanding.references.agreement import meant, other_place, 
 from decomplex_bt.understanding.references.certainty import containers_of, is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
+from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
 
 
@@ -42,7 +43,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
     options: list[Option] = []
     document = context.observed.document
     own = _modifier(context.observed, gap.tokens)
-    other = other_place(context, gap)
+    other, ordered = other_place(context, gap), one_of_two(context, gap)
     of_side: dict[str, list[Candidate]] = {"before": [], "after": []}
     for candidate in referable(context, gap):
         if candidate.tokens.stop <= gap.position:
@@ -70,6 +71,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             contrast = f"{own}.{_modifier(context.observed, _named(candidate))}" if gap.tokens else ""
             is_contrasted = contrast == "colour.colour" or (candidate.tokens == other and gap.form == "one")
             for text, way in _worded(context.observed, gap, candidate, is_contrasted):
+                if ordered and way != "same":  # "the first one" is the red car, no "first red car"
+                    continue
                 more = (
                     f"way:{way}.{gap.form}",
                     f"way:{way}.{word}.{determiner}",
@@ -98,6 +101,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
         worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if words == {"one"} and tokens[candidate.tokens.start].lower in _EACH:  # one of all the towels is not all of them
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
     if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
@@ -117,6 +122,7 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
 
 
+_EACH = frozenset(("all", "every", "each"))
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
 _ONES = frozenset(("one", "ones"))

@@ -8,7 +8,9 @@ from itertools import pairwise
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, WHOLE, Candidate
+from decomplex_bt.understanding.references.places import place_meant
 
 _FEMALE = frozenset(
     "wife mother mom mum mama mummy mommy daughter sister woman lady girl grandma granny gran nan grandmother aunt "
@@ -46,6 +48,8 @@ def meant(context: Context, gap: Gap) -> range:
     """The words of the one phrase that a gap must refer to; empty where English leaves it open."""
     return (
         _own(context, gap)
+        or one_of_two(context, gap)
+        or place_meant(context, gap)
         or other_place(context, gap)
         or _removed(context, gap)
         or _lacked(context, gap)
