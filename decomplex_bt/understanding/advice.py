@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody, is_of_weather
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.flow import Flow
+from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
@@ -27,11 +27,13 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
     """The required arguments that are neither said, implied, given by the verb nor by default, of
     all tasks but later mentions."""
     mentions, verbs = flow.mentions(), [task.span for task in tasks]
+    completed = _completed_by_mentions(observed, tasks, flow)
     for task in tasks:
         if task.id in mentions:
             continue
         task_type = domain.ontology.task_types[task.type]
         given = {argument.type for argument in task.arguments if not _is_open(observed, task, argument)}
+        given |= completed.get(task.id, set())
         if task.type == "bringing":
             given.add("recipient")
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
@@ -50,16 +52,34 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
                 yield Missing(task.id, group[0], task_type.questions[group[0]])
 
 
+def _completed_by_mentions(observed: Observed, tasks: Sequence[Task], flow: Flow) -> dict[int, set[str]]:
+    """By the number of a check what its later mentions tell of it: "check on the kids; if they've *woken up*, ..."."""
+    of = {task.id: task for task in tasks}
+    told: dict[int, set[str]] = {}
+    for node, _ in flow.walk():
+        if not isinstance(node, If) or of[node.task].type != "check_state":
+            continue
+        mentions = [of[number] for number in node.tasks[1:] if of[number].type == "check_state"]
+        says = any(mention.value("state") is not None or _says_state(observed, mention) for mention in mentions)
+        told[node.task] = {"state"} if says else set()
+    return told
+
+
 def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     """Whether its words mean something else, and nothing in the instruction says what: "put it on the table"."""
     if argument.span is None or argument.value != argument.span.of(observed.document.text):
         return False
     gap = gap_of(observed.document, task, argument)
-    return gap is not None and gap.word not in _NAMING
+    if gap is None or gap.word in _NAMING:
+        return False
+    # "if the big one's broken", "if Mia's is empty"; what is to be taken or changed must be known
+    is_told = task.type == "check_state" and gap.form in ("one", "own") and len(gap.tokens) > 1
+    return not is_told
 
 
-_NAMING = frozenset(("machine", "place"))
-"""What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free"."""
+_NAMING = frozenset(("machine", "place", "inside"))
+"""What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free",
+"go inside"."""
 
 
 def _asks_who(observed: Observed, task: Task) -> bool:
@@ -119,9 +139,14 @@ def _says_state(observed: Observed, task: Task) -> bool:
     token = observed.document.tokens[i]
     if task.type == "check_state":
         return token.lemma not in _CHECKING
+    things = (observed.document.indices(a.span) for a in task.arguments if a.type == "object" and a.span is not None)
+    if any((token.lemma, observed.document.tokens[thing[-1]].lemma) in _SAYING for thing in things):
+        return True
     particle = observed.gazetteer.particle(observed.document, i)
     return particle is not None or token.lemma not in _GENERIC
 
 
 _CHECKING = frozenset("check see be look verify make find confirm inspect".split())
-_GENERIC = frozenset("turn switch set make put change get have leave keep adjust flip".split())
+_GENERIC = frozenset("turn switch set make put get have leave keep adjust flip".split())
+_SAYING = frozenset((("make", "bed"), ("make", "tea"), ("make", "coffee"), ("set", "table")))
+"""Verbs and what they say the state of only with it."""

@@ -108,6 +108,35 @@ def test_an_unusable_text_of_a_batch_is_bad_input_in_several_processes_too(inter
         list(interpreter.interpret_batch(["Close the door.", " "], jobs=2))
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Water Nan's plants; if Tom's are dry, call me.",
+        "If the old one is broken, call me.",
+        "Check on the twins; if they've fallen asleep, close the door.",
+        "Please make your bed and set the table.",
+        "Change the towels.",
+        "If the gate is unlocked, go inside.",
+    ],
+)
+def test_what_is_told_is_not_asked_for(interpreter, text):
+    assert interpreter.interpret(text).missing == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        ("If it is broken, call me.", ["object"]),
+        ("Bring me the red one.", ["object"]),
+        ("Change it.", ["object"]),
+        ("Set the radio.", ["state"]),
+        ("Switch the lamp.", ["state"]),
+    ],
+)
+def test_what_is_not_told_is_asked_for(interpreter, text, arguments):
+    assert [m.argument for m in interpreter.interpret(text).missing] == arguments
+
+
 def test_a_missing_argument_asks_its_question(interpreter):
     missing = interpreter.interpret("Put the cup.").missing
     assert [(m.task, m.argument, m.question) for m in missing] == [(1, "goal", "Where should I put it?")]
