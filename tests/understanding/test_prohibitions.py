@@ -91,3 +91,36 @@ def test_what_is_forbidden_only_under_a_condition_or_asked_politely_stays(interp
 def test_an_unnamed_thing_is_asked_for_and_never_the_place_it_goes_to(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Put it on the table.")
     assert [(m.task, m.argument) for m in found.missing] == [(1, "object")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Don't wash the rug, but if it's muddy, do.",
+        "Don't wash the rug; if it's muddy, though, do.",
+        "Don't wash the rug. If it's muddy, you may.",
+        "Don't wash the rug but if it's muddy do.",
+        "You needn't wash the rug, but if it's muddy, do so.",
+        "You don't have to wash the rug, but if it's muddy, go ahead.",
+    ],
+)
+def test_what_is_allowed_after_all_is_done_in_that_case(interpreter: Interpreter, text: str) -> None:
+    found = interpreter.interpret(text)
+    check, wash = found.flow.nodes[0].tasks[0], found.flow.nodes[0].then[0].tasks[0]  # type: ignore[union-attr]
+    assert (found.task(check).type, found.task(wash).span.of(text)) == ("check_state", "wash")
+    assert not found.warnings
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Don't wash the rug, but if it's muddy, do tell me.",
+        "Don't wash the rug; if it's muddy, tell me, ok.",
+        "Don't wash the rug. If it's muddy, tell me.",
+        "Don't wash the rug, but tell me if the boys do.",
+    ],
+)
+def test_another_order_in_a_case_lifts_no_prohibition(interpreter: Interpreter, text: str) -> None:
+    found = interpreter.interpret(text)
+    assert "wash" not in [task.span.of(text) for task in found.tasks]
+    assert any("'wash" in warning for warning in found.warnings)

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES,
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, head_of, nobody
-from decomplex_bt.understanding.rules.prohibitions import is_forbidden
+from decomplex_bt.understanding.rules.prohibitions import is_forbidden, lifts
 
 _ITS = frozenset("it them 'em em him her this that these those".split())
 _PERSONS = frozenset(("he", "she", "they"))
@@ -46,14 +46,6 @@ _LEAVING = tuple(
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
 _TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
-_ALLOWING = frozenset(
-    tuple(phrase.split())
-    for phrase in (
-        "do", "do so", "do it", "do that", "go ahead", "you may", "you can", "you may do so", "that is fine",
-        "that is ok", "that is okay", "that is all right", "it is fine", "it is ok", "fine", "ok", "okay",
-    )
-)  # fmt: skip
-"""What says that something may be done after all, in the normal form of cues."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
@@ -273,19 +265,9 @@ def _opens_matter(document: Document, token: int) -> bool:
 
 
 def _allows(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
-    """Whether the words behind a condition, from a mark to the end of its sentence, are no more than "do", "you may" or
-    the like."""
-    if _OPENERS.isdisjoint(leading):
-        return False
-    sentence = document.sentences[token]
-    words = [
-        normal_form(t.lower) for t in document.tokens[token + 1 : following] if document.sentences[t.i] == sentence
-    ]
-    marks = [i for i, word in enumerate(words[:-1]) if word in _PUNCTUATION]
-    behind = words[marks[-1] + 1 :] if marks else []
-    while behind and behind[-1] in _PUNCTUATION:
-        behind = behind[:-1]
-    return tuple(word for word in behind if word not in ("then", "please", "by", "all", "means")) in _ALLOWING
+    """Whether all that its sentence says behind a condition lifts a prohibition."""
+    is_last = following == len(document) or document.sentences[following] != document.sentences[token]
+    return is_last and not _OPENERS.isdisjoint(leading) and lifts(document, token)
 
 
 def _is_letting(words: Sequence[str]) -> bool:

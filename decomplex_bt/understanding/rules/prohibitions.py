@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from decomplex_bt.understanding.cues import normal_form
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
@@ -21,9 +21,15 @@ _NECESSARY = frozenset(("necessary", "needed", "required"))
 _NEEDING = frozenset(("need", "have"))
 _IN_PLACE_OF = frozenset((("rather", "than"), ("instead", "of")))
 _ENDS = MARKS | {"and", "but", "just", "then"}
-_ALLOWING = frozenset("do may can ahead fine okay ok allowed free".split())
-"""What lifts a prohibition where no verb follows: "but if it's hot, do", "... you may"."""
-_ROOTS = frozenset(("ROOT", "conj", "ccomp"))
+_ALLOWING = frozenset(
+    tuple(phrase.split())
+    for phrase in (
+        "do", "do so", "do it", "do that", "go ahead", "you may", "you can", "you may do so", "that is fine",
+        "that is ok", "that is okay", "that is all right", "it is fine", "it is ok", "fine", "ok", "okay",
+    )
+)  # fmt: skip
+"""What says that something may be done after all, in the normal form of cues."""
+_BESIDE_ALLOWING = frozenset("then please by all means though however".split())
 _CONDITIONAL = frozenset(
     "if only_if unless when until before before_that before_all after so else fail depending even_if either_way".split()
 )
@@ -67,17 +73,34 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
 
 
 def _may_govern(document: Document, cue: int, negation: int) -> bool:
-    """Whether a cue stands in the sentence of a negation, and neither behind a semicolon nor opens what is contrasted
-    with it: "don't wake her, but if she's up, ..."; not "don't open it, but if it's hot, do"."""
-    if document.sentences[cue] != document.sentences[negation]:
-        return False
+    """Whether a cue behind a negation lifts it ("don't open it, but if it's hot, do", "don't open it. If it's hot,
+    do"), or stands in its sentence, and neither behind a semicolon nor opens what is contrasted with it: not "don't
+    wake her, but if she's up, ..."."""
+    is_next = document.sentences[cue] - document.sentences[negation]
+    if cue > negation and is_next in (0, 1) and lifts(document, cue):
+        return True
     between = [token.lower for token in document.tokens[negation + 1 : cue]]
-    if between[-1:] != ["but"]:
-        return ";" not in between
-    rest = [t for t in document.tokens[cue:] if document.sentences[t.i] == document.sentences[cue]]
-    bare = [t.i for t in rest if t.tag == "VB" and t.lower not in _ALLOWING]
-    lifting = [t.i for t in rest if t.lower in _ALLOWING and (t.lower != "do" or t.dep in _ROOTS)]
-    return bool(lifting) and max(bare, default=0) < max(lifting)
+    return not is_next and between[-1:] != ["but"] and ";" not in between
+
+
+def lifts(document: Document, start: int) -> bool:
+    """Whether the words from a condition at token `start` to the end of its sentence end in a "do", "you may" or the
+    like behind a mark, or, without one, in a "do" that has no subject: "but if it's hot, *do*", "but if it's hot
+    *do*"."""
+    sentence = document.sentences[start]
+    parts: list[list[Token]] = [[]]
+    for token in document.tokens[start:]:
+        if document.sentences[token.i] != sentence:
+            break
+        if token.text in MARKS:
+            parts.append([])
+        elif token.lower not in _BESIDE_ALLOWING:
+            parts[-1].append(token)
+    condition, *others = [part for part in parts if part]
+    if not others:
+        return len(condition) > 2 and condition[-1].lower == "do" and condition[-2].pos in ("ADJ", "ADV", "VERB")
+    is_all = not any(token.tag == "VB" for part in others[:-1] for token in part)
+    return is_all and tuple(normal_form(token.lower) for token in others[-1]) in _ALLOWING
 
 
 def _is_bare(document: Document, verb: int) -> bool:
@@ -172,10 +195,12 @@ def is_forbidden(document: Document, verb: int) -> bool:
     """Whether a verb is in the bare form right behind a "do not", "never" or the like, said to the one spoken to."""
     tokens = document.tokens
     i = verb - 1
+    if i > 0 and tokens[i].lower == "to" and tokens[i - 1].lower in _NEEDING:  # "you don't have to wash it"
+        i -= 2
     while i >= 0 and (tokens[i].lower in _BETWEEN or tokens[i].lower == "you"):  # "don't you dare", "don't ever"
         i -= 1
     is_negated = i >= 0 and tokens[i].lower in _NEGATIONS
-    is_order = is_negated and (tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in ("do", "must")))
+    is_order = is_negated and (tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in _AUXILIARIES))
     return is_order and tokens[verb].tag in ("VB", "VBP") and not _has_subject(document, verb)
 
 
