@@ -36,7 +36,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "if not even that", "on the other hand", "if otherwise",
         ),
         "fail": (
-            "failing that", "failing this", "failing both", "failing either", "on failure", "in case of failure", "should that fail", "should this fail", "should it fail", "if nothing happens", "still nothing",
+            "failing that", "failing this", "failing both", "failing either", "failing him", "failing her", "failing them", "on failure", "in case of failure", "should that fail", "should this fail", "should it fail", "if nothing happens", "still nothing",
             "if that does nothing", "if that does not help", "if that does not do it", "if that does not do the trick", "if it does not help", "if nothing", "if you strike out", "if you come up empty", "if you really can not", "if you just can not", "if you simply can not", "if you absolutely can not",
             "should this prove impossible", "should that prove impossible", "if that proves impossible", "that proving impossible", "should the attempt fail", "if that is beyond you",
             "should you fail", "should you not succeed", "should that not work", "should this not work", "should it not work", "if you can not manage it", "if you can not manage that",

@@ -77,6 +77,24 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
 
 
 @pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("Bring me the mop; failing that, the broom; failing that, a rag.", ["the mop", "the broom", "a rag"]),
+        (
+            "Bring me the red cup, failing which the green one, failing which a glass.",
+            ["the red cup", "the green cup", "a glass"],
+        ),
+    ],
+)
+def test_each_of_several_alternatives_is_for_where_the_one_before_fails(
+    interpreter: Interpreter, text: str, things: list[str]
+) -> None:
+    instruction = interpreter.interpret(text)
+    assert instruction.flow.to_json() == [{"if": 1, "else": [{"if": 2, "else": [3]}]}]
+    assert [task.value("object") for task in instruction.tasks] == things
+
+
+@pytest.mark.parametrize(
     ("text", "flow"),
     [
         ("Open the window, or start the fan if the window is stuck.", [{"if": 3, "then": [2], "else": [1]}]),

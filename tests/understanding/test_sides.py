@@ -641,3 +641,29 @@ def test_what_a_now_opens_hangs_on_no_condition_before(opening: str, side: str) 
         "[go](3:motion) [home](3:goal)."
     )
     assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+")) == ("top", side, side)
+
+
+FALLBACKS = (
+    "[Dust](1:change_state) [the shelf](1:object); {} [mop](2:change_state) [the hall](2:object){} "
+    "[call](3:informing) [Ann](3:recipient)."
+)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "role", "side"),
+    [
+        ("failing that,", "; failing that,", "condition", "<1-"),
+        ("otherwise", "; otherwise", "condition", "<1-"),
+        ("if you can't,", ", and if that fails,", "condition", "<1-"),
+        ("failing that,", "; otherwise", "task", "<1+"),  # where nothing failed
+        ("failing that,", " and", "task", "<1+"),
+        ("then", "; failing that,", "task", "<1-"),
+    ],
+)
+def test_of_several_fallbacks_each_is_for_where_the_one_before_fails(
+    first: str, second: str, role: str, side: str
+) -> None:
+    found = clauses(FALLBACKS.format(first, second))
+    roles = stated_roles(found, ("condition", "task", "task"))
+    assert roles[1] == role
+    assert stated_sides(found, roles, ("top", "<1-", "<1+"))[2] == side

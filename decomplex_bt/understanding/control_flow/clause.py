@@ -188,6 +188,17 @@ class Clause:
         is_pronoun = (self.is_of_it or self.is_of_somebody) and not self.objects
         return is_pronoun and is_one and bool(order.objects) and not order.has_pronoun and not self.is_of_weather
 
+    def is_fallback_for(self, before: Clause) -> bool:
+        """Whether it is for where the order before fails, that is itself done where something else does: "look in the
+        shed; failing that, try the porch; *failing that*, ask Tom". An "otherwise" behind a "failing that" turns back
+        to where the first did not fail."""
+        ahead, own = {*before.far, *before.near}, {*self.far, *self.near}
+        are_orders = self.task.type != "check_state" != before.task.type and self.sentence - before.sentence < _FAR
+        is_opened = not own.isdisjoint(_FALLING_BACK) and self.near != ("and",)
+        is_other = self.is_otherwise and not before.is_otherwise and "fail" not in own
+        is_plain = own.isdisjoint(_CHOOSING - _FALLING_BACK) and not (self.is_forbidden or before.is_forbidden)
+        return are_orders and not ahead.isdisjoint(_FALLING_BACK) and is_opened and is_plain and not is_other
+
     def is_choice_beside(self, before: Clause) -> bool:
         """Whether it is ordered instead of the order before, as it may be: "close the window *or turn the heater on*";
         not where a condition may choose, nor with what is forbidden."""
@@ -416,6 +427,9 @@ _ANSWERS = frozenset(("yes", "no"))
 _IFS = frozenset(("if", "unless", "only_if"))
 _BEING = frozenset(("be", "'s", "\u2019s", "s"))
 _CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
+_FALLING_BACK = frozenset(("else", "fail"))
+_FAR = 2
+"""From so many sentences on a "failing that" is not about the order before [sentences]."""
 _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))

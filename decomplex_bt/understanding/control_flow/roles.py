@@ -13,7 +13,7 @@ from decomplex_bt.understanding.control_flow.clauses import last_named
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off, _choose):
+    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off, _choose, _fall_back):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     for cases in told_apart(clauses, stated):
@@ -120,6 +120,12 @@ def _call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def _choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of two orders that an "or" joins the second is for where the first fails."""
     if may_choose(clauses, roles, k) and roles[k - 1] == "task":
+        roles[k - 1] = "condition"
+
+
+def _fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of several fallbacks in a row each is for where the one before it fails, too."""
+    if roles[k - 1] == "task" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
         roles[k - 1] = "condition"
 
 

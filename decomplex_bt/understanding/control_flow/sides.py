@@ -505,9 +505,12 @@ def _permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 
 def _fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What a "failing that" opens is never done where something held."""
+    """What a "failing that" opens is never done where something held, and a second one is for where the first fails as
+    well ("failing that, try the porch; failing that, ask Tom")."""
     is_echoed = _is_echoed_before(clauses, roles, k)
     if roles[k] == "task" and sides[k] == _HOLDS and _falls_back(clauses[k]) and not is_echoed:
+        sides[k] = _FAILS
+    if roles[k - 1] == "condition" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
         sides[k] = _FAILS
 
 

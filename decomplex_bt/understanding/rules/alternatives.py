@@ -201,7 +201,9 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
     if part.lead == "mark" and not part.opening:
         return True
     is_turn = part.lead == "turn" or (part.lead == "mark" and k > 0 and _is_bare_turn(parts[k - 1]))
-    if is_turn and (part.is_last or body.stop < part.body.stop or _goes_on(document, parts[k + 1 : k + 2])):
+    following = parts[k + 1 : k + 2]
+    is_turned_again = bool(following) and following[0].lead == "turn"
+    if is_turn and (part.is_last or body.stop < part.body.stop or is_turned_again or _goes_on(document, following)):
         return True
     if part.lead != "mark" or not part.is_last or not _follows_condition(parts, k, tasks):
         return False
