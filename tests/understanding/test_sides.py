@@ -634,7 +634,18 @@ def test_what_is_forbidden_but_allowed_in_a_case_is_done_in_that(words: str, exp
     assert stated_sides(found, ("task", "condition"), (">1-", "top")) == expected
 
 
-@pytest.mark.parametrize(("opening", "side"), [("Now", "top"), ("Anyway,", "top"), ("Then", "<1+"), ("", "<1+")])
+@pytest.mark.parametrize(
+    ("opening", "side"),
+    [
+        ("Now", "top"),
+        ("Anyway,", "top"),
+        ("And now, please,", "top"),
+        ("On another note,", "top"),
+        ("Then", "<1+"),
+        ("", "<1+"),
+        ("And then", "<1+"),
+    ],
+)
 def test_what_a_now_opens_hangs_on_no_condition_before(opening: str, side: str) -> None:
     found = clauses(
         f"If [Ann](1:object) [asks](1:check_state), I am out. {opening} [bring](2:bringing) [tea](2:object) and "
@@ -667,3 +678,16 @@ def test_of_several_fallbacks_each_is_for_where_the_one_before_fails(
     roles = stated_roles(found, ("condition", "task", "task"))
     assert roles[1] == role
     assert stated_sides(found, roles, ("top", "<1-", "<1+"))[2] == side
+
+
+@pytest.mark.parametrize(
+    ("words", "side"),
+    [("separately,", "top"), ("on a different note,", "top"), ("and", "<1+"), ("in another room,", "<1+")],
+)
+def test_what_is_of_another_matter_is_not_asked_in_the_case_before(words: str, side: str) -> None:
+    found = clauses(
+        f"If [the butter](1:object) [is](1:check_state) [soft](1:state), [wrap](2:change_state) [it](2:object); "
+        f"{words} if [the dog](3:object) [is](3:check_state) [hungry](3:state), [tell](4:informing) [Ann](4:recipient)."
+    )
+    roles = ("condition", "task", "condition", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == side

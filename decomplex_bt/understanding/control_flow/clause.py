@@ -96,7 +96,8 @@ class Clause:
     calls_off: bool = False
     """Whether all that is said to be done in its case is to leave what was ordered: "but if it's wet, *leave it*"."""
     is_new_matter: bool = False
-    """Whether its sentence, of which it is the first, begins with a "now" or the like: "*Now* bring me the tea"."""
+    """Whether its sentence, of which it is the first, begins with a "now" or the like: "*Now* bring me the tea", or
+    words between marks say that it is of another matter."""
     allows: bool = False
     """Whether all that is said of its case is that what was forbidden may be done: "but if it's hot, *do*"."""
     is_had_done: bool = False

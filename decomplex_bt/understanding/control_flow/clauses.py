@@ -46,6 +46,11 @@ _LEAVING = tuple(
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
 _TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
+_LEADING_IN = frozenset("and but so right okay ok well oh , please".split())
+_OTHER = frozenset("another other different separate unrelated".split())
+_MATTERS = frozenset("note matter subject topic".split())
+_BEFORE_MATTER = frozenset("on to a an and but then now so for completely entirely quite".split())
+"""What may stand before "another matter" where it tells only that one follows."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
@@ -232,7 +237,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
         calls_off=task.type == "check_state" and _calls_off(document, token, following, far + near),
-        is_new_matter=previous >= 0 and not is_joined and _opens_matter(document, token),
+        is_new_matter=previous >= 0
+        and ((not is_joined and _opens_matter(document, token)) or _tells_matter(document, previous, token)),
         allows=task.type == "check_state" and _allows(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
         said_state=_said_state(document, task),
@@ -259,9 +265,27 @@ def _calls_off(document: Document, token: int, following: int, leading: Sequence
 
 
 def _opens_matter(document: Document, token: int) -> bool:
-    """Whether the sentence of a token begins with a word that turns to something else."""
+    """Whether the sentence of a token begins with a word that turns to something else, be it behind an "and" or
+    "right": "And *now* bring me the tea"."""
     first = document.sentences.index(document.sentences[token])
+    while first < token and document.tokens[first].lower in _LEADING_IN:
+        first += 1
     return document.tokens[first].lower in _TURNING_TO
+
+
+def _tells_matter(document: Document, previous: int, token: int) -> bool:
+    """Whether words between two tasks say, between marks, that another matter follows: "..., and then, *on a different
+    note*, lock up", "*separately*, if it's dry, ..."."""
+    for i in range(previous + 1, token - 1):
+        words = [t.lower for t in document.tokens[i : i + 2]]
+        last = i if words[0] == "separately" else i + 1
+        is_said = last == i or (words[0] in _OTHER and words[1] in _MATTERS)
+        if is_said and document.tokens[last + 1].text in _STARTING:
+            start = i
+            while start > 0 and document.tokens[start - 1].lower in _BEFORE_MATTER:
+                start -= 1
+            return document.tokens[start - 1].text in _PUNCTUATION
+    return False
 
 
 def _allows(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:

@@ -435,9 +435,11 @@ def _allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 def _turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a sentence with a "now" or the like opens hangs on no condition before ("if Ann asks, I'm out. *Now bring me
-    the tea*")."""
+    the tea*"), nor is it asked in one ("*separately*, if it's dry, ...")."""
     if not clauses[k].is_new_matter or sides[k] not in (_HOLDS, _FAILS):
         return
+    if roles[k] == "condition":
+        sides[k] = "top"
     side = sides[k]
     for j in range(k, len(clauses)):
         if clauses[j].sentence != clauses[k].sentence or roles[j] != "task" or sides[j] != side:
