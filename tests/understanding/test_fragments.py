@@ -28,9 +28,12 @@ def parser() -> Parser:
         ("Nobody in the sauna? Turn it off.", "in", "", "the sauna"),
         ("Letter on mat? Bring it up.", "on", "Letter", "mat"),
         ("dog in garden? let him in", "in", "dog", "garden"),
+        ("No sign on the gate? Go in.", "on", "sign", "the gate"),
+        ("And see a stain on the rug? Tell me.", "see", "a stain", "on the rug"),
+        ("Spot any crumbs? Wipe the table.", "Spot", "any crumbs", ""),
     ],
 )
-def test_a_question_without_a_verb_is_carried_by_its_preposition(
+def test_a_question_without_a_verb_is_carried_by_its_preposition_and_a_bare_one_by_its_verb(
     parser: Parser, text: str, carrier: str, thing: str, place: str
 ) -> None:
     document = parser.parse(text)
@@ -51,6 +54,10 @@ def test_a_question_without_a_verb_is_carried_by_its_preposition(
         "Bring me any letters in the mailbox.",
         "Breakfast in the garden?",
         "Ready in the kitchen? Start the oven.",
+        "See the stain on the rug? Clean it.",
+        "See a mug that is clean? Bring it.",
+        "Find a chair in the hall?",
+        "Any sign of the dog in the garden? Tell me.",
     ],
 )
 def test_other_questions_are_left_to_the_models(parser: Parser, text: str) -> None:

@@ -21,6 +21,12 @@ _IDLE = frozenset(
 """Nouns of which no place is asked: "any chance of a drink in the garden?"."""
 
 
+_SIGNS = frozenset(("sign",))
+"""Nouns among these that name a thing unless it is a sign *of* something."""
+
+_PERCEIVING = frozenset("see spot notice find".split())
+_SHORTEST = 2
+"""The words at least of what is asked for: "a coin"."""
 _STATES = frozenset("on off open closed shut".split())
 _NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
@@ -35,8 +41,8 @@ _OPENING = frozenset(("if", "when", "once", "unless", "otherwise", "whenever"))
 
 @dataclass(frozen=True, slots=True)
 class Fragment:
-    """A question or an order without a verb. The preposition of the one carries the check, the state of the other the
-    change."""
+    """A question or an order without a verb, or a question without a subject. The preposition of the one carries the
+    check, the state of the other the change, its verb the search."""
 
     tokens: range
     carrier: int
@@ -69,6 +75,8 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
     first = start
     while first < stop and tokens[first].lower in _FILLERS:
         first += 1
+    if first < stop and tokens[first].lower in _PERCEIVING:
+        return _glimpse(document, range(start, stop), first)
     is_denied = first < stop and tokens[first].lower == "not"
     first += is_denied
     if first >= stop or any(token.pos in ("AUX", "VERB") for token in tokens[first:stop]):
@@ -81,10 +89,26 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         last -= 1
     is_named = tokens[first].lower in _ALONE or tokens[carrier - 1].pos in ("NOUN", "PROPN")
     is_place = last - carrier > 1 and tokens[last - 1].pos in ("NOUN", "PROPN", "PRON")
-    if not is_named or not is_place or not _IDLE.isdisjoint(token.lemma for token in tokens[first:carrier]):
+    asked = {token.lemma for token in tokens[first:carrier]}
+    if not is_named or not is_place or not _IDLE.isdisjoint(asked if "of" in asked else asked - _SIGNS):
         return None
     begin = first + (tokens[first].lower in _NONE)
     return Fragment(range(start, stop), carrier, range(begin, carrier), range(carrier + 1, last))
+
+
+def _glimpse(document: Document, words: range, verb: int) -> Fragment | None:
+    """The question for something that may be there, behind which it is told what to do then: "*see* a coin on the mat?
+    Keep it"; "see the coin on the mat?" only points at it."""
+    tokens = document.tokens
+    behind = tokens[verb + 1 : words.stop]
+    if len(behind) < _SHORTEST or words.stop + 1 >= len(document) or behind[0].lower not in _SOME | {"a", "an"}:
+        return None
+    where = next((token.i for token in behind if token.lower in _WHERE), words.stop)
+    is_named = tokens[where - 1].pos in ("NOUN", "PROPN")
+    is_place = where == words.stop or tokens[words.stop - 1].pos in ("NOUN", "PROPN")
+    if not (is_named and is_place) or any(token.pos in ("AUX", "VERB", "PRON") for token in behind):
+        return None
+    return Fragment(words, verb, range(verb + 1, where), range(where, words.stop), "searching")
 
 
 def _is_telegram(document: Document, named: range, stop: int) -> bool:
