@@ -64,12 +64,20 @@ def test_what_is_called_for_behind_its_order_is_left_to_the_models() -> None:
 
 
 @pytest.mark.parametrize(
-    ("first", "second", "expected"), [("green", "red", "<1-"), ("green", "broken", "<1+"), ("green", "green", "<1+")]
+    ("first", "second", "pronoun", "expected"),
+    [
+        ("green", "red", "it", "<1-"),
+        ("green", "red", "that", "<1+"),
+        ("green", "broken", "it", "<1+"),
+        ("green", "green", "it", "<1+"),
+    ],
 )
-def test_another_state_is_not_asked_where_the_thing_has_the_one_before(first: str, second: str, expected: str) -> None:
+def test_another_state_is_not_asked_where_the_thing_has_the_one_before(
+    first: str, second: str, pronoun: str, expected: str
+) -> None:
     found = clauses(
         f"If [the sign](1:object) [is](1:check_state) [{first}](1:state), [wait](2:motion), and if "
-        f"[it](3:object)'[s](3:check_state) [{second}](3:state), [tell](4:informing) [me](4:recipient)."
+        f"[{pronoun}](3:object)'[s](3:check_state) [{second}](3:state), [tell](4:informing) [me](4:recipient)."
     )
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == expected

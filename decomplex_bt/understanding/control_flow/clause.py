@@ -215,7 +215,8 @@ class Clause:
         is_other_state = self.said_state != first.said_state and not are_apart(state, other)
         is_same_verb = self.verb == first.verb or {self.verb, first.verb} <= _BEING
         is_one = not (self.number and first.number) or self.number == first.number
-        is_of_it = (self.is_of_it or self.is_of_somebody) and not self.objects
+        # "that" may be another thing
+        is_of_it = (self.is_of_somebody or (self.is_of_it and bool(self.number))) and not self.objects
         is_same = is_one and (self.names_same(first) or is_of_it) and not self.is_of_weather
         return is_other_state and is_same_verb and (is_same or (self.is_of_weather and first.is_of_weather))
 
