@@ -104,6 +104,10 @@ class Clause:
     """Whether it is what is to be done by then: "after *you have mopped* it", "once *you've mopped* it"."""
     said_state: tuple[str, ...] = ()
     """The words of the state that it tests: "half", "full"."""
+    asks_open: bool = False
+    """Whether it orders to find out what no yes or no answers: "see who it is", "check what the boys are doing"."""
+    turns: tuple[str, ...] = ()
+    """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the
@@ -277,6 +281,16 @@ class Clause:
         is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
         return is_same and is_of_it and "before" in self.near
 
+    def forbids_same(self, before: Clause) -> bool:
+        """Whether one of both forbids what the other orders, with the same verb: "don't open it if it's windy,
+        otherwise *open it*", "water it, but if it's wet *don't water it*"."""
+        is_same = self.verb == before.verb and self.task.type == before.task.type
+        is_bare = all(kind != "object" for kind, _ in self.task.arguments)
+        is_of_it = self.is_of_it or is_bare or (bool(self.objects) and self.names_same(before))
+        is_near = self.sentence == before.sentence or (self.is_otherwise and self.sentence - before.sentence == 1)
+        is_near = is_near and self.receivers <= before.receivers
+        return self.is_forbidden != before.is_forbidden and is_same and is_of_it and is_near
+
     def may_repeat(self, before: Clause) -> bool:
         """Whether both may be one and the same order: of one type and of things that are not named apart."""
         is_same = not (self.objects and before.objects) or self.names_same(before)
@@ -340,6 +354,11 @@ class Clause:
         is_added = self.near[:2] == ("or", "if") or self.opening == ("or",)
         is_next = self.sentence == before.sentence and self.boundary in ("none", ",") and not self.ends_sentence
         return is_added and is_next and self.is_check and before.says_only_whether and "if" in before.near
+
+    @property
+    def is_done_if_not(self) -> bool:
+        """Whether an "if not" opens what is no look for something, which an "otherwise" could fall back on."""
+        return self.turns == ("not",) and self.task.type not in FINDING_OUT and not self.is_forbidden
 
     @property
     def is_added_to_otherwise(self) -> bool:
@@ -450,6 +469,7 @@ _GONE = frozenset(("out", "away", "gone"))
 AROUND = frozenset("in home there here around about back".split())
 """Words for where somebody is who is here, or home."""
 _FINDING = frozenset(("searching", "bringing", "taking"))
+FINDING_OUT = frozenset(("searching", "check_state"))
 _PRESENT = frozenset(
     "gone up empty out missing in away clear here there home back left present absent around inside outside upstairs "
     "downstairs free busy finished done available about nearby lost".split()

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
-from decomplex_bt.understanding.control_flow.clause import AROUND, Clause, MarkedTask
+from decomplex_bt.understanding.control_flow.clause import AROUND, FINDING_OUT, Clause, MarkedTask
 from decomplex_bt.understanding.control_flow.denials import WILLING, is_answer, negations
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, PRO_FORMS, Cue, normal_form
 from decomplex_bt.understanding.document import Document, Token
@@ -62,6 +62,12 @@ _LEFT = frozenset(("they", "it", "those"))
 _ADDED = frozenset("if all already now completely just still and but or".split())
 _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
+_NEAR = 3
+"""Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""
+_OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
+_DEGREES = frozenset(("ADJ", "ADV"))
+"""How full something is a state answers, but neither how it is nor how many there are."""
+_AMOUNTS = (["how", "many"], ["how", "much"])
 _OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 _COORDINATORS = frozenset(("and", "but", "or"))
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
@@ -242,7 +248,34 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         allows=task.type == "check_state" and _allows(document, token, following, far + near),
         is_had_done=_is_had_done(document, stretch.cues, token),
         said_state=_said_state(document, task),
+        asks_open=task.type in FINDING_OUT and _asks_open(document, token),
+        turns=_turns(document, ahead, token),
     )
+
+
+def _asks_open(document: Document, token: int) -> bool:
+    tokens = document.tokens[token : token + 4]
+    words = [t.lower for t in tokens]
+    word = 1 + (words[1:2] == ["out"])
+    is_order = tokens[0].lemma in ASKING_LEMMAS and tokens[0].tag in ("VB", "VBP")
+    is_open = words[word : word + 1] != [] and words[word] in _OPEN_QUESTIONS
+    is_how = (
+        words[word : word + 1] == ["how"] and tokens[word + 1 : word + 2] != [] and tokens[word + 1].pos not in _DEGREES
+    )
+    return is_order and (is_open or is_how or words[word : word + 2] in _AMOUNTS)
+
+
+def _turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ...]:
+    """What turns to the other case ahead of a verb, also where no mark ends it ("is he up *if not* wake him")."""
+    found = []
+    for cue in ahead:
+        words = [normal_form(t.lower) for t in document.tokens[cue.first : cue.last + 2]]
+        is_bare = words == ["if", "not"] and 0 < token - cue.first - 1 <= _NEAR and document.tokens[token].tag == "VB"
+        if is_bare or (cue.name == "else" and "if" in words[:-1] and "otherwise" not in words):
+            found.append("not")
+        elif cue.name == "else" and not _is_adverb(document, cue.first):
+            found.append("otherwise")
+    return tuple(found)
 
 
 def _calls_off(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wording
 from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
@@ -13,7 +13,20 @@ from decomplex_bt.understanding.control_flow.clauses import last_named
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
     stated = list(roles)
-    for rule in (_join, _find_out, _part, _oppose, _answer, _repeat, _call_off, _choose, _fall_back):
+    for rule in (
+        _join,
+        _take_up,
+        _find_out,
+        _part,
+        _oppose,
+        _answer,
+        _repeat,
+        _call_off,
+        _choose,
+        _fall_back,
+        _turn_back,
+        _ask_openly,
+    ):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
     for cases in told_apart(clauses, stated):
@@ -107,8 +120,12 @@ def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     all orders before, or names another thing, says none of them again."""
     if roles[k] == "again" and not any(roles[j] == "task" and clauses[k].may_repeat(clauses[j]) for j in range(k)):
         roles[k] = "task"
-    if roles[k] == "task" and any(roles[j] == "task" and clauses[k].repeats(clauses[j]) for j in range(k)):
+    if roles[k] == "task" and any(roles[j] == "task" and _says_again(clauses[k], clauses[j]) for j in range(k)):
         roles[k] = "again"
+
+
+def _says_again(clause: Clause, before: Clause) -> bool:
+    return clause.repeats(before) or clause.forbids_same(before)
 
 
 def _call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -127,6 +144,70 @@ def _fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of several fallbacks in a row each is for where the one before it fails, too."""
     if roles[k - 1] == "task" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
         roles[k - 1] = "condition"
+
+
+def _turn_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an "if not" opens is no condition of what an "otherwise" opens behind it."""
+    if opened_if_not(clauses, roles, k) == k - 1 and roles[k - 1] == "condition":
+        roles[k - 1] = "task"
+
+
+def opened_if_not(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The order that an "if not" opens right behind a condition, where an "otherwise" opens task `k` and nothing but
+    what is done in that case stands between ("is it dry? *If not, hang it up*, otherwise ..."): `k` itself where no
+    task stands between ("if not, fine, otherwise ..."); else None."""
+    if clauses[k].turns[-1:] != ("otherwise",) or len(clauses[k].turns) > 2:
+        return None
+    first = k
+    if len(clauses[k].turns) == 1:
+        first -= 1
+        while first > 0 and roles[first] == "task" and not clauses[first].turns:
+            first -= 1
+        if not clauses[first].is_done_if_not or clauses[k].sentence - clauses[first].sentence > 1:
+            return None
+    elif clauses[k].turns != ("not", "otherwise"):
+        return None
+    is_behind = first > 0 and roles[first - 1] in CONDITION_ROLES and not clauses[first - 1].wording.is_negated
+    return first if is_behind else None
+
+
+def _take_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Where one of two conditions that "and" joins is spoken of again alone, the second is asked where the first
+    holds."""
+    part = taken_up(clauses, roles, k)
+    if part is not None:
+        second = part if roles[part] == "and" else part + 1
+        roles[second] = "condition" if roles[second] == "and" else roles[second]
+
+
+def _ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What no yes or no answers is no condition, so what is asked behind it is one of its own ("see what he's doing,
+    and if he's asleep, ...")."""
+    if clauses[k - 1].asks_open and roles[k - 1] == "condition":
+        roles[k - 1] = "task"
+        roles[k] = "condition" if roles[k] in CONDITION_ROLES else roles[k]
+
+
+def taken_up(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """Of two conditions that "and" joins the one that mention `k`, which names nothing, is of: the one that asks for
+    its state, or the opposite, or, where it says "there", for a place ("if he is in his room and he's awake, ...; *if
+    he's asleep*, ...", "...; *if he isn't there*, ..."); else None."""
+    clause = clauses[k]
+    second = next((j for j in range(k - 1, 0, -1) if roles[j] != "task"), 0)
+    first = second - 1
+    if first < 0 or roles[first] != "condition" or roles[second] not in ("condition", "and") or roles[k] != "mention":
+        return None
+    if not clause.has_pronoun or clause.objects or clauses[second].wording.joins != "and":
+        return None
+    if clause.wording.state is not None:
+        fitting = [j for j in (first, second) if _are_of_one_state(clauses[j].wording, clause.wording)]
+    else:
+        fitting = [j for j in (first, second) if clauses[j].is_of_whereabouts and "there" in clause.places]
+    return fitting[0] if len(fitting) == 1 else None
+
+
+def _are_of_one_state(one: Wording, other: Wording) -> bool:
+    return one.state == other.state or one.is_opposite_of(other) or other.is_opposite_of(one)
 
 
 def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.control_flow.cases import told_apart, told_in_a_
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
-from decomplex_bt.understanding.control_flow.roles import may_choose
+from decomplex_bt.understanding.control_flow.roles import may_choose, opened_if_not, taken_up
 from decomplex_bt.understanding.cues import are_apart
 
 _HOLDS, _FAILS = "<1+", "<1-"
@@ -39,9 +39,11 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _join,
             _cover,
             _depend,
+            _ask_openly,
             _except,
             _forbid,
             _oppose,
+            _turn_back,
             _affirm,
             _precede,
             _restrict,
@@ -52,6 +54,7 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _permit,
             _confine,
             _withhold,
+            _set_apart,
             _go_ahead,
             _stand_alone,
             _call_off,
@@ -115,9 +118,15 @@ def _answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 def _name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A mention that names what a condition before was about, as no other one was, is of that condition ("if the stove
     is cold, light the kindling, and if it won't burn, ... If the stove is still warm, ..."), unless it tells that the
-    change before it failed ("if the safe is locked, open it. If the safe won't open, ...")."""
+    change before it failed ("if the safe is locked, open it. If the safe won't open, ..."); one that names nothing may
+    be of one of two conditions that "and" joins (`roles.taken_up`)."""
     clause = clauses[k]
-    if roles[k] != "mention" or clause.task.type != "check_state" or not clause.objects:
+    if roles[k] != "mention" or clause.task.type != "check_state":
+        return
+    part = taken_up(clauses, roles, k)
+    if part is not None and sides[k][:1] == "<":
+        sides[k] = "<1" if roles[part + 1] == "task" or part + 1 == k else "<2"
+    if not clause.objects:
         return
     if roles[k - 1] == "condition" and clause.is_failure_of(clauses[k - 1], last_named(clauses, k)):
         sides[k] = "<1"
@@ -161,6 +170,12 @@ def _depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none" and not clauses[k - 1].wording.orders:
         is_of_it = clauses[k - 2].finds_out(clauses[k]) and clauses[k - 1].has_pronoun
         sides[k - 1] = _HOLDS if is_of_it else sides[k - 1]
+
+
+def _ask_openly(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What no yes or no answers keeps nothing from what is done, or asked, right behind it."""
+    if clauses[k - 1].asks_open and roles[k - 1] == "task" and sides[k][:2] == "<1":
+        sides[k] = sides[k - 1] if sides[k - 1] in ("top", _HOLDS, _FAILS) else "top"
 
 
 def _except(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -209,10 +224,12 @@ def _forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "otherwise" opens right behind a condition is done where that does not hold ("if it's raining, fine,
-    otherwise ..."), and behind a mention that affirms the condition of a task on the other side than that task ("bring
-    it if it is, otherwise ...", "look for it and bring it if you see it, or else ..."), which is how such a mention is
-    stated (`arcs.flip_of`)."""
-    is_plain = roles[k - 1] == "condition" and not clauses[k - 1].wording.is_negated
+    otherwise ...", "don't start it if it isn't full, otherwise ..."), and behind a mention that affirms the condition
+    of a task on the other side than that task ("bring it if it is, otherwise ...", "look for it and bring it if you see
+    it, or else ..."), which is how such a mention is stated (`arcs.flip_of`)."""
+    is_restricted = "unless" in clauses[k - 1].near
+    is_forbidding = k > 1 and clauses[k - 2].is_forbidden and sides[k - 2] == ">1-" and not is_restricted
+    is_plain = roles[k - 1] == "condition" and (is_forbidding or not clauses[k - 1].wording.is_negated)
     if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == _HOLDS:
         sides[k] = _FAILS
     if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
@@ -223,6 +240,19 @@ def _oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
             if roles[j] != "task" or sides[j] != _FAILS or clauses[j].sentence != clauses[k].sentence:
                 break
             sides[j] = _HOLDS
+
+
+def _turn_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "otherwise" opens behind what an "if not" opens is done where the condition holds ("is it dry? If not,
+    hang it up, otherwise fold it"), and so is what goes on with it."""
+    first = opened_if_not(clauses, roles, k)
+    if first is None or roles[k] != "task" or {*sides[first:k]} - {_FAILS}:
+        return
+    for j in range(k, len(clauses)):
+        is_next = j == k or _goes_on(clauses, roles, sides, j, clauses[k].sentence)
+        if sides[j] != _FAILS or not is_next:
+            return
+        sides[j] = _HOLDS
 
 
 def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
@@ -375,6 +405,19 @@ def _withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (_HOLDS, _FAILS) else "top"
+
+
+def _set_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered before "but don't ... if ..." of another thing hangs on nothing ("light the fire, but don't wake
+    Tom if he's asleep")."""
+    clause = clauses[k]
+    is_other = clause.is_forbidden and "but" in (*clause.far, *clause.near) and roles[k] == "task"
+    if not is_other or sides[k][:2] != ">1":
+        return
+    for j in range(k - 1, -1, -1):
+        if not _hangs_ahead(clauses, roles, sides, j, clause.sentence) or clauses[j].is_forbidden:
+            return
+        sides[j] = "top"
 
 
 def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

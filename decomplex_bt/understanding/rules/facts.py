@@ -12,7 +12,7 @@ from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic
+from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.telegraph import telegraphed
@@ -77,6 +77,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
+        if following is not None and is_light(document, task.token, following.token):
+            task = replace(task, type=following.type)
         is_none = (
             task.token in within_asked
             or _is_reported_state(document, task, found)
@@ -84,6 +86,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
+            or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
             or _is_name(observed, task.token)

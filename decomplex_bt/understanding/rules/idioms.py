@@ -197,6 +197,13 @@ def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
     return found
 
 
+def is_light(document: Document, verb: int, noun: int) -> bool:
+    """Whether a verb only helps a noun that is the order: "*have* a look", "*take* a quick peek"."""
+    tokens = document.tokens
+    is_close = verb + 1 < noun <= verb + 3 and tokens[verb + 1].lower in ("a", "another", "one")
+    return is_close and tokens[verb].lemma in ("have", "take") and tokens[noun].lower in _LOOKING
+
+
 def _lettings(document: Document) -> list[int]:
     """Every "let" of an order to let go of something."""
     words = [token.lower for token in document.tokens]

@@ -53,6 +53,8 @@ def _question(document: Document, verb: int, words: range) -> Iterator[Question]
     noun = start + 1
     if tokens[start].lower == "how" and tokens[noun].lower not in _AMOUNTS:
         return  # "how hot the soup is"
+    if tokens[start].lower == "what" and tokens[noun].pos == "PROPN":
+        return  # "what Max is doing"
     if tokens[start].lower != "who":
         noun += tokens[noun].lower in _AMOUNTS
         parts = _NOUNS if noun == words.stop or tokens[noun].lower != "of" else _NOUNS | {"ADP", "DET", "NUM"}
