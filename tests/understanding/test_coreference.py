@@ -95,6 +95,13 @@ def test_a_noun_chunk_ends_before_a_determiner_and_a_time():
     assert list(noun_chunks(doc)) == [range(0, 3), range(3, 5)]
 
 
+def test_a_noun_chunk_begins_with_no_s_and_may_be_a_noun_that_the_tagger_missed():
+    doc = document(
+        "where/WRB", "'s/POS", "grandpa/NN", "wants/VBZ", "her/PRP$", "key/JJ", "on/IN", "his/PRP$", "own/JJ"
+    )
+    assert list(noun_chunks(doc)) == [range(2, 3), range(4, 6)]
+
+
 @pytest.mark.parametrize(
     ("words", "kinds", "expected"),
     [
@@ -355,6 +362,9 @@ def test_what_was_done_before_is_done_again_and_what_cleans_is_not_cleaned(
         ("Wash the car, and if the shutter is open, shut it.", "the shutter"),
         ("Fetch the ladder, and if the key is missing, look for it.", "the key"),
         ("Rinse the jug, and if the cup is dirty, put it in the dishwasher.", "the cup"),
+        ("Take the flask to the office, and if there's any coffee left, fill it.", "the flask"),
+        ("Bring the basin up here and if there is water in the can fill it", "the basin"),
+        ("If the flask is empty, fill it.", "the flask"),
     ],
 )
 def test_what_a_thing_is_done_with_or_what_is_missing_is_not_what_it_is_done_to(

@@ -137,6 +137,8 @@ def test_what_is_not(parser: Parser, text: str) -> None:
         ("Fetch the yellow bucket, I mean the red one, and fill it.", "the red one"),
         ("Bring me the long ruler, or rather the short one.", "the short one"),
         ("Put the salt on the tray. Wait, no, the sugar.", "the sugar"),
+        ("fetch the yellow bucket no the red one", "the red one"),
+        ("bring me the long ruler sorry the short one", "the short one"),
     ],
 )
 def test_before_a_bare_phrase_only_an_argument_is_taken_back(parser: Parser, text: str, phrase: str) -> None:

@@ -31,6 +31,9 @@ INSTRUMENTS = frozenset(
     "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
 )
 """What things are cleaned with."""
+_FILLING = frozenset(("fill", "fill up", "refill"))
+_PARTLY = frozenset("some any more enough no".split())
+"""What stands before what there is an amount of."""
 _TELLING = frozenset(("check_state", "change_state"))
 _COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
 _COOLING = frozenset("freezer fridge refrigerator icebox".split())
@@ -210,9 +213,18 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    if is_part(context, gap, candidate):
+    if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate):
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_stuff(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is filled, and a candidate is what it is filled with: "take my cup, and if there's *any tea* left,
+    fill it"."""
+    document = context.observed.document
+    head, first = document.tokens[candidate.head], document.tokens[candidate.tokens.start]
+    is_measured = first.lower in _PARTLY or (first.i == candidate.head and head.tag == "NN")
+    return context.lemmas[gap.task.id] in _FILLING and gap.word == "it" and is_measured and not candidate.mention
 
 
 def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -234,6 +234,8 @@ _TIMES = frozenset("yesterday today tonight tomorrow now later".split())
 
 def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
     token = document.tokens[i]
+    if token.tag == "POS" and not is_inside:
+        return False  # "where's grandpa"
     if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS"):
         return True
     if not is_inside or i + 1 >= len(document):
@@ -408,5 +410,8 @@ def _between(document: Document, chunk: range, verbs: Container[int]) -> Iterato
 
 def _trimmed(document: Document, chunk: range) -> Iterator[range]:
     nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN")]
+    first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
     if nouns:
         yield range(chunk.start, nouns[-1] + 1)
+    elif first.tag == "PRP$" and len(chunk) == 2 and last.tag == "JJ" and last.lower != "own":
+        yield chunk  # "wants her key back", where the tagger takes the noun for an adjective

@@ -49,6 +49,7 @@ _MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
 _TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())
 _WAYS = frozenset(("path", "manner"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
+_MOVING = frozenset(("bringing", "taking", "placing"))
 _HANDLED = frozenset(("change_state", "taking", "placing", "following"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
 _NOUN_PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
@@ -78,6 +79,7 @@ def amended(
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
     kept = _of_days(document, [_whereabouts(document, tasks, a, kept) for a in kept])
+    kept = [_relative(document, tasks, _entire(document, a), kept) for a in kept]
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
     kept = [a for a in kept if not _is_of_nobody(document, a)]
     for phrase in withdrawals.corrections:
@@ -219,6 +221,23 @@ def _whereabouts(
     if order is None or kind not in _ORDERED or argument.owner < order:
         return argument
     return replace(argument, owner=order, type="location" if kind == "change_state" else "source")
+
+
+def _entire(document: Document, argument: FoundArgument) -> FoundArgument:
+    """An "upside" with the "down" behind it."""
+    end = argument.tokens.stop
+    is_cut = document.tokens[end - 1].lower == "upside" and end < len(document) and document.tokens[end].lower == "down"
+    return replace(argument, tokens=range(argument.tokens.start, end + 1)) if is_cut else argument
+
+
+def _relative(
+    document: Document, tasks: Mapping[int, str], argument: FoundArgument, arguments: Sequence[FoundArgument]
+) -> FoundArgument:
+    """What is brought or put somewhere is no message: "bring him *what he asks for*"."""
+    first = document.tokens[argument.tokens.start].lower
+    is_moved = argument.type == "message" and tasks[argument.owner] in _MOVING and first in ("what", "whatever")
+    is_said = any((a.owner, a.type) == (argument.owner, "object") for a in arguments)
+    return replace(argument, type="object") if is_moved and not is_said else argument
 
 
 def _of_days(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:

@@ -8,6 +8,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 
 _DAYS = frozenset("tonight tomorrow later".split())
 _LEADING = frozenset(("in", "for", "after"))
+_OPENING = frozenset("if when whenever once unless after before until".split())
 _UNITS = frozenset("second minute hour day week month sec min hr".split())
 _COUNTING = frozenset("a an half few couple of another the quarter next".split())
 _HOURS = frozenset("noon midnight half quarter".split())
@@ -15,13 +16,26 @@ _BEHIND_HOURS = frozenset("o'clock am pm a.m. p.m. sharp past to exactly".split(
 
 
 def times(document: Document) -> Iterator[range]:
-    """The words of every time, from left to right."""
+    """The words of every time at which an order is to be carried out, or a condition asked, from left to right; none
+    of what is merely told ("*my bus leaves* in ten minutes, so ...")."""
     i = 0
     while i < len(document):
         stop = _day(document, i) or _span(document, i) or _hour(document, i)
-        if stop:
+        if stop and not _is_told(document, i):
             yield range(i, stop)
         i = max(stop, i + 1)
+
+
+def _is_told(document: Document, i: int) -> bool:
+    """Whether the verb that a time goes with has a subject of its own, and no word ahead that makes it a condition."""
+    tokens = document.tokens
+    verb = i
+    while tokens[verb].pos not in ("VERB", "AUX") and tokens[verb].head != verb:
+        verb = tokens[verb].head
+    parts = {tokens[j].dep: tokens[j].lower for j in document.children[verb] if j != i}
+    is_case = parts.get("mark") in _OPENING or parts.get("advmod") in _OPENING
+    is_order = parts.get("nsubj", "you") in ("you", "i") or tokens[verb].tag == "VB"
+    return not (is_order or is_case)
 
 
 def _day(document: Document, i: int) -> int:

@@ -43,6 +43,9 @@ _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
 _CORRECTING = frozenset("no nope wait sorry actually".split())
+_RUN_ON = frozenset(("no", "nope", "sorry"))
+_LEADING = frozenset(("DT", "PRP$"))
+"""What opens a phrase behind one of these where no mark stands between: "no *the green one*"."""
 _DENYING = frozenset(("no", "nope", "nah"))
 _TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_THINGS)} | {"mean", "meant", "rather"}
 """Words of which every withdrawal has one."""
@@ -130,8 +133,14 @@ class _Words:
         if not {"and", "also", "or", "just", "so"}.isdisjoint(lead):
             return False
         is_meant = tuple(self.said[max(0, at - 2) : at]) in (("i", "mean"), ("i", "meant"), ("or", "rather"))
+        is_next = bool(lead) and lead[-1] in _RUN_ON and self.tokens[at].tag in _LEADING
         is_set_off = len(lead) > 1 and lead[-1] == "actually" and lead[-2] in _BREAKS
-        return is_meant or is_set_off or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
+        return (
+            is_meant
+            or is_set_off
+            or is_next
+            or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
+        )
 
     def is_denied(self, at: int) -> bool:
         """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
