@@ -1,7 +1,8 @@
 """The household robot that does what a complex sentence says.
 
-`TreeAgent` carries an instruction out in an environment; `Interpreter` understands a sentence. Both are imported when
-first asked for, so that `import decomplex_bt` stays light; it registers the environments with Gymnasium.
+`TreeAgent` carries an instruction out in an environment; `Interpreter` understands a sentence, and `settle` asks for
+what it leaves open. They are imported when first asked for, so that `import decomplex_bt` stays light; it registers the
+environments with Gymnasium.
 """
 
 from __future__ import annotations
@@ -13,13 +14,18 @@ from decomplex_bt.envs.registration import register_envs
 
 if TYPE_CHECKING:
     from decomplex_bt.behaviour.agent import TreeAgent
+    from decomplex_bt.behaviour.settling import settle
     from decomplex_bt.understanding.interpreter import Interpreter
 
     __version__: str
 
-__all__ = ["Interpreter", "TreeAgent", "__version__"]
+__all__ = ["Interpreter", "TreeAgent", "__version__", "settle"]
 
-_HOMES = {"Interpreter": "decomplex_bt.understanding.interpreter", "TreeAgent": "decomplex_bt.behaviour.agent"}
+_HOMES = {
+    "Interpreter": "decomplex_bt.understanding.interpreter",
+    "TreeAgent": "decomplex_bt.behaviour.agent",
+    "settle": "decomplex_bt.behaviour.settling",
+}
 
 
 register_envs()

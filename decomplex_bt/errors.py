@@ -81,5 +81,5 @@ class MissingArgumentError(InputError):
         self.missing = missing
         super().__init__(
             f"task {missing.task} lacks its {missing.argument}: {missing.question} "
-            "Say it in the instruction, or answer on a terminal (in Python: through `ask`)."
+            "Say it in the instruction, or answer on a terminal (in Python: `decomplex_bt.settle(text, ask)`)."
         )

@@ -1,4 +1,4 @@
-"""Doubt in the program: what `parse --alternatives` tells, and the question of `tree` and of the agent."""
+"""What is in doubt or missing: what `parse --alternatives` tells, the question of `tree` and of the agent, `settle`."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import decomplex_bt
 from decomplex_bt.cli import main
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import MissingArgumentError, UnknownWordError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Doubt, Missing
 from decomplex_bt.understanding.interpreter import Interpreter
@@ -26,12 +27,16 @@ ALWAYS, DEPENDS = [{"if": 1, "then": [2]}, 3], [{"if": 1, "then": [2, 3]}]
 QUESTION = "Should I open the fridge in any case, or only if the tv is on?"
 
 
+def _read(markup, flow):
+    return read_markup(markup, load_domain("household").ontology, flow=flow)
+
+
 class Unsure:
     """Understands one sentence, in two ways."""
 
     def __init__(self):
         self.domain = load_domain("household")
-        tasks = read_markup(MARKED, self.domain.ontology, flow=ALWAYS)
+        tasks = _read(MARKED, ALWAYS)
         other = (Alternative(Flow.from_json(DEPENDS), 0.25),)
         self.instruction = replace(tasks, confidence=0.5, alternatives=other)
 
@@ -130,3 +135,50 @@ def test_an_agent_asks_whoever_it_was_given(text, answer, options, flow):
     silent = decomplex_bt.TreeAgent(env, threshold=1.0)
     silent.reset(observation, {"instruction": text})
     assert silent.instruction.flow.to_json() == ALWAYS
+
+
+@pytest.mark.parametrize(("answer", "flow"), [("2", DEPENDS), ("1", ALWAYS), (None, ALWAYS)])
+def test_robot_and_judge_go_by_one_settled_flow(text, answer, flow):
+    instruction = decomplex_bt.settle(text, lambda question: answer)
+    assert instruction.flow.to_json() == flow
+    info = _carried_out(instruction, {"states": {"tv": "off", "fridge": "closed"}})
+    assert info["is_success"]
+    assert info["goal_conditions_total"] == (1 if flow == DEPENDS else 2)
+
+
+def _carried_out(instruction, options):
+    """The last info of the agent's loop, with one instruction for the judge and the robot."""
+    env = gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
+    observation, info = env.reset(seed=1, instruction=instruction, options={"noise": False, **options})
+    agent = decomplex_bt.TreeAgent(env, flow=instruction)
+    agent.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated or agent.done):
+        observation, _, terminated, truncated, info = env.step(agent.act(observation))
+    return info
+
+
+def test_what_is_missing_is_asked_for_before_the_judge_needs_it():
+    put = _read("[Put](1:placing) [the pen](1:object) [down](1:direction).", [1])
+    with pytest.raises(MissingArgumentError, match=r"decomplex_bt\.settle\(text, ask\)"):
+        gym.make("decomplex_bt/Household-v0", disable_env_checker=True).reset(seed=1, instruction=put)
+    asked = []
+    instruction = decomplex_bt.settle(put, lambda question: asked.append(question.question) or "on the bed")
+    assert asked == ["Where should I put it?"]
+    assert instruction.tasks[0].value("goal") == "on the bed"
+    assert decomplex_bt.settle(instruction, lambda question: pytest.fail(question.question)) == instruction
+    assert _carried_out(instruction, {"placement": {"pen_1": "desk"}})["is_success"]
+    for nothing in (None, ""):
+        with pytest.raises(MissingArgumentError):
+            decomplex_bt.settle(put, lambda question, answer=nothing: answer)
+    with pytest.raises(UnknownWordError, match="the moon"):
+        decomplex_bt.settle(put, lambda question: "on the moon")
+
+
+def test_an_answer_belongs_to_the_task_that_was_asked_about():
+    markup = (
+        "[Put](1:placing) [the apple](1:object) [in the fridge](1:goal) and [the mug](1:object) [on the desk](1:goal), "
+        "and [put](2:placing) [the book](2:object) [down](2:direction)."
+    )
+    instruction = decomplex_bt.settle(_read(markup, [1, 2]), lambda question: "on the bed")
+    assert [task.value("goal") for task in instruction.tasks] == ["in the fridge", "on the bed", "on the desk"]

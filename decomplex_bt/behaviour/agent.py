@@ -17,11 +17,12 @@ from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.session import Session
+from decomplex_bt.behaviour.settling import Ask, settle, understood, with_tasks
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Doubt, Instruction, Missing, Task
+from decomplex_bt.instruction import Instruction, Task
 from decomplex_bt.phrases import spoken
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.distribution import distributed
@@ -29,14 +30,10 @@ from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTas
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
-from decomplex_bt.understanding.doubt import THRESHOLD, settled
+from decomplex_bt.understanding.doubt import THRESHOLD
 
 LAST_TICKS = 3
 """Ticks in which an agent takes in with what the episode has ended; some things it believes only at second sight."""
-
-Ask = Callable[[Missing | Doubt], str | None]
-"""Answers the `question` of what is missing or in doubt; None if it has no answer. A choice of a doubt is named by its
-number, from 1, or by its words."""
 
 
 class TreeAgent:
@@ -45,7 +42,9 @@ class TreeAgent:
     `env`: an environment whose `embodiment()` makes a body; nothing else of it is used, and nothing of it is kept.
     `flow`: an annotated instruction (or corpus example) to go by instead of understanding the text. `ask`: answers a
     question for what the instruction does not say (None: such an instruction is an error), and for what was meant where
-    its control flow is less certain than `threshold`, from 0 (never) to 1 (None: the likeliest is done).
+    its control flow is less certain than `threshold`, from 0 (never) to 1 (None: the likeliest is done). The answers
+    are for the robot alone; whose judge has no reading but the robot's settles the instruction first (`settle`) and
+    gives both the same. `planner`: solves the PDDL problems of all tasks (`planning.planner.Planner`; None: pyperplan).
 
     Raises `InputError` for a `flow` that is no instruction.
 
@@ -83,15 +82,12 @@ class TreeAgent:
         """
         if self._gold is None and "instruction" not in info:
             raise InputError("info has no instruction; give the info that reset of the environment returned")
-        instruction = self._gold or self._understand(str(info["instruction"]))
-        if not instruction.tasks:
-            known = self._body.domain.ontology.task_types.values()
-            raise InputError(
-                f"{instruction.text!r} holds no task that this robot knows; what it does: "
-                f"{', '.join(kind.description.split(',')[0] for kind in known)}"
-            )
-        grounded = ground(instruction, self._body.domain, ask=self._ask)
-        self.compiled = compile_instruction(instruction, grounded, self._body.domain)
+        domain = self._body.domain
+        instruction = with_tasks(self._gold or understood(str(info["instruction"]), domain), domain)
+        if self._ask is not None:
+            instruction = settle(instruction, self._ask, domain=domain, threshold=self._threshold)
+        grounded = ground(instruction, domain)
+        self.compiled = compile_instruction(instruction, grounded, domain)
         self.instruction: Instruction = instruction
         self.grounded: GroundInstruction = grounded
         self._body.reset(observation)
@@ -186,18 +182,6 @@ class TreeAgent:
         )
         self.tree.add_visitor(recorder)
         return recorder
-
-    # -- making the tree ----------------------------------------------------------------------------------------------
-
-    def _understand(self, text: str) -> Instruction:
-        # Only here is language needed; a gold flow runs without it.
-        from decomplex_bt.understanding.interpreter import Interpreter
-
-        # The words are the folder's; the house may be another one.
-        instruction = Interpreter.load(self._body.domain.folder).interpret(text)
-        if self._ask is None:
-            return instruction
-        return settled(instruction, self._body.domain.ontology, self._ask, threshold=self._threshold)
 
 
 def _annotated(flow: Any) -> Instruction | None:

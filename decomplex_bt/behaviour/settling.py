@@ -1,0 +1,72 @@
+"""Settling: what an instruction leaves open is asked for, so that robot and judge are given the same reading."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.errors import InputError
+from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing
+from decomplex_bt.planning.distribution import distributed
+from decomplex_bt.planning.grounding import ground
+from decomplex_bt.understanding.doubt import THRESHOLD, settled
+
+Ask = Callable[[Missing | Doubt], str | None]
+"""Answers the `question` of what is missing or in doubt; None if it has no answer. A choice of a doubt is named by its
+number, from 1, or by its words."""
+
+
+def settle(
+    instruction: str | Instruction,
+    ask: Ask,
+    *,
+    domain: str | Path | Domain = "household",
+    threshold: float = THRESHOLD,
+) -> Instruction:
+    """The instruction of which nothing is left open: a text as the robot understands it, or a reading of one.
+
+    `ask` is asked which control flow is meant where that is less certain than `threshold`, from 0 (never) to 1, and for
+    each argument that is missing. Its answers are arguments without words of their own. Given to `reset` as the
+    instruction and to `TreeAgent` as the flow, robot and judge go by the same.
+
+    Raises `InputError` for text without a known task, unknown words, impossible goals and unanswered questions.
+    """
+    known = domain if isinstance(domain, Domain) else load_domain(domain)
+    reading = understood(instruction, known) if isinstance(instruction, str) else instruction
+    chosen = distributed(settled(reading, known.ontology, ask, threshold=threshold))
+    answers: dict[int, list[Argument]] = defaultdict(list)
+
+    def answer(missing: Missing) -> str | None:
+        said = ask(missing)
+        if said:
+            answers[missing.task].append(Argument(missing.argument, said))
+        return said
+
+    ground(chosen, known, ask=answer)
+    return _completed(chosen, answers) if answers else chosen
+
+
+def understood(text: str, domain: Domain) -> Instruction:
+    """The text as the robot reads it. Raises `InputError` for text without a known task."""
+    # Only here is language needed; a gold flow runs without it.
+    from decomplex_bt.understanding.interpreter import Interpreter
+
+    # The words are the folder's; the house may be another one.
+    return with_tasks(Interpreter.load(domain.folder).interpret(text), domain)
+
+
+def with_tasks(instruction: Instruction, domain: Domain) -> Instruction:
+    """The instruction, if it asks for anything. Raises `InputError`."""
+    if instruction.tasks:
+        return instruction
+    known = (kind.description.split(",")[0] for kind in domain.ontology.task_types.values())
+    raise InputError(f"{instruction.text!r} holds no task that this robot knows; what it does: {', '.join(known)}")
+
+
+def _completed(instruction: Instruction, answers: Mapping[int, Sequence[Argument]]) -> Instruction:
+    tasks = tuple(replace(task, arguments=(*task.arguments, *answers.get(task.id, ()))) for task in instruction.tasks)
+    missing = tuple(m for m in instruction.missing if not any(a.type == m.argument for a in answers.get(m.task, ())))
+    return replace(instruction, tasks=tasks, missing=missing)
