@@ -89,7 +89,14 @@ def test_a_corpus_is_scored_with_intervals(tmp_path: Path, capsys: pytest.Captur
 
 def test_tree_and_plan_in_every_form(capsys: pytest.CaptureFixture[str]) -> None:
     text = "If the tv is on, turn it off."
-    starts = {"text": "→ If", "ascii": "-> If", "json": '{"type"', "dot": "digraph", "xml": "<?xml"}
+    starts = {
+        "text": "→ If",
+        "ascii": "-> If",
+        "json": '{"type"',
+        "dot": "digraph",
+        "mermaid": "flowchart TD",
+        "xml": "<?xml",
+    }
     for form, start in starts.items():
         assert main(["tree", text, "--format", form]) == 0
         assert capsys.readouterr().out.startswith(start)

@@ -46,7 +46,7 @@ class TreeAgent:
     are for the robot alone; whose judge has no reading but the robot's settles the instruction first (`settle`) and
     gives both the same. `planner`: solves the PDDL problems of all tasks (`planning.planner.Planner`; None: pyperplan).
 
-    Raises `InputError` for a `flow` that is no instruction.
+    Raises `InputError` for an environment without a body, and for a `flow` that is no instruction.
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
     by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
@@ -62,8 +62,7 @@ class TreeAgent:
         threshold: float = THRESHOLD,
         planner: Planner | None = None,
     ) -> None:
-        make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
-        self._body = make_body()
+        self._body = _body_of(env)
         self._planner = planner or PyperplanPlanner()
         self._gold = _annotated(flow)
         self._ask = ask
@@ -182,6 +181,17 @@ class TreeAgent:
         )
         self.tree.add_visitor(recorder)
         return recorder
+
+
+def _body_of(env: Any) -> Embodiment:
+    try:
+        make_body: Callable[[], Embodiment] = env.get_wrapper_attr("embodiment")
+    except AttributeError:
+        name = env.spec.id if getattr(env, "spec", None) is not None else type(env).__name__
+        raise InputError(
+            f"{name} has no embodiment() to make a body of; give TreeAgent a household, as decomplex_bt/Household-v0"
+        ) from None
+    return make_body()
 
 
 def _annotated(flow: Any) -> Instruction | None:

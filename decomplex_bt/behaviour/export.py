@@ -1,4 +1,4 @@
-"""A tree in other forms: text, dot, JSON, BehaviorTree.CPP 4 XML; and a recorder of what changes while it runs."""
+"""A tree in other forms: text, dot, Mermaid, JSON, BehaviorTree.CPP 4 XML; a recorder of what changes while it runs."""
 
 from __future__ import annotations
 
@@ -58,6 +58,21 @@ def to_dot(root: Behaviour) -> str:
             label = f' [label="{role}"]' if role else ""
             lines.append(f"  n{numbers[id(node)]} -> n{numbers[id(child)]}{label};")
     return "\n".join([*lines, "}"]) + "\n"
+
+
+def to_mermaid(root: Behaviour) -> str:
+    """The tree as a Mermaid flowchart, coloured by status; many viewers of Markdown draw it."""
+    lines = ["flowchart TD"]
+    numbers = {id(node): number for number, (node, _) in enumerate(_walk(root))}
+    for node, _ in _walk(root):
+        left, right = {"sequence": "[]", "condition": "{}", "leaf": ("([", "])")}[_family(node)]
+        label = escaped(node.name).replace("#", "#35;").replace('"', "#quot;")
+        lines.append(f'  n{numbers[id(node)]}{left}"{label}"{right}')
+    for node, _ in _walk(root):
+        for child, role in _children(node):
+            lines.append(f"  n{numbers[id(node)]} -->{f'|{role}|' if role else ''} n{numbers[id(child)]}")
+    lines += [f"  style n{number} fill:{_COLOURS[node.status]}" for number, (node, _) in enumerate(_walk(root))]
+    return "\n".join(lines) + "\n"
 
 
 def to_json(root: Behaviour) -> dict[str, Any]:

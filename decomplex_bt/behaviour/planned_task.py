@@ -76,6 +76,11 @@ class PlannedTask(Behaviour):
 
     def _work(self) -> Status:
         session = self.session
+        if session.belief.tick == 0:
+            raise RuntimeError(
+                f"{self.name!r} was ticked before there was an observation; call agent.act(observation), "
+                "or agent.session.begin_tick(observation) before each agent.tree.tick()"
+            )
         for _ in range(MAX_ROUNDS):
             # The skill first: that its step is done must be known before the plan is looked at again.
             action = self._tick_skill() if self._skill is not None else None
@@ -168,8 +173,8 @@ class PlannedTask(Behaviour):
         session.replans += self._attempts > 1
         if result.status is not PlanStatus.SOLVED:
             if self._last_problem[0] is None:
-                self._last_problem = (None, result.reason)
-            session.belief.give_up(self._goal, result.reason)
+                self._last_problem = (None, str(result))
+            session.belief.give_up(self._goal, str(result))
             return False
         self._has_plan, self._steps, self._position, self._waited = True, tuple(result.steps), 0, 0
         self._known = session.fingerprint(self._steps)
@@ -241,13 +246,16 @@ class PlannedTask(Behaviour):
     def _failure(self, pursuit: Pursuit) -> Failure:
         step, problem = self._last_problem
         has_tried = step is not None
+        observed = pursuit.reason or problem or "nothing is left to try"
+        if not has_tried and problem not in observed:
+            observed += f"; the planner: {problem}"
         return Failure(
             stage="execution" if has_tried else "planning",
             task=self.task.number,
             words=self.task.span,
             action=step,
             expected=" ".join(str(atom) for atom in self._goal),
-            observed=pursuit.reason or problem or "nothing is left to try",
+            observed=observed,
             attempts=self._attempts,
         )
 

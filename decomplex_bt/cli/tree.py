@@ -18,6 +18,7 @@ class TreeFormat(StrEnum):
     ascii = "ascii"
     json = "json"
     dot = "dot"
+    mermaid = "mermaid"
     xml = "xml"
 
 
@@ -49,6 +50,8 @@ def tree(
         print_json({**export.to_json(root), "warnings": list(reading.instruction.warnings)})
     elif wanted is TreeFormat.dot:
         print(export.to_dot(root), end="")
+    elif wanted is TreeFormat.mermaid:
+        print(export.to_mermaid(root), end="")
     elif wanted is TreeFormat.xml:
         print(export.to_behaviortree_cpp(root), end="")
     else:

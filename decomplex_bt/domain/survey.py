@@ -80,9 +80,10 @@ def _check_kinds(house: House, kinds: Kinds) -> None:
             if entry.kind not in fitting:
                 is_known = entry.kind in kinds.kinds
                 found = f"a {kinds.kinds[entry.kind].category}" if is_known else "unknown"
+                other = "" if is_known else " (for kinds of another domain, give it as the `domain`)"
                 raise ValueError(
                     f"{section}.{name}: the kind {entry.kind!r} is {found}; expected the kind of a "
-                    f"{' or '.join(_CATEGORIES[section])}, as kinds.yaml has it{among(entry.kind, fitting)}"
+                    f"{' or '.join(_CATEGORIES[section])}, as kinds.yaml has it{other}{among(entry.kind, fitting)}"
                 )
 
 

@@ -37,7 +37,9 @@ class PlanResult:
         return self.status is PlanStatus.SOLVED
 
     def __str__(self) -> str:
-        return "\n".join(map(str, self.steps)) if self.is_solved else f"{self.status.value}: {self.reason}"
+        if self.is_solved:
+            return "\n".join(map(str, self.steps))
+        return f"{self.status.value}: {self.reason}" if self.reason else self.status.value
 
 
 class Planner(Protocol):

@@ -187,6 +187,13 @@ def test_what_is_no_observation_is_refused_in_words():
         decomplex_bt.TreeAgent(env).reset(observation, {})
 
 
+def test_an_environment_without_a_body_is_refused_in_words():
+    with pytest.raises(InputError, match=r"CartPole-v1 has no embodiment\(\).* decomplex_bt/Household-v0"):
+        decomplex_bt.TreeAgent(gym.make("CartPole-v1"))
+    with pytest.raises(InputError, match="object has no embodiment"):
+        decomplex_bt.TreeAgent(object())
+
+
 def test_an_agent_that_refuses_an_instruction_stays_as_it_was():
     env = make_env()
     observation, info = env.reset(seed=0, options={"instruction": "Close the fridge."})

@@ -6,7 +6,7 @@ from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 
 from decomplex_bt.behaviour.compiler import compile_flow
-from decomplex_bt.behaviour.export import TraceRecorder, to_behaviortree_cpp, to_dot, to_json, to_text
+from decomplex_bt.behaviour.export import TraceRecorder, to_behaviortree_cpp, to_dot, to_json, to_mermaid, to_text
 from decomplex_bt.flow import Flow
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 
@@ -73,6 +73,17 @@ def test_dot_has_every_node_and_labels_the_branches():
     assert '[label="else"]' in dot
     assert '[label="then"]' not in dot
     assert r"say \"<pen> & {co}\"" in dot
+
+
+def test_mermaid_has_every_node_and_keeps_the_text_in_its_quotes():
+    drawn = to_mermaid(compiled(queues={1: [Status.FAILURE]}).root).splitlines()
+    assert drawn[0] == "flowchart TD"
+    assert drawn[1:4] == ['  n0["what was said"]', '  n1{"if I can find a pen"}', '  n2(["look for a pen"])']
+    assert '  n4(["say #quot;<pen> & {co}#quot;"])' in drawn
+    assert "  n1 -->|else| n3" in drawn
+    assert "  n0 --> n6" in drawn
+    assert len([line for line in drawn if "-->" in line]) == 6
+    assert len([line for line in drawn if line.startswith("  style ")]) == 7
 
 
 def test_json_snapshot_says_how_things_stand():

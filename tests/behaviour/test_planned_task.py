@@ -178,8 +178,28 @@ def test_without_a_plan_the_goal_is_given_up_and_the_failure_says_why(make):
     assert leaf.status == Status.FAILURE
     (failure,) = session.failures
     assert (failure.stage, failure.task, failure.words, failure.action) == ("planning", 3, (4, 8), None)
-    assert failure.observed == "no way in"
+    assert failure.observed == "unsolvable: no way in"
     assert failure.attempts == 1
+
+
+@pytest.mark.parametrize(
+    ("result", "said"),
+    [
+        (
+            PlanResult(PlanStatus.TIMEOUT, reason="30 s are over"),
+            "no way was found; the planner: timeout: 30 s are over",
+        ),
+        (PlanResult(PlanStatus.UNSUPPORTED), "no way was found; the planner: unsupported"),
+    ],
+)
+def test_what_the_planner_says_is_in_the_failure_whatever_the_task_makes_of_it(make, result, said):
+    def decide(belief):
+        is_over = belief.given_up(GOAL, since=0) is not None
+        return Pursuit(PursuitStatus.FAILED, truth=False, reason="no way was found") if is_over else ONGOING
+
+    leaf, session = make(decide, [result])
+    run(leaf, session)
+    assert [failure.observed for failure in session.failures] == [said]
 
 
 def test_a_failed_step_is_in_the_failure(make):
@@ -235,6 +255,15 @@ def test_a_plan_without_effect_counts_as_a_failed_step(make):
     actions = run(leaf, session, [None] * 10)
     assert actions[:3] == ["do move", "do pick", "rest"]
     assert failed[0] == ("pick", "its effect did not show")
+
+
+def test_ticked_before_an_observation_it_says_what_comes_first(make):
+    leaf, session = make(after(2))
+    with pytest.raises(RuntimeError, match=r"begin_tick\(observation\) before each agent\.tree\.tick"):
+        leaf.tick_once()
+    session.begin_tick(None)
+    leaf.tick_once()
+    assert leaf.status == Status.RUNNING
 
 
 def test_ticked_before_setup_it_says_so():
