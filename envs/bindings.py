@@ -34,7 +34,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                 name
                 for name in _without_others(referent, bindings)
                 if _is_somewhere(domain, truth, name)
-                and all(truth.state(name, pair) == value for pair, value in referent.where)
+                and all(truth.state(name, pair) in (value, None) for pair, value in referent.where)
             )
         is_of_place = referent.is_all and referent in task.objects and bool(task.places) and task.type != "searching"
         if is_only_there or (referent not in bindings and is_of_place):
@@ -74,6 +74,8 @@ def _is_somewhere(domain: Domain, truth: Truth, name: str) -> bool:
     return not is_movable or truth.place(name) is not None
 
 
-def needed(referent: Referent, among: tuple[str, ...]) -> int:
-    """How many candidates a referent asks for: all of these (at least one), or its count even where these are fewer."""
-    return max(1, len(among)) if referent.is_all else referent.count
+def needed(referent: Referent, among: tuple[str, ...], task: GroundTask | None = None) -> int:
+    """How many candidates a referent asks for: all of these (at least one, unless the task has nothing to do then), or
+    its count even where these are fewer."""
+    least = 0 if task is not None and task.may_be_none(referent) else 1
+    return max(least, len(among)) if referent.is_all else referent.count

@@ -67,7 +67,7 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
     narrowed = dict(bindings)
     for role, referent in _roles(task):
         among = candidates(referent, bindings)
-        need = needed(referent, among)
+        need = needed(referent, among, task)
         if len(among) < need:
             return _too_few(referent, among, task, domain, truth)
         why = {name: _obstacle(domain, truth, task, role, name) for name in among}
@@ -84,7 +84,7 @@ def _too_few(referent: Referent, among: Sequence[str], task: GroundTask, domain:
     others = [name for name in referent.candidates if name not in among]
     if others[0] in domain.house.people:
         return Cause("person out", others[0], task.number)
-    is_otherwise = any(truth.place(name) is not None for name in others)
+    is_otherwise = any(true_room(domain, truth, name) is not None for name in others)
     return Cause("thing nowhere", referent.phrase if is_otherwise else others[0], task.number)
 
 
@@ -233,7 +233,7 @@ def _choices(task: GroundTask, possible: Bindings, world: Assumed) -> Iterator[B
         if task.type == "change_state":
             evidence = Omniscient(world.domain, world)
             among = tuple(sorted(among, key=lambda name: not state_holds(evidence, name, task.state)))
-        need = needed(referent, among)
+        need = needed(referent, among, task)
         options.append([among[i : i + need] for i in range(len(among) - need + 1)])
     for choice in product(*options):
         yield {**possible, **dict(zip(referents, choice, strict=True))}

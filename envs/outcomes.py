@@ -43,7 +43,7 @@ def goal_holds(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool
     if task.type in ("searching", "check_state", "informing"):
         return False
     if task.type == "taking":
-        return _choose(task.objects, bindings, lambda name: evidence.truth.place(name) == ROBOT) is not None
+        return _choose(task.objects, bindings, lambda name: evidence.truth.place(name) == ROBOT, task) is not None
     return any(outcome.truth for outcome in outcomes(task, bindings, evidence, is_condition=False))
 
 
@@ -65,7 +65,7 @@ def _motion(task: GroundTask, bindings: Bindings, evidence: Evidence, is_conditi
 
 
 def _taking(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    yield from _done(_choose(task.objects, bindings, evidence.was_carried))
+    yield from _done(_choose(task.objects, bindings, evidence.was_carried, task))
 
 
 def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
@@ -78,12 +78,12 @@ def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condit
         def has_arrived(name: str, place: str = place) -> bool:
             return evidence.truth.place(name) != ROBOT and evidence.is_there(name, place)
 
-        for outcome in _done(_choose(task.objects, {**bindings, target: (place,)}, has_arrived)):
+        for outcome in _done(_choose(task.objects, {**bindings, target: (place,)}, has_arrived, task)):
             yield Outcome(True, outcome.bindings, outcome.is_final and len(places) == 1)
 
 
 def _change_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    yield from _done(_choose(task.objects, bindings, lambda name: state_holds(evidence, name, task.state)))
+    yield from _done(_choose(task.objects, bindings, lambda name: state_holds(evidence, name, task.state), task))
 
 
 def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
@@ -290,13 +290,16 @@ def _done(outcome: Outcome | None) -> Iterator[Outcome]:
         yield outcome
 
 
-def _choose(referents: Iterable[Referent], bindings: Bindings, is_ok: Callable[[str], bool]) -> Outcome | None:
-    """The outcome that binds every referent to those of its candidates that are ok; None where they do not suffice."""
+def _choose(
+    referents: Iterable[Referent], bindings: Bindings, is_ok: Callable[[str], bool], task: GroundTask | None = None
+) -> Outcome | None:
+    """The outcome that binds every referent to those of its candidates that are ok; None where they do not suffice (for
+    an order to handle them: `task`)."""
     bound, is_final = dict(bindings), True
     for referent in referents:
         among = candidates(referent, bindings)
         chosen = tuple(name for name in among if is_ok(name))
-        if len(chosen) < needed(referent, among):
+        if len(chosen) < needed(referent, among, task):
             return None
         bound[referent] = chosen
         is_final &= len(chosen) == len(among)

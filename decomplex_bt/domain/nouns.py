@@ -12,10 +12,10 @@ from decomplex_bt.domain.kinds import Kinds
 _IRREGULAR = {
     "knives": "knife", "shelves": "shelf", "bookshelves": "bookshelf", "loaves": "loaf", "children": "child",
     "men": "man", "women": "woman", "people": "person", "scarves": "scarf", "mice": "mouse", "feet": "foot",
-    "dishes": "dish", "leaves": "leaf", "wives": "wife",
+    "dishes": "dish", "leaves": "leaf", "wives": "wife", "clothes": "garment", "clothing": "garment",
 }  # fmt: skip
 
-_ALWAYS_SINGULAR = frozenset(("news", "gas", "lens"))
+_ALWAYS_SINGULAR = frozenset(("news", "gas", "lens", "clothing"))
 _ONE = frozenset(("a", "an", "one", "each", "every", "either", "neither", "this", "that"))
 _SEVERAL_OF = frozenset(("all", "both", "some", "most", "two", "three", "four", "five", "none"))
 _BEHIND_A_NOUN = frozenset(
@@ -81,9 +81,9 @@ ALIKE = 62
 def singulars(phrase: str) -> tuple[str, ...]:
     """What the phrase may be the plural of, likeliest first; empty if it does not look like a plural."""
     start, _, word = phrase.rpartition(" ")
-    stems: list[str] = []
     if word in _IRREGULAR:
-        stems.append(_IRREGULAR[word])
+        return (f"{start} {_IRREGULAR[word]}".strip(),)  # "clothes" are no cloths
+    stems: list[str] = []
     if word.endswith("ies") and len(word) > 4:
         stems.append(word[:-3] + "y")
     if word.endswith("es") and len(word) > 3:
@@ -104,7 +104,8 @@ def be(phrase: str) -> str:
     if words[end : end + 1] == ["of"] and words[0].lower() in _SEVERAL_OF:
         return be(" ".join(words[end + 1 :]))
     head = next((word for word in reversed(words[:end]) if not word.isdigit()), "")
-    is_plural = head in _IRREGULAR or (head.islower() and head.endswith("s") and head not in _ALWAYS_SINGULAR)
+    is_plural = head in _IRREGULAR or (head.islower() and head.endswith("s"))
+    is_plural = is_plural and head not in _ALWAYS_SINGULAR
     return "are" if is_plural and not head.endswith(("ss", "us", "is", "'s", "\u2019s")) else "is"
 
 

@@ -12,6 +12,14 @@ _BY = {  # abilities of kinds of places that bring about a value of a thing's st
 
 
 @lru_cache(maxsize=4096)
+def states_of(name: str, domain: Domain) -> tuple[str, ...]:
+    """The state pairs of an entity of the house; a room and a doorway without a door have none."""
+    doorway = domain.house.doorways.get(name)
+    is_without = name in domain.house.rooms or (doorway is not None and doorway.kind is None)
+    return () if is_without else domain.kind(name).states
+
+
+@lru_cache(maxsize=4096)
 def bringable_values(name: str, pair: str, domain: Domain) -> frozenset[str]:
     """The values of a state pair that the robot can bring about for an entity of the house."""
     values = domain.kinds.state_pairs[pair].values

@@ -11,6 +11,9 @@ from decomplex_bt.planning.pddl import GroundAction
 HERE = "here"
 """The state of a check that asks only whether something is there ("is there milk in the fridge", "is Anna home")."""
 
+HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
+"""Types of tasks that do something with their objects."""
+
 
 @dataclass(frozen=True, slots=True)
 class Referent:
@@ -96,6 +99,10 @@ class GroundTask:
     def referents(self) -> tuple[Referent, ...]:
         """All its referents: objects, places, goal, recipients."""
         return (*self.objects, *self.places, *((self.goal,) if self.goal is not None else ()), *self.recipients)
+
+    def may_be_none(self, referent: Referent) -> bool:
+        """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows")."""
+        return self.type in HANDLING and referent in self.objects and referent.is_all and bool(referent.where)
 
     def arguments(self) -> dict[str, tuple[Referent, ...] | str]:
         """What it has of object, location (its places), goal, recipient, state ("not here" where denied), message."""

@@ -12,7 +12,7 @@ from dataclasses import replace
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
-from decomplex_bt.planning.abilities import bringable_values
+from decomplex_bt.planning.abilities import bringable_values, states_of
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
@@ -197,6 +197,7 @@ class _Grounder:
         words = task.value("state")
         objects, inner = self._stateful(task, places, words, state)
         pair, value = self._value_of(objects, words, state, task)
+        objects = tuple(self._as_it_is(referent, pair) for referent in objects)
         fits = tuple(
             self.referents.narrowed(referent, lambda name: self._can_become(name, pair, value)) for referent in objects
         )
@@ -235,6 +236,7 @@ class _Grounder:
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
         objects, inner = self._stateful(task, places, words, state)
         _, value = self._value_of(objects, words, state, task)
+        objects = tuple(self._as_it_is(referent) for referent in objects)
         there = places + inner if self.referents.may_move(objects) else ()
         return replace(bare, objects=objects, places=there, state=value)
 
@@ -264,7 +266,7 @@ class _Grounder:
 
     def _is_state_of_objects(self, task: Task, words: str) -> bool:
         """Whether words that may say presence or absence are a state that an object can be in."""
-        return any(read_state(words, self._states(name), self.domain) for name in self._named(task))
+        return any(read_state(words, states_of(name, self.domain), self.domain) for name in self._named(task))
 
     def _named(self, task: Task) -> list[str]:
         """What the words of its objects name as they stand."""
@@ -412,12 +414,21 @@ class _Grounder:
             )
 
         def has_state(name: str) -> bool:
-            return name not in self.house.rooms and bool(pairs & set(self._states(name)))
+            return name not in self.house.rooms and bool(pairs & set(states_of(name, self.domain)))
 
         rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
         values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
         label = f"be {state or words}: being {values} is not modelled for {{}}"
         return self._objects(task, has_state, label, rooms=rooms)
+
+    def _as_it_is(self, referent: Referent, *pairs: str) -> Referent:
+        """A referent that is the only one of its kind, whatever its state (one of `pairs`, if given): "wash the dirty
+        shirt", where there is one shirt, is done when that shirt is clean."""
+        if len(referent.candidates) > 1 or referent.is_all or referent.is_any:
+            return referent
+        as_it_is = replace(referent, where=tuple(w for w in referent.where if pairs and w[0] not in pairs))
+        self.referents.settle(referent, as_it_is)
+        return as_it_is
 
     def _pairs_meant(self, words: str | None, state: str | None) -> set[str]:
         kinds = self.domain.kinds
@@ -434,7 +445,7 @@ class _Grounder:
         pairs = [
             pair
             for pair in self.domain.kinds.state_pairs
-            if all(pair in self._states(r.candidates[0]) for r in objects)
+            if all(pair in states_of(r.candidates[0], self.domain) for r in objects)
         ]
         found = read_state(words, pairs, self.domain) if words is not None else None
         if found is None and state is not None and self.domain.kinds.pair_of(state) in pairs:
@@ -443,13 +454,8 @@ class _Grounder:
             raise ImpossibleGoalError(f"{words or state!r} is no state that {objects[0].phrase!r} can be in")
         return found
 
-    def _states(self, name: str) -> tuple[str, ...]:
-        if name in self.house.rooms or (name in self.house.doorways and self.house.doorways[name].kind is None):
-            return ()
-        return self.domain.kind(name).states
-
     def _can_become(self, name: str, pair: str, value: str) -> bool:
-        return pair in self._states(name) and value in bringable_values(name, pair, self.domain)
+        return pair in states_of(name, self.domain) and value in bringable_values(name, pair, self.domain)
 
     # -- things and places --------------------------------------------------------------------------------------------
 

@@ -7,13 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import wipers_of
 from decomplex_bt.planning.belief import ROBOT
-from decomplex_bt.planning.ground_task import HERE, Referent
+from decomplex_bt.planning.ground_task import HANDLING, HERE, Referent
 from decomplex_bt.planning.looking import Looking
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.standing import NothingLeftError, Pursuit
 from decomplex_bt.planning.whereabouts import next_place, places_in
-
-_HANDLING = ("taking", "placing", "bringing", "change_state")
 
 
 class Handling(Looking):
@@ -23,7 +21,7 @@ class Handling(Looking):
         """Binds "everything on the table", once the places were looked at, to what is there then; a check of what is
         there ("if there are dirty plates in the sink") finds out whether anything is."""
         is_check = self.task.type == "check_state" and self.task.state == HERE
-        handles = self.task.type in _HANDLING
+        handles = self.task.type in HANDLING
         if not (handles or is_check) or not self.wheres:
             return
         if not self._is_on_map() and any(self._is_open(place) for place in self.wheres):
@@ -37,9 +35,9 @@ class Handling(Looking):
                 ]
                 if not there and is_check:
                     continue
-                if not there:
+                if not there and not self.task.may_be_none(referent):
                     raise NothingLeftError(self._why(f"{referent.phrase!r}: nothing of it is there", self.wheres))
-                self.bindings = self._bind({referent: there})
+                self.bindings = {**self.bindings, referent: tuple(there)}
 
     def _look_there(self) -> Pursuit | None:
         """A look for what is only to be taken from where the task says; None once it is bound to what is there."""

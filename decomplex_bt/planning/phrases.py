@@ -11,6 +11,7 @@ from itertools import pairwise
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Argument
+from decomplex_bt.planning.abilities import states_of
 
 _CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|'re)?\s.*$")
 _STILL = r"(?:\s+(?:still|already|currently))?"
@@ -259,7 +260,8 @@ def _read_of(head: list[str], rest: str, preposition: str, domain: Domain) -> No
         number = _number(head, domain)
         count = number or (measures[measure] if measure else 1)
         is_all = any(word in domain.lexicon.all_words or word == "both" for word in head)
-        is_definite = whole.is_definite and number is None and not any(word in _PICKS for word in head)
+        is_one = noun == "piece" or not _PICKS.isdisjoint(head)
+        is_definite = whole.is_definite and number is None and not is_one
         text = " ".join([*head, "of", rest])
         return _of_kind(replace(whole, text=text, count=count, is_all=is_all, is_definite=is_definite), domain)
     own = _read_simple(" ".join(head), preposition, domain, None)
@@ -339,17 +341,12 @@ def _of_kind(phrase: NounPhrase, domain: Domain) -> NounPhrase:
     pairs = {pair for pair, _ in phrase.wanted}
     is_of_several = phrase.is_all or phrase.count > 1
     is_too_few = is_of_several and len(phrase.entities) < max(2, phrase.count)
-    is_stateless = not any(_has_states(name, pairs, domain) for name in phrase.entities)
-    if not is_too_few and not (is_stateless and any(_has_states(name, pairs, domain) for name in phrase.plurals)):
+    is_stateless = not any(pairs.issubset(states_of(name, domain)) for name in phrase.entities)
+    if not is_too_few and not (is_stateless and any(pairs.issubset(states_of(n, domain)) for n in phrase.plurals)):
         return phrase
     also = domain.nouns.lookup(phrase.noun)[1]
     plurals = (*(name for name in phrase.entities if name in also), *phrase.plurals)
     return replace(phrase, entities=(), plurals=plurals)
-
-
-def _has_states(name: str, pairs: set[str], domain: Domain) -> bool:
-    """Whether something of the house has all of these state pairs."""
-    return name not in domain.house.rooms and pairs <= set(domain.kind(name).states)
 
 
 def _special(words: str, preposition: str, domain: Domain) -> NounPhrase | None:

@@ -12,7 +12,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
-from decomplex_bt.planning.abilities import holds_things
+from decomplex_bt.planning.abilities import holds_things, states_of
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.others import Others
 from decomplex_bt.planning.phrases import (
@@ -141,6 +141,7 @@ class Referents:
             kind = self._domain.kind(first).words[0] if self.is_thing(first) else first.replace("_", " ")
             why = ability.format(kind) if "{}" in ability else f"{ability} ({kind} is what it names here)"
             raise ImpossibleGoalError(f"{phrase.text!r} cannot {why}")
+        names, where = self._told_by_state(phrase, names)
         is_all = phrase.is_all or (is_plural and phrase.is_definite)
         named, others = self.others.than(phrase, names)
         if rooms:
@@ -151,14 +152,27 @@ class Referents:
             raise ImpossibleGoalError(f"{phrase.text!r}: there are only {len(names)} of them in this house")
         if is_place or all(self.is_fixed(name) for name in names):
             self._remember(names)
-        # "the dirty shirt", where there is one shirt, is that shirt, whatever its state
-        where = () if len(names) == 1 and words.split()[0] in DEFINITE else phrase.wanted
+        if is_place and len(names) == 1 and words.split()[0] in DEFINITE:
+            where = ()  # "in the open drawer" is in the drawer, open or not
         is_any = not (is_all or phrase.is_definite)
-        referent = Referent(words, names, is_all and len(names) > 1, phrase.count, where, is_any, others)
+        is_all = is_all and (len(names) > 1 or bool(where))
+        referent = Referent(words, names, is_all, phrase.count, where, is_any, others)
         referent = self._same(referent) if phrase.is_definite else self._first(referent)
         self._named[words] = referent
         self.others.name(referent)
         return referent
+
+    def _told_by_state(
+        self, phrase: NounPhrase, names: tuple[str, ...]
+    ) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...]]:
+        """Of what a phrase names, what can be in the states by which it tells one from another, and these states; a
+        state that none of them can be in tells nothing ("the warm blanket")."""
+        where = tuple(
+            (pair, v) for pair, v in phrase.wanted if any(pair in states_of(name, self._domain) for name in names)
+        )
+        if phrase.choices:
+            return names, where  # "a clean cup or a pen"
+        return tuple(n for n in names if all(pair in states_of(n, self._domain) for pair, _ in where)) or names, where
 
     def _is_bare_part(self, phrase: NounPhrase, words: str) -> bool:
         """Whether it is of a door or lid and does not say of which ("the door", but not "the kitchen door")."""

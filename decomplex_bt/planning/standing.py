@@ -103,7 +103,7 @@ class Standing:
             done = [name for name in self._fitting(referent) if is_done(name)]
             if referent.is_all:
                 left = [name for name in self._fitting(referent) if name not in done and self._counts(name)]
-                if not done or left:
+                if left or not (done or self.task.may_be_none(referent)):
                     return None
             elif len(done) < self._needed(referent):
                 return None
@@ -239,10 +239,11 @@ class Standing:
         names = (*self._meant(referent), *roles.values())
         known = sum(map(self._is_located, self._fitting(referent)))
         is_known = known >= (1 if referent.is_all else referent.count)
+        is_other = bool(referent.where) and any(map(self._is_located, self._meant(referent)))
         summary = (
             f"no way was found to do it with {referent.phrase!r}"
             if is_known
-            else f"{referent.phrase!r} {be(referent.phrase)} nowhere to be found"
+            else f"{referent.phrase!r} {be(referent.phrase)} nowhere to be found{', only what is not so' * is_other}"
         )
         return self._why(summary, names)
 
