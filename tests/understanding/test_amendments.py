@@ -297,6 +297,7 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("If no one reads the paper, throw it away.", 1, "object", "the paper"),
         ("If nobody comes this morning, lock the gate.", 1, "object", None),
         ("When you've gone to the kitchen, bring me a cup.", 1, "goal", "to the kitchen"),
+        ("Shut the gate unless Ann can't come.", 2, "object", "Ann"),
         ("Lay the mugs upside down in the rack.", 1, "manner", "upside down"),
         ("Ask the guest what she'd like and bring her what she asks for.", 2, "object", "what she asks for"),
         ("Tell Tom what Ann wants.", 1, "message", "what Ann wants"),

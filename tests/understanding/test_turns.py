@@ -124,3 +124,35 @@ def test_what_no_yes_or_no_answers_is_no_condition(question: str, roles: tuple[s
         "[the door](3:object)."
     )
     assert stated_roles(found, ("condition", "mention", "task")) == roles
+
+
+def test_if_you_cannot_is_of_what_was_asked_you_can() -> None:
+    found = clauses(
+        "If you can [reach](1:motion) [the shelf](1:goal), [get](2:taking) [the jar](2:object) down; if you can't, "
+        "[call](3:informing) [me](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "task", "task")
+    found = clauses(
+        "If it [rains](1:check_state), [shut](2:change_state) [the hatch](2:object); if you can't, [call](3:informing) "
+        "[me](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "condition", "task")
+
+
+@pytest.mark.parametrize(("says", "side"), [("isn't", "<1-"), ("is", "<1+")])
+def test_what_is_done_if_it_is_not_is_done_where_the_check_proves_false(says: str, side: str) -> None:
+    found = clauses(
+        "[See](1:check_state) whether [the hatch](1:object) is [shut](1:state), and [oil](2:change_state) "
+        f"[it](2:object) if [it](3:object) [{says}](3:check_state)."
+    )
+    assert stated_sides(found, ("condition", "task", "mention"), ("top", "<1+", "<1"))[1] == side
+
+
+def test_what_is_done_if_she_does_is_done_in_the_case_of_the_order_ahead() -> None:
+    text = (
+        "[Leave](1:change_state) [the gate](1:object) [open](1:state) in case [Lea](2:object) [comes](2:check_state), "
+        "and if [she](3:object) [{says}](3:check_state), [shut](4:change_state) [it](4:object)."
+    )
+    labels = ("task", "condition", "mention", "task"), (">1+", "top", "<1", "<1+")
+    assert stated_sides(clauses(text.format(says="does")), *labels)[3] == "<1-"
+    assert stated_sides(clauses(text.format(says="doesn't")), *labels)[3] == "<1+"

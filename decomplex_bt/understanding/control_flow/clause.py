@@ -106,6 +106,9 @@ class Clause:
     """The words of the state that it tests: "half", "full"."""
     asks_open: bool = False
     """Whether it orders to find out what no yes or no answers: "see who it is", "check what the boys are doing"."""
+    ability: str = ""
+    """Whether it is "asked" if its verb can be done ("if you can find it"), or "denied" that what was asked of can be
+    ("if you can't, ...")."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 

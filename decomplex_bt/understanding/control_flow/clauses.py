@@ -64,6 +64,8 @@ _BEING = frozenset(("be", "'s", "'re", "s"))
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
 _NEAR = 3
 """Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""
+_ABLE = frozenset("can could able unable manage".split())
+_BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
@@ -249,8 +251,20 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_had_done=_is_had_done(document, stretch.cues, token),
         said_state=_said_state(document, task),
         asks_open=task.type in FINDING_OUT and _asks_open(document, token),
+        ability=_ability(document, ahead, token),
         turns=_turns(document, ahead, token),
     )
+
+
+def _ability(document: Document, ahead: Sequence[Cue], token: int) -> str:
+    said = [[normal_form(t.lower) for t in document.tokens[cue.first : cue.last + 1]] for cue in ahead]
+    for cue, words in zip(ahead, said, strict=True):
+        if cue.name == "fail" and not _ABLE.isdisjoint(words):
+            return "denied"
+        between = {normal_form(t.lower) for t in document.tokens[cue.last + 1 : token]}
+        if cue.name in ("if", "when") and "you" in between and between & _ABLE and between <= _ABLE | _BESIDE_ABLE:
+            return "asked"
+    return ""
 
 
 def _asks_open(document: Document, token: int) -> bool:

@@ -25,6 +25,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _choose,
         _fall_back,
         _turn_back,
+        _be_able,
         _ask_openly,
     ):
         for k in range(1, len(clauses)):
@@ -186,6 +187,16 @@ def _ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if clauses[k - 1].asks_open and roles[k - 1] == "condition":
         roles[k - 1] = "task"
         roles[k] = "condition" if roles[k] in CONDITION_ROLES else roles[k]
+
+
+def _be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Behind "if you can ..., do this" an "if you can't" is of that, and not of what is done ("if you can find it,
+    bring it; if you can't, tell me")."""
+    if clauses[k].ability != "denied" or roles[k - 1] != "condition" or clauses[k - 1].ability:
+        return
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] != "task"), None)
+    if first is not None and roles[first] == "condition" and clauses[first].ability == "asked":
+        roles[k - 1] = "task"
 
 
 def taken_up(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:

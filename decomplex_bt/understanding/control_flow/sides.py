@@ -45,6 +45,8 @@ def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: S
             _oppose,
             _turn_back,
             _affirm,
+            _deny,
+            _affirm_ahead,
             _precede,
             _restrict,
             _go_on,
@@ -291,6 +293,37 @@ def _affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
     if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (_HOLDS, _FAILS):
         sides[k - 1] = _FAILS if clauses[first].wording.is_negated else _HOLDS
+
+
+def _deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if it isn't", said behind it at the end of a sentence, is done where what was asked before proves
+    false ("see whether it's shut, and shut it *if it isn't*")."""
+    clause, task = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+        return
+    is_denied = clause.says_only_whether and clause.wording.is_negated and not clauses[first].wording.is_negated
+    is_behind = clause.is_trailing and clause.sentence == task.sentence and clause.near[:1] == ("if",)
+    is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
+    if is_denied and is_behind and not is_turned and sides[k - 1] == _HOLDS and clauses[first].ability == "":
+        sides[k - 1] = _FAILS
+
+
+def _affirm_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if she does", right behind the condition of an order ahead of it, is done in the case of that order
+    ("leave it open in case the cat comes, and *if she does*, ..."), though `arcs.flip_of` takes such a mention for the
+    other case."""
+    if k < 2 or k + 1 == len(clauses) or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "mention"):
+        return
+    mention, check = clauses[k], clauses[k - 1]
+    is_leading = not mention.is_trailing and mention.boundary != "none"
+    is_plain = mention.wording.is_echo and "if" in mention.near and not check.wording.is_negated
+    if not (is_leading and is_plain and sides[k - 2] == ">1+" and "unless" not in check.near):
+        return
+    for j in range(k + 1, len(clauses)):
+        if sides[j] != _HOLDS or not (j == k + 1 or _goes_on(clauses, roles, sides, j, mention.sentence)):
+            return
+        sides[j] = _FAILS
 
 
 def _precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

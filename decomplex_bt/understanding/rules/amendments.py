@@ -224,10 +224,13 @@ def _whereabouts(
 
 
 def _entire(document: Document, argument: FoundArgument) -> FoundArgument:
-    """An "upside" with the "down" behind it."""
-    end = argument.tokens.stop
-    is_cut = document.tokens[end - 1].lower == "upside" and end < len(document) and document.tokens[end].lower == "down"
-    return replace(argument, tokens=range(argument.tokens.start, end + 1)) if is_cut else argument
+    """An "upside" with the "down" behind it, and who is spoken of without the verb ("if *Ann* can't")."""
+    start, end = argument.tokens.start, argument.tokens.stop
+    last, behind = document.tokens[end - 1], document.tokens[end : end + 1]
+    if last.lower == "upside" and behind and behind[0].lower == "down":
+        return replace(argument, tokens=range(start, end + 1))
+    is_verb = last.lower in ("ca", "wo") and len(argument.tokens) > 1 and argument.type != "message"
+    return replace(argument, tokens=range(start, end - 1)) if is_verb else argument
 
 
 def _relative(

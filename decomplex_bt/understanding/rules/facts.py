@@ -86,6 +86,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
+            or (following is not None and _is_with_see(document, task.token, following.token))
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
@@ -123,6 +124,13 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
+
+
+def _is_with_see(document: Document, verb: int, see: int) -> bool:
+    """Whether a verb is one with the "see" behind it: "*check* to see if", "*look* and see whether"."""
+    tokens = document.tokens
+    is_look = tokens[verb].lemma in ("check", "look") and tokens[verb].tag in ("VB", "VBP")
+    return is_look and see == verb + 2 and tokens[see].lemma == "see" and tokens[verb + 1].lower in ("to", "and")
 
 
 def _is_wish_for(document: Document, task: FoundTask, following: FoundTask) -> bool:
