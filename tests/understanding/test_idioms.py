@@ -28,35 +28,6 @@ def found(parser: Parser, text: str, *tasks: str) -> list[tuple[str, str]]:
     return [(read.tokens[i].text, kind) for i, kind in sorted(idiomatic(read, taken).items())]
 
 
-@pytest.mark.parametrize(
-    ("text", "word"),
-    [
-        ("The attic might be locked. In that case, fetch the key.", "be"),
-        ("My neighbour may have gone out. If so, leave the parcel on the step.", "gone"),
-        ("The tank could be empty; in which case fill it.", "be"),
-        ("The tank might not have been filled. If so, fill it.", "filled"),
-        ("We might be out of milk. If that\u2019s the case, tell Ann.", "be"),
-    ],
-)
-def test_what_may_be_is_a_check_where_it_is_taken_up(parser: Parser, text: str, word: str) -> None:
-    assert found(parser, text) == [(word, "check_state")]
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "The attic might be locked. Bring me the key.",
-        "You might want to close the door. In that case, tell me.",
-        "If the tank is empty, fill it. In that case it may overflow.",
-        "Could you close the door? If so, tell me.",
-        "It may be that the attic is locked. In that case, fetch the key.",
-        "I might go out. If so, close the door.",
-    ],
-)
-def test_what_may_be_is_none_where_nothing_hangs_on_it(parser: Parser, text: str) -> None:
-    assert found(parser, text) == []
-
-
 def test_the_weather_of_should_it_is_a_check(parser: Parser) -> None:
     assert found(parser, "Should it rain, bring in the cushions.") == [("rain", "check_state")]
     assert found(parser, "Bring in the cushions should it rain.") == [("rain", "check_state")]

@@ -28,6 +28,8 @@ def interpreter() -> Interpreter:
         ("Put the bowls in the rack if they're wet, in the cupboard if they're dry.", "in", "in the cupboard",
          [{"if": [2, 4], "then": [1], "else": [3]}]),
         ("Mop the kitchen, and the hall too if it's dirty.", "hall", "the hall", [1, {"if": 3, "then": [2]}]),
+        ("Mop the kitchen, and the hall too, unless it's clean.", "hall", "the hall", [1, {"if": 3, "else": [2]}]),
+        ("Fetch me the mop, and also the pail if it's empty.", "pail", "the pail", [1, {"if": 3, "then": [2]}]),
         ("I'd like a cup of coffee, and if there are any biscuits, two of those as well.", "those", "two biscuits",
          [1, {"if": 2, "then": [3]}]),
         ("Could I have some rice, and beans as well if we've got any?", "beans", "beans", [1, {"if": 3, "then": [2]}]),

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
 _JOINING = frozenset("and but or so then just maybe perhaps please".split())
+_LEADING = _JOINING | {"also"}
 _CLOSING = frozenset("please instead then though thanks too also well as".split())
 _ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
@@ -188,9 +189,13 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     part = parts[k]
     if part.is_last or part.lead != "mark" or not 0 < k < len(parts) - 1:
         return False
-    condition, before = parts[k + 1], parts[k - 1]
-    is_next = part.body.stop == condition.opening.start and condition.lead == "if" and condition.is_last
-    is_joined = document.tokens[part.body.start].lower == "and" and before.lead == "start"
+    condition, before, tokens = parts[k + 1], parts[k - 1], document.tokens
+    gap = tokens[part.body.stop : condition.opening.start]
+    is_too = not _ADDING.isdisjoint(tokens[i].lower for i in part.body)
+    is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body[:1])
+    is_next = not gap or (is_too and [token.text for token in gap] == [","])
+    is_next = is_next and condition.lead == "if" and condition.is_last
+    is_joined = tokens[part.body.start].lower == "and" and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
 
@@ -316,7 +321,7 @@ def _says_not(document: Document, i: int) -> bool:
 def _bare(document: Document, body: range, tasks: Mapping[int, str]) -> range:
     """A part without the words that only join it to others, up to the next order ("an apple *and close it*")."""
     first, stop = body.start, body.stop
-    while first < stop and document.tokens[first].lower in _JOINING:
+    while first < stop and document.tokens[first].lower in _LEADING:
         first += 1
     later = next((i for i in range(first + 1, stop) if i in tasks), stop) if first not in tasks else stop
     if later < stop and document.tokens[later - 1].lower in _JOINING:

@@ -12,21 +12,12 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
+from decomplex_bt.understanding.rules.suppositions import MAY, participle, supposed
 
-_MAY = frozenset(("may", "might", "could"))
-_TAKEN_UP = tuple(
-    tuple(phrase.split())
-    for phrase in (
-        "in that case", "in which case", "in that event", "in which event", "if so", "if yes", "if that is the case",
-        "if that is so", "if it is so", "should that be the case", "should that be so",
-    )
-)  # fmt: skip
-"""What takes a statement up as a condition, in the normal form of cues."""
 _LOOKING = frozenset("look peek glance gander peep rummage".split())
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))
 _SPEAKERS = frozenset(("i", "we"))
-_PRONOUNS = frozenset("it they he she that this these those".split())
 _RELATIVES = frozenset(("that", "which", "who"))
 _LOCATIONS = frozenset("home here there inside outside upstairs downstairs indoors outdoors nearby".split())
 _TROUBLING = frozenset(("bother", "trouble"))
@@ -66,7 +57,9 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing,
     "leave" in "empty the bin and leave" motion, "open" in "if it's the plumber open for him" an order.
     """
-    checks = _stated(document, tasks) | _weather(document, tasks) | _absences(document, tasks) | _terse(document, tasks)
+    checks = (
+        supposed(document, tasks) | _weather(document, tasks) | _absences(document, tasks) | _terse(document, tasks)
+    )
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     checks |= _identities(document, tasks)
     orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
@@ -164,7 +157,7 @@ def _awaited(document: Document, tasks: Mapping[int, str]) -> dict[int, _Awaited
         be = next((j for j in range(i + 2, stop) if tokens[j].lower in _BE_OR_HAVE), None)
         if be is None or tokens[be - 1].lower in _OTHERS - {"he", "she", "they"}:
             continue
-        verb = _participle(document, be) if tokens[be].lower in _HAVE else be
+        verb = participle(document, be) if tokens[be].lower in _HAVE else be
         if not any(i < j < stop and j != verb for j in tasks):
             found[verb] = _Awaited(forbidden, range(i + 1, be))
     return found
@@ -217,7 +210,7 @@ def _troubles(document: Document) -> list[int]:
     of a cup of tea"."""
     words = [token.lower for token in document.tokens]
     verbs = [i for i in range(2, len(words) - 3) if words[i] in _TROUBLING and words[i + 1 : i + 3] == ["you", "for"]]
-    verbs = [i for i in verbs if words[i - 1] in _SPEAKERS and words[i - 2] in _MAY | {"can"}]
+    verbs = [i for i in verbs if words[i - 1] in _SPEAKERS and words[i - 2] in MAY | {"can"}]
     chances = [i for i in range(1, len(words) - 2) if words[i - 1 : i + 2] == ["any", "chance", "of"]]
     return [i for i in (*verbs, *chances) if troubled(document, i)]
 
@@ -281,49 +274,6 @@ def _is_of_others(document: Document, verb: int) -> bool:
     return before[-1:] != [] and before[-1] in _OTHERS
 
 
-def _stated(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
-    """The verbs of what may be so and is taken up in its own sentence or the next; not where another check that stands
-    in between is what is taken up, or the statement only comments on a check before it ("it may be warm")."""
-    tokens, sentences = document.tokens, document.sentences
-    if _MAY.isdisjoint(token.lower for token in tokens):
-        return frozenset()
-    words = [normal_form(token.lower) for token in tokens]
-    starts = {
-        sentences[i]: i
-        for i in range(len(tokens))
-        if any(tuple(words[i : i + len(phrase)]) == phrase for phrase in _TAKEN_UP)
-    }
-    found = set()
-    for i, word in enumerate(words):
-        if word not in _MAY or tokens[i].tag != "MD" or i == 0 or words[i - 1] == "you":
-            continue
-        taken_up = next((starts[n] for n in (sentences[i], sentences[i] + 1) if starts.get(n, -1) > i), None)
-        verb = next((j for j in range(i + 1, min(i + 5, len(tokens))) if tokens[j].tag == "VB"), None)
-        if taken_up is None or verb is None or words[verb + 1 : verb + 2] == ["that"]:  # "it may be that it is locked"
-            continue
-        if words[i - 1] in _SPEAKERS and words[verb] != "be":
-            continue
-        if words[verb] == "have":
-            verb = _participle(document, verb)
-        checks = [j for j, kind in tasks.items() if kind in _ASKING]
-        is_comment = words[i - 1] in _PRONOUNS and any(j < i and sentences[i] - sentences[j] <= 1 for j in checks)
-        if not is_comment and not any(verb + 1 < j < taken_up for j in checks):
-            found.add(verb)
-    return frozenset(found)
-
-
-def _participle(document: Document, have: int) -> int:
-    """The participle that tells of a perfect: the last one of "have been switched off"."""
-    tokens = document.tokens
-    found = have
-    for j in range(have + 1, min(have + 5, len(tokens))):
-        if tokens[j].tag in ("VBN", "VBD"):
-            found = j
-        elif tokens[j].tag not in ("RB", "RP"):
-            break
-    return found
-
-
 def for_somebody(document: Document, verb: int) -> range:
     """The "for Ella" of "get a coke for Ella", in the clause of a verb of getting; empty where there is none. "Pick
     them up for me" asks a favour."""
@@ -350,7 +300,7 @@ def predicated(document: Document, check: int) -> dict[str, range]:
     ("the attic door might be locked") or else the `location` ("the keys might be in the car"), as of "nobody is in the
     attic"; nothing for any other check."""
     tokens = document.tokens
-    may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in _MAY), None)
+    may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in MAY), None)
     found = {}
     if may is not None and not any(tokens[j].lower in MARKS for j in range(may, check)):
         subject = _subject(document, may, check)
