@@ -300,6 +300,8 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("Shut the gate unless Ann can't come.", 2, "object", "Ann"),
         ("Lay the mugs upside down in the rack.", 1, "manner", "upside down"),
         ("Ask the guest what she'd like and bring her what she asks for.", 2, "object", "what she asks for"),
+        ("If we're going to be late, tell Mum.", 2, "recipient", "Mum"),
+        ("If we're going to be late, tell Mum.", 2, "object", None),
         ("Tell Tom what Ann wants.", 1, "message", "what Ann wants"),
     ],
 )

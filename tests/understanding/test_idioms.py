@@ -28,6 +28,29 @@ def found(parser: Parser, text: str, *tasks: str) -> list[tuple[str, str]]:
     return [(read.tokens[i].text, kind) for i, kind in sorted(idiomatic(read, taken).items())]
 
 
+@pytest.mark.parametrize(
+    ("text", "found_in"),
+    [
+        ("Carry the pots in if it's going to freeze tonight.", ["'s"]),
+        ("If the ferry isn't about to leave, wait.", ["is"]),
+        ("Unless we're supposed to be quiet, sing.", ["'re"]),
+        ("Tell Lea it's going to freeze.", []),
+        ("If Tom is in the car, go to the garage.", []),
+        ("It's going to freeze, so carry the pots in.", []),
+    ],
+)
+def test_what_is_to_come_is_a_check_in_a_case(parser: Parser, text: str, found_in: list[str]) -> None:
+    assert [word for word, kind in found(parser, text) if kind == "check_state"] == found_in
+
+
+def test_what_is_to_come_is_the_state_that_is_asked_for() -> None:
+    instruction = Interpreter.load().interpret("Carry the pots in if it's going to freeze tonight.")
+    assert [(t.type, t.value("state")) for t in instruction.tasks] == [
+        ("bringing", None),
+        ("check_state", "going to freeze"),
+    ]
+
+
 def test_the_weather_of_should_it_is_a_check(parser: Parser) -> None:
     assert found(parser, "Should it rain, bring in the cushions.") == [("rain", "check_state")]
     assert found(parser, "Bring in the cushions should it rain.") == [("rain", "check_state")]

@@ -37,6 +37,9 @@ def found(parser: Parser, gazetteer: Gazetteer, text: str) -> dict[str, str]:
         ("The recycling needs taking out; if it's raining, wear your hood.", {"taking": "taking"}),
         ("The shutters need to be closed before dark.", {"closed": "change_state"}),
         ("The mirrors could do with a wipe.", {"wipe": "change_state"}),
+        ("The bath needs a scrub.", {"scrub": "change_state"}),
+        ("If there's time left, the mirrors could do with a wipe.", {"wipe": "change_state"}),
+        ("When it's dry again, the ferns want watering.", {"watering": "change_state"}),
         ("Right, it's time to rinse the sieve and dry it.", {"rinse": "change_state"}),
         (
             "The hall needs sweeping, and the rug could do with a good shake.",

@@ -49,6 +49,7 @@ _MEALS = frozenset("yesterday breakfast lunch dinner supper tea".split())
 _TIMES_OF_DAY = frozenset("night week morning month year weekend afternoon christmas".split())
 _WAYS = frozenset(("path", "manner"))
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
+_WITHOUT_THINGS = frozenset(("check_state", "informing", "motion"))
 _MOVING = frozenset(("bringing", "taking", "placing"))
 _HANDLED = frozenset(("change_state", "taking", "placing", "following"))
 _NEEDING_A_NOUN = frozenset("the a an my your our their its".split())
@@ -100,7 +101,7 @@ def amended(
             kept = with_named_state(document, identified(observed, kept, token), token)
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
             kept = with_told(kept, token, _taken_up_behind(document, token))
-        if kind != "check_state" and not any((a.owner, a.type) == (token, "object") for a in kept):
+        if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (token, "object") for a in kept):
             kept = with_told(kept, token, in_need(observed, token) or _telegraphed(document, token))
     for fragment in fragments(document):
         if fragment.carrier in tasks:

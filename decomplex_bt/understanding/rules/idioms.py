@@ -38,6 +38,9 @@ _CASES = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "so", "then"))
 _DEGREES = frozenset("still too already really quite very not completely".split())
 _NO_TERSE_STATES = frozenset("able possible necessary sure".split())
+_COMING = frozenset("going gon about supposed due bound set".split())
+_IS = frozenset("is are 's 're \u2019s \u2019re am 'm".split())
+_NOT = frozenset(("not", "n't", "n\u2019t", "just", "still", "really"))
 _ITS = frozenset(("it", "them"))
 _AWAITING = frozenset(("before", "until", "till"))
 _HAVE = frozenset(("has", "have"))
@@ -52,16 +55,17 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     """The tokens that are tasks besides the `tasks` found, which are tokens with types; with their types.
 
     Checks are what may be so, where the next words take it up ("The door might be locked. In that case, ..."), the
-    weather of "should it rain", that nobody is somewhere ("when nobody is in"), which one of several it is ("if it was
-    the last one") and what a prohibition waits for ("don't start it before it's full"). "Have" in "have a look" is
-    searching, "let" in "let go of the rope" placing, "trouble" in "might I trouble you for the salt" bringing,
-    "leave" in "empty the bin and leave" motion, "open" in "if it's the plumber open for him" an order.
+    weather of "should it rain", what is to come ("if it's going to freeze"), that nobody is somewhere ("when nobody is
+    in"), which one of several it is ("if it was the last one") and what a prohibition waits for ("don't start it before
+    it's full"). "Have" in "have a look" is searching, "let" in "let go of the rope" placing, "trouble" in "might I
+    trouble you for the salt" bringing, "leave" in "empty the bin and leave" motion, "open" in "if it's the plumber open
+    for him" an order.
     """
     checks = (
         supposed(document, tasks) | _weather(document, tasks) | _absences(document, tasks) | _terse(document, tasks)
     )
     checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
-    checks |= _identities(document, tasks)
+    checks |= _identities(document, tasks) | _prospects(document, tasks)
     orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
     return {
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
@@ -84,6 +88,31 @@ def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         and tokens[i + 2].lemma in WEATHER
         and not _is_told(document, tasks, i)
     )
+
+
+def _prospects(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The "is" of "if it *is* going to freeze", "unless Tom *is* about to leave", where no word of it is a task yet."""
+    tokens, found = document.tokens, set()
+    for i, token in enumerate(tokens):
+        if token.lower not in ("if", "unless") or _is_told(document, tasks, i):
+            continue
+        be = next((t.i for t in tokens[i + 2 : i + 7] if t.lower in _IS), None)
+        if be is None or not MARKS.isdisjoint(t.lower for t in tokens[i:be]):
+            continue
+        if (coming := _coming(document, be)) and not any(i < j < coming.stop for j in tasks):
+            found.add(be)
+    return frozenset(found)
+
+
+def _coming(document: Document, be: int) -> range:
+    """What is said to come behind a "be": "is *going to freeze*"; else empty."""
+    tokens = document.tokens
+    start = be + 1
+    while start < len(tokens) and tokens[start].lower in _NOT:
+        start += 1
+    words = tokens[start : start + 3]
+    is_coming = len(words) == 3 and words[0].lower in _COMING and words[1].lower in ("to", "na")
+    return range(start, start + 3) if is_coming and words[2].tag in ("VB", "VBP", "NN") else range(0)
 
 
 def _terse(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
@@ -298,8 +327,10 @@ def for_somebody(document: Document, verb: int) -> range:
 def predicated(document: Document, check: int) -> dict[str, range]:
     """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
     ("the attic door might be locked") or else the `location` ("the keys might be in the car"), as of "nobody is in the
-    attic"; nothing for any other check."""
+    attic", and what is to come as the state ("going to rain"); nothing for any other check."""
     tokens = document.tokens
+    if tokens[check].lower in _IS and (coming := _coming(document, check)):
+        return {"state": coming}
     may = next((j for j in range(check - 1, max(-1, check - 5), -1) if tokens[j].lower in MAY), None)
     found = {}
     if may is not None and not any(tokens[j].lower in MARKS for j in range(may, check)):

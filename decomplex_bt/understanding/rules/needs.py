@@ -21,6 +21,7 @@ _OPENING = frozenset(
     ", and also oh right now so ok okey okay well um uh erm hi hello hey robot please then anyway listen look".split()
 )
 """What may stand between the beginning of a sentence and the thing that needs something done."""
+_CASES = frozenset("if when unless once whenever".split())
 _SAYING_SO = _NEEDING | {"could", "time"}
 _BEFORE_TIME = _OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
@@ -38,7 +39,7 @@ def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
     `tasks`: the tokens that are tasks already, with types.
 
     Not where the words behind take the thing up, since those tell what to do about it ("my shirt needs ironing, so get
-    the board and iron it"), nor in a case, a question, a message or what is said of a speaker.
+    the board and iron it"), nor as a case ("if the ferns want watering"), in a question, a message or of a speaker.
     """
     document = observed.document
     found: dict[int, str] = {}
@@ -100,14 +101,16 @@ def _passive(document: Document, need: int) -> int | None:
 
 
 def _noun(observed: Observed, could: int) -> int | None:
-    """The "wipe" of "could do with a wipe": a deed, no thing."""
+    """The "wipe" of "could do with a wipe", "needs a wipe": a deed, no thing."""
     tokens = observed.document.tokens
-    if tuple(token.lower for token in tokens[could : could + 3]) != _COULD_DO_WITH or len(tokens) < could + 5:
+    is_could = tuple(token.lower for token in tokens[could : could + 3]) == _COULD_DO_WITH
+    article = could + 3 if is_could else could + 1
+    if not (is_could or _is_need(tokens[could])) or len(tokens) < article + 2:
         return None
-    if tokens[could + 3].lower not in ("a", "another"):
+    if tokens[article].lower not in ("a", "another"):
         return None
-    is_described = could + 5 < len(tokens) and tokens[could + 5].pos == "NOUN"
-    noun = tokens[could + 4 + is_described]
+    is_described = article + 2 < len(tokens) and tokens[article + 2].pos == "NOUN"
+    noun = tokens[article + 1 + is_described]
     is_deed = observed.gazetteer.verbs.get(noun.lower, ())[:1] == ("change_state",)
     is_thing = noun.lower not in CLEANING and bool(observed.gazetteer.category(noun.lemma))
     return noun.i if is_deed and not is_thing else None
@@ -160,7 +163,8 @@ def _is_of_thing(document: Document, need: int) -> bool:
     first = sentences.index(sentences[need])
     ahead = [i for i in range(first, said.start) if tokens[i].lower not in _OPENING]
     needs = [i for i in ahead if _is_need(tokens[i])]
-    is_first = not ahead or (len(needs) == 1 and _is_of_thing(document, needs[0]))
+    is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[said.start - 1].text == ","
+    is_first = not ahead or is_case or (len(needs) == 1 and _is_of_thing(document, needs[0]))
     end = next((token.lower for token in tokens[need:] if token.lower in ENDS), ".")
     return is_first and end != "?"
 
