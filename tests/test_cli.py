@@ -347,6 +347,11 @@ def test_evaluate_tells_the_way_from_a_text_to_a_corpus(tmp_path: Path, capsys: 
     assert main(["evaluate", str(made), "--episodes", "1", "--agent", "idle"]) == 0
 
 
+def test_parse_tells_how_an_instruction_is_given(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["parse", "Open the window; don't close it."]) == 2
+    assert """echo 'Open the window; don'"'"'t close it.' | decomplex-bt parse""" in capsys.readouterr().err
+
+
 def test_help_loads_nothing_heavy() -> None:
     code = (
         "import sys; from decomplex_bt.cli import main; main(['--help']); "

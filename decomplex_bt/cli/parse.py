@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -127,7 +128,11 @@ def _open(source: str) -> Iterator[BinaryIO]:
 
 
 def _unreadable(source: str, error: OSError) -> InputError:
-    return InputError(f"{source}: cannot be read: {error.strerror}; give a file, or - for standard input")
+    if " " in source and isinstance(error, FileNotFoundError):
+        how = f"give an instruction on standard input: echo {shlex.quote(source)} | decomplex-bt parse"
+    else:
+        how = "give a file, or - for standard input"
+    return InputError(f"{source}: cannot be read: {error.strerror}; {how}")
 
 
 def _print(instruction: Instruction, format: Format, alternatives: int | None, *, is_first: bool) -> None:

@@ -1,0 +1,158 @@
+"""Openings: what the words around a task do with what was said before, call it off, allow it or turn from it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
+from decomplex_bt.understanding.control_flow.wording import PERSONS
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.rules.prohibitions import lifts
+
+ITS = frozenset("it them 'em em him her this that these those".split())
+STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
+_OPENERS = frozenset(("if", "when"))
+_LEAVING = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "leave it", "leave that", "leave them", "leave him", "leave her", "skip it", "skip that", "skip them",
+        "forget it", "forget about it", "forget that", "never mind", "nevermind", "do not", "dont", "do not bother",
+        "dont bother", "do not do it", "do not do that", "hold off", "let it be", "let them be", "do it later",
+        "do that later", "give it a miss", "no need",
+    )
+)  # fmt: skip
+"""What says that something is not to be done, in the normal form of cues."""
+_TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
+_LEADING_IN = frozenset("and but so right okay ok well oh , please".split())
+_OTHER = frozenset("another other different separate unrelated".split())
+_MATTERS = frozenset("note matter subject topic".split())
+_BEFORE_MATTER = frozenset("on to a an and but then now so for completely entirely quite".split())
+"""What may stand before "another matter" where it tells only that one follows."""
+_AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
+_ONCE = frozenset(("after", "when"))
+_PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
+_DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
+_NEAR = 3
+"""Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""
+_ABLE = frozenset("can could able unable manage".split())
+_BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
+_OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
+_DEGREES = frozenset(("ADJ", "ADV"))
+"""How full something is a state answers, but neither how it is nor how many there are."""
+_AMOUNTS = (["how", "many"], ["how", "much"])
+OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
+
+
+def ability(document: Document, ahead: Sequence[Cue], token: int) -> str:
+    """Whether what opens a clause asks if the listener is able (`asked`: "if you can") or denies it (`denied`)."""
+    said = [[normal_form(t.lower) for t in document.tokens[cue.first : cue.last + 1]] for cue in ahead]
+    for cue, words in zip(ahead, said, strict=True):
+        if cue.name == "fail" and not _ABLE.isdisjoint(words):
+            return "denied"
+        between = {normal_form(t.lower) for t in document.tokens[cue.last + 1 : token]}
+        if cue.name in ("if", "when") and "you" in between and between & _ABLE and between <= _ABLE | _BESIDE_ABLE:
+            return "asked"
+    return ""
+
+
+def asks_open(document: Document, token: int) -> bool:
+    """Whether a task is to find out what no yes or no answers ("see what he is doing", "check how many there are")."""
+    tokens = document.tokens[token : token + 4]
+    words = [t.lower for t in tokens]
+    word = 1 + (words[1:2] == ["out"])
+    is_order = tokens[0].lemma in ASKING_LEMMAS and tokens[0].tag in ("VB", "VBP")
+    is_open = words[word : word + 1] != [] and words[word] in _OPEN_QUESTIONS
+    is_how = (
+        words[word : word + 1] == ["how"] and tokens[word + 1 : word + 2] != [] and tokens[word + 1].pos not in _DEGREES
+    )
+    return is_order and (is_open or is_how or words[word : word + 2] in _AMOUNTS)
+
+
+def turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ...]:
+    """What turns to the other case ahead of a verb, also where no mark ends it ("is he up *if not* wake him")."""
+    found = []
+    for cue in ahead:
+        words = [normal_form(t.lower) for t in document.tokens[cue.first : cue.last + 2]]
+        is_bare = words == ["if", "not"] and 0 < token - cue.first - 1 <= _NEAR and document.tokens[token].tag == "VB"
+        if is_bare or (cue.name == "else" and "if" in words[:-1] and "otherwise" not in words):
+            found.append("not")
+        elif cue.name == "else" and not is_adverb(document, cue.first):
+            found.append("otherwise")
+    return tuple(found)
+
+
+def calls_off(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
+    """Whether the words behind a condition, up to the next task in its sentence, begin with a "leave it" or the like,
+    or behind a "but" with a "let him" or a "wait"."""
+    if _OPENERS.isdisjoint(leading):
+        return False
+    tokens, sentence = document.tokens, document.sentences[token]
+    words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
+    for i in range(1, len(words)):
+        if words[i - 1] in OTHERWISE:
+            return False
+        said = next((phrase for phrase in _LEAVING if tuple(words[i : i + len(phrase)]) == phrase), None)
+        if said is not None:
+            rest = words[i + len(said) : i + len(said) + 1]
+            return not rest or rest[0] in PUNCTUATION or rest[0] in _AFTER_LEAVING
+        if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
+            return True
+    return False
+
+
+def opens_matter(document: Document, token: int) -> bool:
+    """Whether the sentence of a token begins with a word that turns to something else, be it behind an "and" or
+    "right": "And *now* bring me the tea"."""
+    first = document.sentences.index(document.sentences[token])
+    while first < token and document.tokens[first].lower in _LEADING_IN:
+        first += 1
+    return document.tokens[first].lower in _TURNING_TO
+
+
+def tells_matter(document: Document, previous: int, token: int) -> bool:
+    """Whether words between two tasks say, between marks, that another matter follows: "..., and then, *on a different
+    note*, lock up", "*separately*, if it's dry, ..."."""
+    for i in range(previous + 1, token - 1):
+        words = [t.lower for t in document.tokens[i : i + 2]]
+        last = i if words[0] == "separately" else i + 1
+        is_said = last == i or (words[0] in _OTHER and words[1] in _MATTERS)
+        if is_said and document.tokens[last + 1].text in STARTING:
+            start = i
+            while start > 0 and document.tokens[start - 1].lower in _BEFORE_MATTER:
+                start -= 1
+            return document.tokens[start - 1].text in PUNCTUATION
+    return False
+
+
+def allows(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
+    """Whether all that its sentence says behind a condition lifts a prohibition."""
+    is_last = following == len(document) or document.sentences[following] != document.sentences[token]
+    return is_last and not _OPENERS.isdisjoint(leading) and lifts(document, token)
+
+
+def _is_letting(words: Sequence[str]) -> bool:
+    return len(words) == 3 and words[0] == "let" and words[1] in PERSONS | ITS
+
+
+def is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
+    """Whether the verb at token `i` tells what the listener has done by then ("after you have mopped it", "once you've
+    swept and *mopped* it", "after mopping it"), where a "when" takes a perfect."""
+    verb = document.tokens[i]
+    if verb.dep == "conj" and verb.tag in ("VBD", "VBN", "VBG") and verb.head < i:
+        return is_had_done(document, cues, verb.head)
+    opening = max((cue for cue in cues if cue.first < i and cue.name in _ONCE), key=lambda cue: cue.last, default=None)
+    if opening is None or opening.last >= i:
+        return False
+    words = [token.lower for token in document.tokens[opening.last + 1 : i]]
+    if verb.tag == "VBG":
+        return opening.name == "after" and not words
+    is_perfect = not _PERFECT.isdisjoint(words) or opening.name == "after"
+    return words[:1] in (["you"], ["u"]) and _DONE_SO_FAR.issuperset(words[1:]) and is_perfect
+
+
+def is_adverb(document: Document, otherwise: int) -> bool:
+    """Whether an "otherwise" opens nothing: "or otherwise damaged", "if he says otherwise"."""
+    before, after = document.tokens[otherwise - 1 : otherwise], document.tokens[otherwise + 1 : otherwise + 2]
+    is_of_adjective = bool(after) and after[0].tag in ("VBN", "JJ")
+    return is_of_adjective or (bool(before) and before[0].pos == "VERB")

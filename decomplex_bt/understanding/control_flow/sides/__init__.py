@@ -1,0 +1,53 @@
+"""Sides: in which branch of which condition a task stands, as far as English settles it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.sides import mentions, prohibitions, reversals, scopes, states
+
+_RULES = (
+    mentions.repeat,
+    mentions.answer,
+    mentions.name,
+    mentions.join,
+    mentions.cover,
+    mentions.depend,
+    mentions.ask_openly,
+    prohibitions.make_exception,
+    prohibitions.forbid,
+    reversals.oppose,
+    reversals.turn_back,
+    reversals.affirm,
+    reversals.deny,
+    reversals.affirm_ahead,
+    scopes.precede,
+    scopes.restrict,
+    scopes.go_on,
+    scopes.obstruct,
+    reversals.fall_back,
+    reversals.follow,
+    prohibitions.permit,
+    scopes.confine,
+    scopes.withhold,
+    prohibitions.set_apart,
+    scopes.go_ahead,
+    prohibitions.stand_alone,
+    prohibitions.call_off,
+    prohibitions.allow,
+    scopes.exclude,
+    scopes.turn_away,
+    reversals.choose,
+)
+"""One after the other on each task, left to right: a later one speaks of a rarer wording and has the last word."""
+
+
+def stated_sides(clauses: Sequence[Clause], roles: Sequence[str], attachments: Sequence[str]) -> tuple[str, ...]:
+    """The attachments of tasks in text order, with the sides of the rules below; as long as `attachments`."""
+    sides = list(attachments)
+    for k in range(1, len(clauses)):
+        for rule in _RULES:
+            rule(clauses, roles, sides, k)
+    states.tell_apart(clauses, roles, sides)
+    return tuple(sides)

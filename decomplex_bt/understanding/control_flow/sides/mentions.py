@@ -1,0 +1,98 @@
+"""Mentions: to which condition before a clause what takes something up belongs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Arc
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import last_named
+from decomplex_bt.understanding.control_flow.construction import Builder
+from decomplex_bt.understanding.control_flow.roles import taken_up
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
+from decomplex_bt.understanding.cues import are_apart
+
+
+def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is said again is the last order that says the same, never one of another type or another thing."""
+    if roles[k] != "again":
+        return
+    orders = [j for j in range(k - 1, -1, -1) if roles[j] == "task"]
+    meant = int(sides[k][1]) - 1 if sides[k] != "top" else 0
+    if orders and not clauses[k].may_repeat(clauses[orders[min(meant, len(orders) - 1)]]):
+        fitting = (rank for rank, j in enumerate(orders, start=1) if clauses[k].may_repeat(clauses[j]))
+        sides[k] = f"<{min(9, next(fitting, 1))}"
+    if "before" not in clauses[k].near:
+        return
+    rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
+    sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
+
+
+def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """How somebody answers is asked where the question is."""
+    others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    if roles[k] == "condition" and others and clauses[k].is_answer_to(clauses[k - 1], others):
+        sides[k] = sides[k - 1]
+
+
+def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A mention that names what a condition before was about, as no other one was, is of that condition ("if the stove
+    is cold, light the kindling, and if it won't burn, ... If the stove is still warm, ..."), unless it tells that the
+    change before it failed ("if the safe is locked, open it. If the safe won't open, ..."); one that names nothing may
+    be of one of two conditions that "and" joins (`roles.taken_up`)."""
+    clause = clauses[k]
+    if roles[k] != "mention" or clause.task.type != "check_state":
+        return
+    part = taken_up(clauses, roles, k)
+    if part is not None and sides[k][:1] == "<":
+        sides[k] = "<1" if roles[part + 1] == "task" or part + 1 == k else "<2"
+    if not clause.objects:
+        return
+    if roles[k - 1] == "condition" and clause.is_failure_of(clauses[k - 1], last_named(clauses, k)):
+        sides[k] = "<1"
+        return
+    groups = _groups(roles, sides, k)
+    nearest = list(dict.fromkeys(groups[j] for j in range(k - 1, -1, -1) if j in groups))
+    named = {groups[j] for j in groups if clause.names_same(clauses[j])}
+    states = {clauses[j].wording.state for j in groups if groups[j] in named}
+    is_other = any(state and clause.wording.state and are_apart(state, clause.wording.state) for state in states)
+    if len(named) == 1 and not is_other:
+        sides[k] = f"<{nearest.index(named.pop()) + 1}"
+
+
+def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:
+    """Of every condition and mention before `k` the condition that it is, or is a mention of."""
+    builder = Builder([Arc(*labels) for labels in zip(roles[:k], sides[:k], strict=True)], ())
+    builder.collect_groups()
+    return builder.group_of
+
+
+def join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
+    makes the side on which it is asked."""
+    is_joined = bool(clauses[k].wording.joins) or clauses[k].is_other_case_than(clauses[k - 1])
+    if roles[k] in JOINTS and is_joined and roles[k - 1] in CONDITION_ROLES:
+        sides[k] = HOLDS
+    elif roles[k] in JOINTS and clauses[k].is_added_to_otherwise:
+        sides[k] = FAILS
+
+
+def cover(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """All that was ordered before hangs on what "all this only if ..." asks, be it the first that is asked."""
+    if clauses[k].covers and roles[k] == "condition" and set(roles[:k]) == {"task"}:
+        sides[:k] = [f">1{clauses[k].covers}"] * k
+
+
+def depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with a thing depends on its being found, where that is then said to fail ("get it from the box and
+    hang it up. If it isn't there, ...")."""
+    is_finding = k > 1 and (roles[k - 2], roles[k - 1], roles[k]) == ("condition", "task", "mention")
+    if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none" and not clauses[k - 1].wording.orders:
+        is_of_it = clauses[k - 2].finds_out(clauses[k]) and clauses[k - 1].has_pronoun
+        sides[k - 1] = HOLDS if is_of_it else sides[k - 1]
+
+
+def ask_openly(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What no yes or no answers keeps nothing from what is done, or asked, right behind it."""
+    if clauses[k - 1].asks_open and roles[k - 1] == "task" and sides[k][:2] == "<1":
+        sides[k] = sides[k - 1] if sides[k - 1] in ("top", HOLDS, FAILS) else "top"

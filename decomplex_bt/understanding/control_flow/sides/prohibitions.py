@@ -1,0 +1,133 @@
+"""Prohibitions: on which side stands what is forbidden, excepted, called off or allowed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, hangs_ahead
+
+
+def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden "unless ..." is done where that holds, so not as it is stated, and all else as it is stated;
+    around "unless A or B" the rest of the sentence is done as it is stated, till something turns it."""
+    clause = clauses[k]
+    around = [j for j, other in enumerate(clauses) if other.sentence == clause.sentence and roles[j] == "task"]
+    is_opened = "unless" in clause.near and roles[k] in CONDITION_ROLES
+    if is_opened and k - 1 in around and clauses[k - 1].is_forbidden and sides[k - 1] == ">1+":
+        sides[k - 1] = ">1-"
+    if is_opened and clause.wording.is_negated and "not" not in (*clause.near, *clauses[k - 1].behind):
+        for j in range(k - 1, -1, -1):
+            if j not in around or sides[j] != ">1-" or clauses[j].is_forbidden or clauses[j].wording.is_negated:
+                break
+            sides[j] = ">1+"
+    if not clause.is_excepted or roles[k] not in JOINTS:
+        return
+    for j in around:
+        turning = {*clauses[j].far, *clauses[j].near, *clauses[j - 1].behind} & TURNING if j > k else ()
+        if turning:
+            return
+        if sides[j] in (">1-", "<1-") and not clauses[j].is_forbidden:
+            sides[j] = f"{sides[j][:2]}+"
+
+
+def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden in a case is done in the other ("if it isn't full, don't empty it"), what is said instead of it
+    in that case ("if it's wet, don't iron it, hang it up"), and what an "otherwise" opens behind it in the other."""
+    clause = clauses[k]
+    is_task = roles[k] == "task" and roles[k - 1] in CONDITION_ROLES
+    if not (is_task and clause.is_forbidden and sides[k] in (HOLDS, FAILS)):
+        return
+    sides[k] = FAILS
+    for j in range(k + 1, len(clauses)):
+        later = clauses[j]
+        if later.sentence != clause.sentence or roles[j] != "task":
+            return
+        turning = {*later.far, *later.near} & TURNING
+        if turning == {"else"} and sides[j] == HOLDS:
+            sides[j] = FAILS
+        if later.is_forbidden or turning:
+            return
+        if sides[j] == FAILS:
+            sides[j] = HOLDS
+
+
+def permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done in the opposite of a case in which something is forbidden is done where that is not ("don't wake
+    him if he's asleep; if he's up, bring him tea", "if he's asleep, don't wake him; if he's up, ..."): the case that is
+    stated again has no tasks but the forbidden one, which is done in the other (`arcs.flip_of`)."""
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k - 1], sides[k - 1]) != ("condition", "mention", "<1"):
+        return
+    check, again = clauses[first], clauses[k - 1]
+    is_plain = not {"if", "when"}.isdisjoint(check.near) and "unless" not in check.near and not check.wording.is_negated
+    ahead = [first - 1] if first and sides[first - 1] == ">1-" else []
+    done = [*ahead, *range(first + 1, k - 1)]
+    are_forbidden = all(roles[j] == "task" and clauses[j].is_forbidden and sides[j] in (">1-", FAILS) for j in done)
+    is_opposite = again.wording.is_negated != again.wording.contradicts(check.wording)
+    if not (is_plain and done and are_forbidden and is_opposite) or "unless" in again.near:
+        return
+    for j in range(k, len(clauses)):
+        between = {*clauses[j].far, *clauses[j].near, *clauses[j - 1].behind}
+        is_turned = bool(between & (TURNING - {"not"})) or clauses[j].is_forbidden
+        if sides[j] != HOLDS or roles[j] != "task" or clauses[j].sentence != again.sentence or is_turned:
+            return
+        sides[j] = FAILS
+
+
+def set_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered before "but don't ... if ..." of another thing hangs on nothing ("light the fire, but don't wake
+    Tom if he's asleep")."""
+    clause = clauses[k]
+    is_other = clause.is_forbidden and "but" in (*clause.far, *clause.near) and roles[k] == "task"
+    if not is_other or sides[k][:2] != ">1":
+        return
+    for j in range(k - 1, -1, -1):
+        if not hangs_ahead(clauses, roles, sides, j, clause.sentence) or clauses[j].is_forbidden:
+            return
+        sides[j] = "top"
+
+
+def stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "and" adds behind "..., unless ..." is not done where that alone keeps from the order before it: it goes
+    with that where it needs it ("go in, unless he's asleep, and make the bed", "iron it unless it's wet and hang it
+    up"), else it stands alone ("bring him tea, unless he's asleep, and shut the door")."""
+    if k < 2 or (roles[k - 2], roles[k - 1]) != ("task", "condition") or "unless" not in clauses[k - 1].near:
+        return
+    order, check = clauses[k - 2 : k]
+    if order.is_forbidden or sides[k - 2] != ">1+" or sides[k - 1] != "top" or order.sentence != check.sentence:
+        return
+    for j in range(k, len(clauses)):
+        clause = clauses[j]
+        words = {*clause.far, *clause.near, *clauses[j - 1].behind}
+        is_added = roles[j] == "task" and sides[j] == FAILS and clause.sentence == check.sentence and "and" in words
+        if not is_added or words & (TURNING - {"not"} | {"then"}):
+            return
+        is_of_it = order.task.type == "motion" or (clause.has_pronoun and not check.is_guard_of(order))
+        sides[j] = HOLDS if is_of_it and clause.task.type != "motion" else "top"
+
+
+def call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is called off in a case is done in the other ("mow the lawn, but if it's wet, leave it"), and so are the
+    orders that are joined to it."""
+    if roles[k] != "condition" or roles[k - 1] != "task" or not clauses[k].is_case_against(clauses[k - 1]):
+        return
+    if sides[k - 1] not in ("top", ">1+", ">1-") or sides[k] not in ("top", HOLDS):
+        return
+    if k > 1 and roles[k - 2] in CONDITION_ROLES and clauses[k - 2].sentence == clauses[k - 1].sentence:
+        return  # what hangs on another condition already
+    for j in range(k - 1, -1, -1):
+        is_joined = j == k - 1 or (clauses[j].sentence == clauses[k - 1].sentence and sides[j] == ">1+")
+        if roles[j] != "task" or not is_joined:
+            break
+        sides[j] = ">1-"
+    sides[k] = "top"
+
+
+def allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden but allowed in a case is done in that ("don't open it, but if it's hot, do")."""
+    if (roles[k - 1], roles[k]) != ("task", "condition") or not clauses[k].allows or not clauses[k - 1].is_forbidden:
+        return
+    if sides[k - 1] in ("top", ">1+", ">1-") and sides[k] in ("top", HOLDS):
+        sides[k - 1], sides[k] = ">1+", "top"

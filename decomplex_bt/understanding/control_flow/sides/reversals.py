@@ -1,0 +1,164 @@
+"""Reversals: what turns a side round: an "otherwise", an "if not", an "if it is" behind the order, a fallback."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import takewhile
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.roles import may_choose, opened_if_not
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, goes_on
+
+_OTHERS = frozenset("else so if unless when only_if".split())
+_IFS = frozenset(("if", "when"))
+
+
+def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "otherwise" opens right behind a condition is done where that does not hold ("if it's raining, fine,
+    otherwise ...", "don't start it if it isn't full, otherwise ..."), and behind a mention that affirms the condition
+    of a task on the other side than that task ("bring it if it is, otherwise ...", "look for it and bring it if you see
+    it, or else ..."), which is how such a mention is stated (`arcs.flip_of`)."""
+    is_restricted = "unless" in clauses[k - 1].near
+    is_forbidding = k > 1 and clauses[k - 2].is_forbidden and sides[k - 2] == ">1-" and not is_restricted
+    is_plain = roles[k - 1] == "condition" and (is_forbidding or not clauses[k - 1].wording.is_negated)
+    if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == HOLDS:
+        sides[k] = FAILS
+    if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
+        is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
+        sides[k] = HOLDS if is_of_it else sides[k]
+    elif _is_affirmed_before(clauses, roles, sides, k) and {"else", "fail"} & {*clauses[k].far, *clauses[k].near}:
+        for j in range(k, len(clauses)):
+            if roles[j] != "task" or sides[j] != FAILS or clauses[j].sentence != clauses[k].sentence:
+                break
+            sides[j] = HOLDS
+
+
+def turn_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "otherwise" opens behind what an "if not" opens is done where the condition holds ("is it dry? If not,
+    hang it up, otherwise fold it"), and so is what goes on with it."""
+    first = opened_if_not(clauses, roles, k)
+    if first is None or roles[k] != "task" or {*sides[first:k]} - {FAILS}:
+        return
+    for j in range(k, len(clauses)):
+        is_next = j == k or goes_on(clauses, roles, sides, j, clauses[k].sentence)
+        if sides[j] != FAILS or not is_next:
+            return
+        sides[j] = HOLDS
+
+
+def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if" or "only if" what was asked before proves true, said behind it at the end of a sentence, is
+    done where it does ("..., failing that, ask Tom. Bring it to me if you find it")."""
+    clause, task = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+        return
+    is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[first].wording)
+    is_taken_up = clause.wording.is_echo or clause.task.type == "searching"
+    is_trailing = is_taken_up and clause.sentence == task.sentence and clause.is_trailing
+    is_leading = k > 1 and clauses[k - 2].sentence != task.sentence
+    is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
+    is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
+    if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1] = FAILS if clauses[first].wording.is_negated else HOLDS
+
+
+def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if it isn't", said behind it at the end of a sentence, is done where what was asked before proves
+    false ("see whether it's shut, and shut it *if it isn't*")."""
+    clause, task = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+        return
+    is_denied = clause.says_only_whether and clause.wording.is_negated and not clauses[first].wording.is_negated
+    is_behind = clause.is_trailing and clause.sentence == task.sentence and clause.near[:1] == ("if",)
+    is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
+    if is_denied and is_behind and not is_turned and sides[k - 1] == HOLDS and clauses[first].ability == "":
+        sides[k - 1] = FAILS
+
+
+def affirm_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if she does", right behind the condition of an order ahead of it, is done in the case of that order
+    ("leave it open in case the cat comes, and *if she does*, ..."), though `arcs.flip_of` takes such a mention for the
+    other case."""
+    if k < 2 or k + 1 == len(clauses) or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "mention"):
+        return
+    mention, check = clauses[k], clauses[k - 1]
+    is_leading = not mention.is_trailing and mention.boundary != "none"
+    is_plain = mention.wording.is_echo and "if" in mention.near and not check.wording.is_negated
+    if not (is_leading and is_plain and sides[k - 2] == ">1+" and "unless" not in check.near):
+        return
+    for j in range(k + 1, len(clauses)):
+        if sides[j] != HOLDS or not (j == k + 1 or goes_on(clauses, roles, sides, j, mention.sentence)):
+            return
+        sides[j] = FAILS
+
+
+def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What may be done instead of the order before it is done where that fails; what goes on behind it hangs on what
+    it hung on."""
+    if roles[k - 1] != "condition" or not may_choose(clauses, roles, k):
+        return
+    sides[k] = FAILS
+    for j in takewhile(lambda j: roles[j] == "task", range(k + 1, len(clauses))):
+        if sides[j][0] == "<":
+            sides[j] = f"<{min(9, int(sides[j][1]) + 1)}{sides[j][2:]}"
+
+
+def fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "failing that" opens is never done where something held, and a second one is for where the first fails as
+    well ("failing that, try the porch; failing that, ask Tom")."""
+    is_echoed = _is_echoed_before(clauses, roles, k)
+    if roles[k] == "task" and sides[k] == HOLDS and _falls_back(clauses[k]) and not is_echoed:
+        sides[k] = FAILS
+    if roles[k - 1] == "condition" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
+        sides[k] = FAILS
+
+
+def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What follows an "if it does not ..." in its sentence is done where it does not, unless an "otherwise" or the like
+    stands between.
+
+    In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
+    it mentions, before one side of that has tasks (`arcs.flip_of`).
+    """
+    clause, before = clauses[k], clauses[k - 1]
+    is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
+    is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
+    is_contrary = before.wording.is_contrary or before.wording.is_negated
+    is_failure = is_mention and "fail" in before.near and not is_contrary
+    between = {*clause.far, *clause.near, *before.behind}
+    if roles[k - 1] not in CONDITION_ROLES or not (is_failure or is_denied) or between & TURNING:
+        return
+    wrong, right = (HOLDS, FAILS) if is_failure else (FAILS, HOLDS)
+    for j in range(k, len(clauses)):
+        if sides[j] != wrong or clauses[j].sentence != before.sentence:
+            return
+        sides[j] = right
+
+
+def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether an echo that affirms a condition stands right before, and what is done in that case before the echo."""
+    is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    return is_echo and first is not None and not clauses[first].wording.is_negated
+
+
+def _is_affirmed_before(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int) -> bool:
+    """Whether right before, behind what is done in its case, an "if" takes up what an earlier task finds out: "look for
+    it there and bring it *if you see it*, ..."."""
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    if roles[k - 1] != "mention" or not first < k - 2 or roles[first] != "condition":
+        return False
+    before, mention = clauses[first], clauses[k - 1]
+    is_plain = not mention.wording.is_negated and not mention.wording.contradicts(before.wording)
+    is_behind = mention.boundary in ("none", ",") and mention.sentence == clauses[k - 2].sentence
+    is_in_case = set(sides[first + 1 : k - 1]) == {HOLDS} and set(roles[first + 1 : k - 1]) == {"task"}
+    is_opened = not {"if", "only_if"}.isdisjoint(mention.near)
+    return is_plain and is_behind and is_in_case and is_opened and not before.wording.is_negated
+
+
+def _falls_back(clause: Clause) -> bool:
+    leading = {*clause.far, *clause.near}
+    return "fail" in leading and leading.isdisjoint(_OTHERS)

@@ -1,0 +1,173 @@
+"""Scopes: how far a condition reaches among the orders around it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import takewhile
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, goes_on, hangs_ahead
+
+_IFS = frozenset(("if", "when"))
+_MOVING = frozenset(("placing", "bringing"))
+_FILLED = frozenset("full packed crammed overflowing".split())
+_OBSTRUCTED = frozenset(
+    "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
+    "service order".split()
+)
+"""States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
+
+
+def precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "before that", in its sentence, is done in the same case ("otherwise switch it on, but before that
+    plug it in"), and so is what is done with it then."""
+    near = clauses[k].near
+    if "before_that" not in near or "either_way" in near or roles[k] != "task" or roles[k - 1] != "task":
+        return
+    if sides[k - 1] not in (HOLDS, FAILS):
+        return
+    for j in range(k, len(clauses)):
+        is_joined = clauses[j].sentence == clauses[k - 1].sentence and roles[j] == "task" and sides[j] == "top"
+        if not is_joined or (j > k and set(clauses[j].near) - {"and"}):
+            return
+        sides[j] = sides[k - 1]
+
+
+def restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What restricts what an "otherwise" opens is asked there as well ("otherwise hang it up, unless it's dry")."""
+    if roles[k] != "condition" or roles[k - 1] != "task" or sides[k] not in (HOLDS, "top"):
+        return
+    first = k
+    while first and roles[first - 1] == "task" and sides[first - 1][:2] == ">1":
+        first -= 1
+    is_own = first < k and clauses[first].sentence == clauses[k].sentence
+    leading = {*clauses[first].far, *clauses[first].near}
+    if is_own and leading & {"else", "fail"} and not CONDITION_ROLES.isdisjoint(roles[:first]):
+        sides[k] = FAILS
+
+
+def go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What has nothing to do with the condition before is never asked in the case that was not spoken of last: "if the
+    stove is on, turn it off and, if nobody is in, open the window", "If Tom is in, tell him. If it's raining, ..."."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[k] != "condition" or sides[k] not in (HOLDS, FAILS):
+        return
+    leading = {*clause.far, *clause.near}
+    is_added = {"and", "if"} <= leading and clause.sentence == clauses[k - 1].sentence
+    is_opened = clause.is_of_weather and not leading.isdisjoint(_IFS)
+    if not (is_added or is_opened) or leading & TURNING - {"not", "whether"}:
+        return
+    if not clause.is_of_other_matter(clauses[first]):
+        return
+    if first == k - 1:
+        sides[k] = HOLDS
+    elif sides[k - 1] in (HOLDS, FAILS) and sides[k - 1] != sides[k]:
+        sides[k] = "top"
+
+
+def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
+    put it on the shelf"), and that is asked where it would have been put."""
+    if k + 1 >= len(clauses) or roles[k] != "condition" or roles[k - 1] != roles[k + 1] or roles[k - 1] != "task":
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    are_moves = before.task.type in _MOVING and after.task.type in _MOVING
+    is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
+    is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
+    is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
+    is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED  # "if the bin is full, take it out"
+    is_leading = after.sentence == clause.sentence and clause.boundary != "none"
+    if (
+        are_moves
+        and not is_carried
+        and is_place
+        and is_shut
+        and is_same
+        and is_leading
+        and sides[k - 1] in ("top", HOLDS, FAILS)
+    ):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
+    wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
+    here")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_guard = clause.is_guard_of(order) and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
+    if not is_behind or OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
+        return
+    if is_guard and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1+", sides[k - 1]
+    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != ">1":
+        return
+    ahead = [j for j in range(k - 1) if clauses[j].sentence == clause.sentence and roles[j] == "task"]
+    is_listed = bool(ahead) and ahead[-1] == k - 2 and order.boundary == ","
+    later = list(takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))))
+    if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")):
+        return
+    if is_listed:
+        for j in ahead:
+            sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
+    for j in later:
+        sides[j] = f"<2{sides[k][2:]}" if sides[k] in (HOLDS, FAILS) else "top"
+
+
+def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
+    about ("light the candles and blow them out if they drip"), and where what is asked comes through one ("fill the tub
+    and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
+    empty")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
+    if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
+        return
+    ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
+    if any(order.undoes(clauses[j]) or clause.comes_through(clauses[j]) for j in ahead) or (
+        ahead and clause.is_only_of(order, clauses[ahead[0]])
+    ):
+        for j in ahead:
+            sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+
+
+def go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be done before something is asked is done whatever the answer ("if the floor is still wet after you
+    have mopped it, ...")."""
+    clause, before = clauses[k], clauses[k - 1]
+    if not (clause.is_had_done and roles[k] == "task" and sides[k] in (HOLDS, FAILS) and clause.boundary == "none"):
+        return
+    if roles[k - 1] == "condition" and not OPENING.isdisjoint(before.near) and before.sentence == clause.sentence:
+        sides[k] = f"<2{sides[k - 1][2:]}" if sides[k - 1] in (HOLDS, FAILS) else "top"
+    elif roles[k - 1] == "task" and before.is_had_done and clause.near == ("and",):
+        sides[k] = sides[k - 1]
+
+
+def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence with a "now" or the like opens hangs on no condition before ("if Ann asks, I'm out. *Now bring me
+    the tea*"), nor is it asked in one ("*separately*, if it's dry, ...")."""
+    if not clauses[k].is_new_matter or sides[k] not in (HOLDS, FAILS):
+        return
+    if roles[k] == "condition":
+        sides[k] = "top"
+    side = sides[k]
+    for j in range(k, len(clauses)):
+        if clauses[j].sentence != clauses[k].sentence or roles[j] != "task" or sides[j] != side:
+            return
+        sides[j] = "top"
+
+
+def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
+    give it to her, but if she's at lunch, ...")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    if not {"but", "if"} <= {*clause.far, *clause.near} or not clause.is_elsewhere_than(clauses[first]):
+        return
+    if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
+        sides[first + 1 : k] = [HOLDS] * (k - first - 1)
+        sides[k] = FAILS

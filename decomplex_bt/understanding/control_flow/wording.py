@@ -1,0 +1,118 @@
+"""Wordings: what the words of a clause say for certain, its negation, the state it tests, its order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import Wording
+from decomplex_bt.understanding.control_flow.clause import MarkedTask
+from decomplex_bt.understanding.control_flow.denials import is_answer, negations
+from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
+from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, normal_form
+from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import degree_asked
+
+PERSONS = frozenset(("he", "she", "they"))
+ECHOING = frozenset("is are am was were does do did has have had can will would".split())
+_OTHER_ANSWER = {"yes": "no", "no": "yes"}
+_OURS = frozenset(("we", "you", "i"))
+_LEFT = frozenset(("they", "it", "those"))
+_ADDED = frozenset("if all already now completely just still and but or".split())
+BEING = frozenset(("be", "'s", "'re", "s"))
+REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
+_Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
+_REFUSING = frozenset(("refuse", "fail"))
+_CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
+_SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
+_ADVERBIAL = {
+    "before_that": ("before", "first"),
+    "before_all": ("first", "before"),
+    "first": ("first", "before"),
+    "last": ("last",),
+}
+"""The order labels that a cue speaks for: one that makes its clause subordinate, and one that is an adverb in it."""
+
+
+def is_of_somebody(document: Document, task: MarkedTask, persons: frozenset[str]) -> bool:
+    """Whether the one thing that a task is of is one of these pronouns."""
+    objects = [indices for kind, indices in task.arguments if kind == "object"]
+    return any(len(indices) == 1 and document.tokens[indices[0]].lower in persons for indices in objects)
+
+
+def is_being_of(document: Document, task: MarkedTask, persons: frozenset[str]) -> bool:
+    """Whether a check is the "be" of one of these pronouns ("if he is ...")."""
+    return document.tokens[task.token].lemma in {"be", *BEING} and is_of_somebody(document, task, persons)
+
+
+def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _Cues, is_joined: bool) -> Wording:
+    """The wording of a task's clause, tokens `first` to `last`; `cues`: the names of those far ahead of the task, right
+    ahead of it and behind it."""
+    far, near, behind = cues
+    # "there isn't no milk", "not there neither" deny once
+    tokens = observed.document.tokens
+    # "if it refuses to open"
+    refusing = [j for j in range(first, task.token) if tokens[j].lemma in _REFUSING and tokens[j + 1].lower == "to"]
+    is_denied = bool(negations(observed, task.token, first, last)) != bool(refusing)
+    state = _state(observed, task, last)
+    leading = {*far, *near}
+    orders = [
+        *(label for name in near for label in _SUBORDINATE.get(name, ())),
+        *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
+    ]
+    lemmas = {
+        tokens[j].lemma for j in range(first, last + 1) if not j or tokens[j - 1].lower not in ("right", "straight")
+    }  # "right away" is no "away"
+    lemmas -= {tokens[j].lemma for j in refusing}
+    return Wording(
+        is_denied != ("unless" in near),
+        state,
+        OPPOSITES.get(state, _OTHER_ANSWER.get(state)) if state else None,
+        observed.document.sentences[task.token],
+        tuple(dict.fromkeys(orders)),
+        next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
+        bool(lemmas & _CONTRARY)
+        or state in _CONTRARY
+        or _says_used_up(tokens[first : last + 1])
+        or (state == "out" and is_being_of(observed.document, task, PERSONS)),
+        is_bare(observed.document, task, last, ECHOING),  # "if he is", "if it does", "when they have"
+    )
+
+
+def _says_used_up(clause: Sequence[Token]) -> bool:
+    """Whether a clause says that there is none left: "we're out (of it)", "we've run out", "they've gone"."""
+    words = [normal_form(token.lower) for token in clause if token.text not in PUNCTUATION]
+    words = [word for word in words if word not in _ADDED]
+    first, behind = words[:1], words[words.index("out") + 1 :] if "out" in words else ["in"]
+    is_ours = not _OURS.isdisjoint(first) and not {"is", "are", "am", "run"}.isdisjoint(words)
+    is_out = not behind or behind[0] == "of"
+    return (is_ours and is_out) or (words[-1:] == ["gone"] and not _LEFT.isdisjoint(first))
+
+
+def is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[str]) -> bool:
+    """Whether a check is one of these words, and no more than a pronoun is said besides: "if he is"."""
+    if task.type != "check_state" or document.tokens[task.token].lower not in words:
+        return False
+    if any(kind != "object" or len(indices) > 1 for kind, indices in task.arguments):
+        return False
+    return all(
+        token.lower in REFERRING or token.lower in words - ECHOING or token.text in PUNCTUATION
+        for token in document.tokens[task.token + 1 : last + 1]
+    )
+
+
+def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
+    """The word for the state that a clause tests: the end of its state argument, else a word with an opposite."""
+    tokens = observed.document.tokens
+    said = next((indices[-1] for kind, indices in task.arguments if kind == "state" and len(indices)), None)
+    if said is not None:
+        return tokens[said].lower
+    if task.type != "check_state" or degree_asked(observed.document, task.token):
+        return None
+    if task.token < last and is_answer(observed.document, task.token + 1):
+        return tokens[task.token + 1].lower
+    for j in range(min(task.token, last), last + 1):
+        governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
+        if tokens[j].lower in OPPOSITES and not governs and tokens[j].tag not in ("VB", "VBP", "VBZ", "VBD"):
+            return tokens[j].lower
+    return None
