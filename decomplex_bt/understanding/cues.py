@@ -119,6 +119,8 @@ STRONG = frozenset(
 )
 """Those that alone say that one task hangs on another, or in which order they come."""
 
+WISHING = frozenset("want like prefer fancy".split())
+"""Verbs, by their lemmas, of what somebody would have."""
 ASKING_LEMMAS = frozenset(
     "check see find look verify ask tell know wonder determine confirm ensure discover inspect test learn let figure suss notice make establish sure certain doubt report say examine".split()
 )

@@ -31,11 +31,16 @@ def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[
             runs.append([])
         if role not in JOINTS and _opens_case(clauses[k]):
             runs[-1].append(k)
-    return [run for run in runs if _are_of_one_matter([clauses[k].wording.state or "" for k in run])]
+    return [run for run in runs if _are_of_one_matter([clauses[k] for k in run])]
 
 
-def _are_of_one_matter(states: Sequence[str]) -> bool:
-    return any(are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2))
+def _are_of_one_matter(run: Sequence[Clause]) -> bool:
+    """Whether states are known to be of one matter: by their words, or as what somebody wishes."""
+    states = [clause.wording.state or "" for clause in run]
+    is_wish = len(run) > 1 and all(clause.is_wish for clause in run)
+    return is_wish or any(
+        are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2)
+    )
 
 
 def _opens_case(clause: Clause) -> bool:

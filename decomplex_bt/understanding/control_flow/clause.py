@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.control_flow.arcs import Wording
-from decomplex_bt.understanding.cues import OPPOSITES, are_apart
+from decomplex_bt.understanding.cues import OPPOSITES, WISHING, are_apart
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,7 +220,7 @@ class Clause:
         "if the soup is hot"."""
         state, other = self.wording.state or "", first.wording.state or ""
         is_other_state = self.said_state != first.said_state and not are_apart(state, other)
-        is_same_verb = self.verb == first.verb or {self.verb, first.verb} <= _BEING
+        is_same_verb = self.verb == first.verb or {self.verb, first.verb} <= _BEING or (self.is_wish and first.is_wish)
         is_one = not (self.number and first.number) or self.number == first.number
         # "that" may be another thing
         is_of_it = (self.is_of_somebody or (self.is_of_it and bool(self.number))) and not self.objects
@@ -332,6 +332,11 @@ class Clause:
     def is_check(self) -> bool:
         """Whether it states what is to be checked ("it is wet"), and is neither an order to check nor a question."""
         return self.task.type == "check_state" and not self.is_asked
+
+    @property
+    def is_wish(self) -> bool:
+        """Whether it asks what somebody would have: "if she wants tea", "if he'd rather have water"."""
+        return self.is_check and (self.verb in WISHING or "instead" in (*self.near, *self.behind))
 
     @property
     def is_joined_check(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.agreement import is_no_person, is_of_other_gender, meant
 from decomplex_bt.understanding.references.context import Context, kind_of
@@ -213,7 +214,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate):
+    if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
 
@@ -225,6 +226,15 @@ def _is_stuff(context: Context, gap: Gap, candidate: Candidate) -> bool:
     head, first = document.tokens[candidate.head], document.tokens[candidate.tokens.start]
     is_measured = first.lower in _PARTLY or (first.i == candidate.head and head.tag == "NN")
     return context.lemmas[gap.task.id] in _FILLING and gap.word == "it" and is_measured and not candidate.mention
+
+
+def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" would be who wishes, or "him" what is wished for: "if *Emma* wants *tea*, bring it to her"."""
+    if candidate.task_type != "check_state" or context.lemmas.get(candidate.owner) not in WISHING:
+        return False
+    kind = kind_of(context, candidate)
+    is_who = gap.word == "it" and candidate.type == "object" and kind in ("person", "name")
+    return is_who or (gap.word in _SOMEBODY and candidate.type == "state" and kind not in _ANIMATE)
 
 
 def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -30,6 +30,7 @@ from decomplex_bt.understanding.rules.gapping import with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, served
 from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
+from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
@@ -85,6 +86,7 @@ def amended(
     kept = [a for a in kept if not _is_of_nobody(document, a)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
+    wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "bringing":
             kept = divided(document, kept, token)
@@ -97,6 +99,7 @@ def amended(
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
             kept = with_told(kept, token, predicated(document, token))
+            kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):

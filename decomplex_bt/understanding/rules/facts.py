@@ -14,6 +14,7 @@ from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_t
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
+from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
@@ -121,6 +122,9 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for fragment in fragments(document):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
+    for wish in preferences(document, found):
+        behind.update(wish.words)
+        idioms[wish.check] = "check_state"
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from decomplex_bt.understanding.control_flow.cases import told_apart, told_in_a_row
 from decomplex_bt.understanding.control_flow.clause import Clause
@@ -14,7 +15,9 @@ def tell_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     where it has none of those before; what is done in the case follows on it ("if it's lit, empty it; if it's blinking,
     call Tom; if it's out, start it")."""
     for run in told_in_a_row(clauses, roles):
-        for k in run[1:]:
+        for before, k in pairwise(run):
+            if clauses[k].is_wish:  # "if she wants tea, bring it, but if she'd rather have water, ..."
+                sides[before + 1 : k] = [HOLDS if side[:2] == ">1" else side for side in sides[before + 1 : k]]
             if roles[k] == "condition" and sides[k] == HOLDS and sides[k - 1][:2] != ">1":
                 sides[k] = FAILS
     for run in told_apart(clauses, roles):
