@@ -64,10 +64,10 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         verbs[document.tokens[carrier].start] = document.tokens[order].start
         insertions[place] += [Told(i, place, carrier if i == order else None) for i in words[0]]
         insertions[end] += [Told(i, place) for i in words[1]]
-        if found.mark:
+        if found.mark or found.own:
             moved.update(found.mark)
             insertions[found.mark.start].append(Told(COMMA if found.is_reminder else STOP))
-        stop = max(end, found.condition.stop)
+        stop = max(end, found.condition.stop, found.own.stop)
         if _is_whole(observed, stop, order):
             moved.add(stop)
             insertions[stop].append(Told(STOP))

@@ -97,6 +97,17 @@ def test_he_she_and_they_are_no_thing(interpreter: Interpreter, text: str, numbe
 
 
 @pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If he's eaten the gruel, bring him a pear.", "him"),
+        ("If Gus has finished the soup, hand him the bread.", "Gus"),
+    ],
+)
+def test_who_has_finished_something_is_not_what_is_finished(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).task(2).value("recipient") == value
+
+
+@pytest.mark.parametrize(
     ("text", "number", "value"),
     [
         ("Put the cat out and lock up.", 2, None),

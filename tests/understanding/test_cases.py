@@ -81,3 +81,13 @@ def test_another_state_is_not_asked_where_the_thing_has_the_one_before(
     )
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == expected
+
+
+@pytest.mark.parametrize(("first", "expected"), [("the goats", "<1-"), ("the goat", "<1+")])
+def test_some_of_them_is_of_those_and_of_no_single_thing(first: str, expected: str) -> None:
+    found = clauses(
+        f"If [{first}](1:object) [are](1:check_state) [asleep](1:state), [shut](2:change_state) [the gate](2:object), "
+        "and if [one of them](3:object) [is](3:check_state) [awake](3:state), [tell](4:informing) [me](4:recipient)."
+    )
+    roles = ("condition", "task", "condition", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == expected

@@ -80,6 +80,8 @@ class Clause:
     """The words and lemmas of what it asks somebody, where yes or no answers it ("ask Lea if she wants soap")."""
     is_of_it: bool
     """Whether its object is a pronoun and no more: "it", not "the other one"."""
+    is_of_some: bool
+    """Whether it is of some of what was named: "if one of them is up"."""
     verb: str
     """The lemma of its verb."""
     is_of_nobody: bool = False
@@ -224,6 +226,7 @@ class Clause:
         is_one = not (self.number and first.number) or self.number == first.number
         # "that" may be another thing
         is_of_it = (self.is_of_somebody or (self.is_of_it and bool(self.number))) and not self.objects
+        is_of_it = is_of_it or (self.is_of_some and first.number != "one")
         is_same = is_one and (self.names_same(first) or is_of_it) and not self.is_of_weather
         return is_other_state and is_same_verb and (is_same or (self.is_of_weather and first.is_of_weather))
 

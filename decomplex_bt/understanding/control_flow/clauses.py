@@ -158,6 +158,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_only_whether=is_bare(document, task, own_last, ECHOING | _DENYING),
         question=_question(document, task),
         is_of_it=is_of_somebody(document, task, ITS),
+        is_of_some=_is_of_some(document, task),
         verb=document.tokens[token].lemma,
         is_of_nobody=bool(nobody(document, token)),
         is_of_weather=_is_of_weather(document, task, first, own_last),
@@ -226,6 +227,11 @@ def _number(document: Document, indices: range) -> str:
     if head.lemma in PERSON_NOUNS or head.pos != "NOUN" or any(token.lower in _JOINING for token in tokens):
         return ""
     return {"NN": "one", "NNS": "many"}.get(head.tag, "")
+
+
+def _is_of_some(document: Document, task: MarkedTask) -> bool:
+    said = [[document.tokens[j].lower for j in indices] for kind, indices in task.arguments if kind == "object"]
+    return any(words[-2:] in (["of", "them"], ["of", "these"], ["of", "those"]) for words in said)
 
 
 def _covers(document: Document, openings: Sequence[Cue]) -> str:

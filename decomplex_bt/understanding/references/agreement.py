@@ -37,6 +37,8 @@ _OWNING = {"his": "he", "her": "she", "their": "they"}
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
 """What only somebody does."""
 _CALLED_SHE = frozenset("doll teddy bear bunny boat ship dinghy skiff yacht canoe car mower".split())
+_NEAR = 3
+"""Within so many words before a participle stands who has done it."""
 _WITHIN = frozenset("in into inside on onto under behind off out".split())
 _OUT_OF = frozenset((("out", "of"), ("empty", "of"), ("short", "of"), ("low", "on"), ("short", "on")))
 """What stands before the thing of which there is too little."""
@@ -96,7 +98,18 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
-    return is_handled or is_place
+    return is_handled or is_place or _is_had(context, gap, candidate)
+
+
+def _is_had(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing that somebody has done something with, be it who is meant: "if he's eaten *the
+    apple*, bring him a pear"."""
+    tokens, verb = context.observed.document.tokens, candidate.tokens.start - 1
+    if verb not in context.verbs or tokens[verb].tag not in ("VBN", "VBD") or tokens[candidate.head].pos != "NOUN":
+        return False
+    category = context.observed.gazetteer.category(tokens[candidate.head].lemma)
+    doers = {GROUPS.get(token.lower) for token in tokens[max(0, verb - _NEAR) : verb]}
+    return category not in ("", "person") or GROUPS[gap.word] in doers
 
 
 def _gender(document: Document, candidate: Candidate) -> str:

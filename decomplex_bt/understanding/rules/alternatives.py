@@ -4,7 +4,7 @@ condition ("bring a pen, or *a pencil* if there is none", "close it if it's dark
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
@@ -15,7 +15,7 @@ _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
 _JOINING = frozenset("and but or so then just maybe perhaps please".split())
 _LEADING = _JOINING | {"also"}
-_CLOSING = frozenset("please instead then though thanks too also well as".split())
+_CLOSING = frozenset("please instead then though thanks too also well as altogether completely entirely".split())
 _ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
 _NAMING = frozenset(("NOUN", "PROPN"))
@@ -48,6 +48,7 @@ class Alternative:
     `tokens`: what is named or ordered instead; `condition`: when, with its "if", where that is told behind; else empty;
     `is_verbal`: whether it has a verb of its own, that is a task; `mark`: where it comes on top of what is ordered
     before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), what parts them;
+    `own`: that condition, if any;
     `is_run_on`: whether no mark parts it from the condition before it; `is_reminder`: whether it is named, behind its
     `mark`, as what is not to be forgotten ("and don't forget *the tulips*").
     """
@@ -56,6 +57,7 @@ class Alternative:
     condition: range
     is_verbal: bool = False
     mark: range = range(0)
+    own: range = range(0)
     is_run_on: bool = False
     is_reminder: bool = False
 
@@ -98,7 +100,8 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, condition, is_verbal)
         elif not is_verbal and _is_added(document, parts, k, tasks):
-            yield Alternative(body, range(body.stop, body.stop), mark=part.opening)
+            own = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
+            yield Alternative(body, range(body.stop, body.stop), mark=part.opening, own=own)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
             is_run_on = part.lead == "mark" and not part.opening
             yield Alternative(body, range(body.stop, body.stop), is_run_on=is_run_on)
@@ -194,7 +197,8 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_too = not _ADDING.isdisjoint(tokens[i].lower for i in part.body)
     is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body[:1])
     is_next = not gap or (is_too and [token.text for token in gap] == [","])
-    is_next = is_next and condition.lead == "if" and condition.is_last
+    is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
+    is_next = is_next and condition.lead == "if" and is_done
     is_joined = tokens[part.body.start].lower == "and" and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
@@ -251,8 +255,13 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
 
 def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str]) -> Iterator[_Part]:
     """The parts, with what is named behind a condition without a mark as one of its own, as if a mark stood there: "or
-    if it's full *the big one*", "the cup if it's clean *the mug* if not"."""
+    if it's full *the big one*", "the cup if it's clean *the mug* if not"; and what is named on top of an order."""
     for k, part in enumerate(parts):
+        is_start = part.lead == "start" and k + 1 < len(parts)
+        if is_start and (added := _and_too(document, part.body, parts[k + 1], tasks)):
+            yield replace(part, body=range(part.body.start, added.start))
+            yield _Part("mark", range(added.start, added.start), added, is_last=part.is_last)
+            continue
         is_joined = k > 0 and document.tokens[part.opening.start - 1].lower in ("and", "or") if part.opening else False
         is_turned = not part.is_last and k + 1 < len(parts) and parts[k + 1].lead in ("if", "turn")
         ahead = next((other.body for other in reversed(parts[:k]) if other.body), range(0))
@@ -262,6 +271,19 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
             continue
         yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
         yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=part.is_last)
+
+
+def _and_too(document: Document, body: range, condition: _Part, tasks: Mapping[int, str]) -> range:
+    """The end of an order that names something on top of it, which the condition right behind is about: "take the
+    towels *and the blanket too* if it's dry"; else empty."""
+    tokens = document.tokens
+    joint = next((i for i in reversed(body) if tokens[i].lower == "and"), body.stop)
+    named = _bare(document, range(joint, body.stop), tasks)
+    is_too = bool(body) and tokens[body.stop - 1].lower in _ADDING and named.stop < body.stop
+    is_own = condition.lead == "if" and tokens[condition.body.start].lower in _TAKING_UP if condition.body else False
+    is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in range(body.start, joint))
+    is_named = is_too and bool(named) and _is_phrase(document, named, tasks)
+    return range(joint, body.stop) if is_own and is_ordered and is_named else range(0)
 
 
 def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, str], *, is_turned: bool) -> int | None:
@@ -342,6 +364,8 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
     if words[0].lower in _DENYING or words[-1].lemma in _IDLE:
         return False
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
+    if is_led and len(words) == 2 and words[1].pos == "NUM":
+        return words[0].lower == "to"  # "to twenty, or *to eighteen* if nobody is in"
     if words[0].lower in _SOMETHING and words[-1].lower != "else":
         return not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
     return (

@@ -11,6 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
+from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
@@ -33,7 +34,7 @@ _PAST = frozenset(("VBN", "VBD"))
 _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
-_WHETHER = frozenset(("if", "unless", "whether"))
+_WHETHER = frozenset(("if", "unless", "whether", "when"))
 _TIDYING = frozenset(("clear", "tidy", "clean", "wash"))
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
@@ -122,6 +123,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for fragment in fragments(document):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
+    idioms |= {_place(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     for wish in preferences(document, found):
         behind.update(wish.words)
         idioms[wish.check] = "check_state"

@@ -1,0 +1,53 @@
+"""Conditions: the case of somebody or something named is a check, be none of its words a task by itself ("if *the sun's
+gone*, ...", "when *Tom's taken the bins out*, ...")."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from decomplex_bt.understanding.document import MARKS, Document
+
+_OPENING = frozenset(("if", "unless", "when"))
+_JOINING = frozenset(("and", "but", "or", "so", "only"))
+_BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
+_PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
+_UNNAMED = frozenset("you i it that this there u".split())
+_TRIED = frozenset("attempt try search".split())
+"""What is told of the order before: "if the second attempt is unsuccessful"."""
+_LONGEST = 6
+"""The most words of a subject."""
+
+
+def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The "is" or "has" of every case that begins a clause, has a noun or a person for its subject, and none of whose
+    words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told."""
+    tokens = document.tokens
+    return frozenset(
+        be
+        for i, token in enumerate(tokens)
+        if token.lower in _OPENING
+        and (i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in _JOINING)
+        and (stop := next((j for j in range(i + 1, len(tokens)) if tokens[j].text in MARKS), len(tokens))) > i + 2
+        and tasks.keys().isdisjoint(range(i, stop))
+        and (be := _be(document, range(i + 1, stop))) is not None
+        and not _is_told(document, tasks, i)
+    )
+
+
+def _be(document: Document, clause: range) -> int | None:
+    """The "is" or "has" behind the subject of a clause, where something is said behind it."""
+    tokens = document.tokens
+    subject = range(clause.start, min(clause.stop - 1, clause.start + _LONGEST))
+    be = next((i for i in subject if i > clause.start and tokens[i].lower in _BE_OR_HAVE), None)
+    if be is None or tokens[clause.start].lower in _UNNAMED:
+        return None
+    named = tokens[clause.start : be]
+    is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
+    return be if is_named and _TRIED.isdisjoint(t.lemma for t in named) else None
+
+
+def _is_told(document: Document, tasks: Mapping[int, str], opener: int) -> bool:
+    """Whether the case is in the message of the order right before: "tell Ann, if the bus is late, to wait"."""
+    before = max((i for i in tasks if i < opener), default=None)
+    is_same = before is not None and document.sentences[before] == document.sentences[opener]
+    return is_same and before is not None and tasks[before] == "informing"
