@@ -285,7 +285,11 @@ class Assumed:
             return self._moved(things, self.domain.room_of(where) or where)
         if task.type == "change_state" and task.state is not None:
             pair = self.domain.kinds.pair_of(task.state)
-            return replace(self, states={**self.states, **{(name, pair): task.state for name in things}})
+            changed = {(name, pair): task.state for name in things}
+            if task.state == "on":  # what has a door runs only behind it
+                shut = (name for name in things if self.state(name, pair) != "on" and self.domain.kind(name).has_door)
+                changed |= dict.fromkeys(((name, "aperture") for name in shut), "closed")
+            return replace(self, states={**self.states, **changed})
         return self
 
     def _moved(self, names: Sequence[str], place: str | None) -> Assumed:

@@ -30,7 +30,7 @@ class FlatHouseholdEnv(HouseholdEnv):
     """`HouseholdEnv` with a `MultiDiscrete` action and a `Box` observation.
 
     Action `MultiDiscrete([9, 9, 13, rows])`: forward and turning speed (indices of `SPEEDS`), interaction, target.
-    Observation `Box(float32)`: robot (5), held (5), entity table row by row, result as 12 indicators, seconds, and the
+    Observation `Box(float32)`: robot (5), held (5), entity table row by row, result as 13 indicators, seconds, and the
     2,000 codes of the instruction; `parts` has the slice of each. All else is as in `HouseholdEnv`.
     """
 

@@ -22,6 +22,7 @@ WHY = {
     Result.HAND_FULL: "the hand is full",
     Result.HAND_EMPTY: "the hand is empty",
     Result.CLOSED: "{target} is closed",
+    Result.OPEN: "{target} is open",
     Result.NO_ROOM: "there is no room at {target}",
     Result.BROKEN: "{target} is broken",
     Result.SLIPPED: "{target} slipped out of the hand",

@@ -189,7 +189,7 @@ def _switch_off(world: World, place: int) -> Result:
 
 
 def _turn(world: World, place: int, pair: int, value: int) -> Result:
-    """Opens, closes or switches a place."""
+    """Opens, closes or switches a place; what has a door runs only behind it."""
     if place >= world.geometry.place_count or not world.prior.has_state[place, pair]:
         return Result.NOT_POSSIBLE
     if not reaches_place(world, place):
@@ -198,6 +198,8 @@ def _turn(world: World, place: int, pair: int, value: int) -> Result:
         return Result.ALREADY
     if pair == POWER and value == 1 and world.broken[place]:
         return Result.BROKEN
+    if pair == POWER and value == 1 and world.prior.has_door[place] and not is_shut(world, place):
+        return Result.OPEN
     name = world.geometry.names[place]
     if pair == APERTURE and value == 0 and name in world.geometry.leaves and not world.is_leaf_clear(name):
         return Result.NO_ROOM

@@ -65,7 +65,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     Speeds beyond the bounds are clipped; all else that is no action is refused (`InputError`) and not done. An
     interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
-    next observation. The gripper reaches 0.8 m; speaking and handing over need 1.5 m.
+    next observation. A device with a door is switched on only while it is closed; then it works on what is in it. The
+    gripper reaches 0.8 m; speaking and handing over need 1.5 m.
 
     To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there
     (a room's floor stands for the room), with "robot" as target wherever they like. They wait while the robot is
@@ -81,7 +82,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `robot` | `Box((5,))` | x, y (m), heading (rad), forward speed (m/s), turn rate (rad/s) |
     | `held` | `Box(-1, rows - 1, (5,), int16)` | rows of what is in the gripper and the tray's slots, -1 where free |
     | `entities` | `Box((rows, 11))` | the entity table, one row for each place, thing, person and the robot |
-    | `result` | `Discrete(12)` | what came of the last interaction (`interface.Result`) |
+    | `result` | `Discrete(13)` | what came of the last interaction (`interface.Result`) |
     | `seconds` | `Box((1,))` | simulated time |
 
     Columns of the entity table (`interface.COLUMNS`): visible, x, y, heading, place, inspected, power, aperture,

@@ -38,6 +38,7 @@ class Result(IntEnum):
     SLIPPED = 9
     ALREADY = 10
     NOT_THERE = 11
+    OPEN = 12
 
 
 STATE_PAIRS = ("power", "aperture", "temperature", "cleanliness", "fill")
@@ -63,9 +64,10 @@ the things in the gripper (first) and in the tray's slots, -1 where free. `entit
 `COLUMNS`. `result`: int, the `Result` of the last action's interaction. `seconds`: `(1,)` float32, simulated time.
 
 Targets of an interaction: PICK, a thing (on a place, on the floor, on the tray, or with a person); PLACE, a place, or
-the row of "robot": onto the tray; OPEN, CLOSE, SWITCH_ON, SWITCH_OFF, a place; FILL, EMPTY, CLEAN, the place at which
-it is done with the thing in the hand (EMPTY at a trash can with an empty hand empties the can; CLEAN at a place that
-can be wiped, with a rag in the hand, wipes that place); HAND_OVER, a person; SAY, a person: speaks to them; SAY, a
-place (the floor of a room stands for the room): asks the nearest person within 1.5 m to lead the way there; SAY,
-"robot": asks them to lead the way wherever they like. NONE and FINISH have no target (any row will do).
+the row of "robot": onto the tray; OPEN, CLOSE, SWITCH_ON (one with a door while that is closed), SWITCH_OFF, a place;
+FILL, EMPTY, CLEAN, the place at which it is done with the thing in the hand (EMPTY at a trash can with an empty hand
+empties the can; CLEAN at a place that can be wiped, with a rag in the hand, wipes that place); HAND_OVER, a person;
+SAY, a person: speaks to them; SAY, a place (the floor of a room stands for the room): asks the nearest person within
+1.5 m to lead the way there; SAY, "robot": asks them to lead the way wherever they like. NONE and FINISH have no target
+(any row will do).
 """

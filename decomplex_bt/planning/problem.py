@@ -210,13 +210,16 @@ class _Scene:
             yield Atom("open", (name,))
             return
         kind = self.domain.kind(name)
-        yield from self._states(name, kind.states)
+        states = tuple(self._states(name, kind.states))
+        yield from states
         if kind.has_door:
             yield Atom("openable", (name,))
         else:
             yield Atom("open", (name,))
         if kind.is_device:
             yield Atom("switchable", (name,))
+            if not kind.is_container or not kind.has_door or Atom("closed", (name,)) in states:
+                yield Atom("ready", (name,))
         if "fill" in kind.states:
             yield Atom("drainable", (name,))
         for ability in ("heats", "cools", "washes", "rinses", "fills", "drains"):

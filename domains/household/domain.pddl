@@ -15,9 +15,9 @@
     (at ?p - position)
     (within ?p - position ?r - room)
     (connects ?d - doorway ?a - room ?b - room)
-    ; states; what has no door is open for ever
+    ; states; what has no door is open for ever; `ready`: a device that can be switched on, its door closed if it has one
     (open ?p - position) (closed ?p - position)
-    (powered-on ?p - position) (powered-off ?p - position)
+    (powered-on ?p - position) (powered-off ?p - position) (ready ?p - position)
     (hot ?t - thing) (cold ?t - thing)
     (clean ?o - object) (dirty ?o - object)
     (full ?o - object) (empty ?o - object)
@@ -67,16 +67,16 @@
   (:action open-up
     :parameters (?p - position)
     :precondition (and (at ?p) (openable ?p) (closed ?p))
-    :effect (and (not (closed ?p)) (open ?p)))
+    :effect (and (not (closed ?p)) (open ?p) (not (ready ?p))))
 
   (:action close-up
     :parameters (?p - position)
     :precondition (and (at ?p) (openable ?p) (open ?p))
-    :effect (and (not (open ?p)) (closed ?p)))
+    :effect (and (not (open ?p)) (closed ?p) (ready ?p)))
 
   (:action switch-on
     :parameters (?p - position)
-    :precondition (and (at ?p) (switchable ?p) (powered-off ?p))
+    :precondition (and (at ?p) (switchable ?p) (powered-off ?p) (ready ?p))
     :effect (and (not (powered-off ?p)) (powered-on ?p)))
 
   (:action switch-off
@@ -130,7 +130,7 @@
   (:action chill
     :parameters (?t - thing ?p - place)
     :precondition (and (at ?p) (lies ?t ?p) (open ?p) (openable ?p) (cools ?p ?t))
-    :effect (and (not (open ?p)) (closed ?p) (not (hot ?t)) (cold ?t)))
+    :effect (and (not (open ?p)) (closed ?p) (ready ?p) (not (hot ?t)) (cold ?t)))
 
   (:action rinse
     :parameters (?t - thing ?p - place)

@@ -187,6 +187,23 @@ def test_what_is_no_observation_is_refused_in_words():
         decomplex_bt.TreeAgent(env).reset(observation, {})
 
 
+@pytest.mark.parametrize("is_on", [False, True])
+def test_what_has_a_door_runs_behind_it(is_on):
+    washing = markup(
+        "[Put](1:placing) [the shirt](1:object) [in the washing machine](1:goal), [start](2:change_state) "
+        "[it](2:object=the washing machine) and [close](3:change_state) [it](3:object=the washing machine).",
+        [1, 2, 3],
+    )
+    states = {"washing_machine": ["open", "on" if is_on else "off"], "shirt": "dirty"}
+    env = make_env()
+    _, info, _ = run(env, washing, 1, noise=False, states=states, placement={"shirt": "bed"}, broken=[])
+    assert info["is_success"]
+    assert info["violations"] == []
+    truth = env.unwrapped.truth()
+    assert (truth.state("washing_machine", "aperture"), truth.state("washing_machine", "power")) == ("closed", "on")
+    assert truth.state("shirt", "cleanliness") == "clean"
+
+
 def test_an_environment_without_a_body_is_refused_in_words():
     with pytest.raises(InputError, match=r"CartPole-v1 has no embodiment\(\).* decomplex_bt/Household-v0"):
         decomplex_bt.TreeAgent(gym.make("CartPole-v1"))
