@@ -1,35 +1,44 @@
-"""Distribution: one verb with several things, each with a place, a state or a person of its own, as a task for each."""
+"""Distribution: one verb with several things, each with a place, a state or a person of its own, as a task for each;
+and one for each of several people who get a thing each."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from decomplex_bt.flow import Do, Flow, If, Node, in_reading_order
-from decomplex_bt.instruction import Argument, Instruction, Task
+from decomplex_bt.instruction import Argument, Instruction, Span, Task
 
 _THINGS = frozenset(("object", "message"))
 _PAIRED = frozenset(("goal", "recipient", "state", "source", "location"))
+_EACH_BEHIND = re.compile(r"\s+each\b(?!\s+(?:of|time)\b)", re.IGNORECASE)
+_EACH_OF = re.compile(r"^(to )?(?:each of|both) ", re.IGNORECASE)
+_EACH_IN = re.compile(r"^each (?=an? |one |two )| each$", re.IGNORECASE)
+_AND = re.compile(r"\s*,\s*(?:and\s+)?|\s+and\s+", re.IGNORECASE)
+_ANEW = re.compile(r"(?:a|an|one|some|two|three|four|another)\s", re.IGNORECASE)
 
 
 def distributed(instruction: Instruction) -> Instruction:
     """The instruction with "put the lid on the pan and the pan in the oven" as two tasks, one behind the other.
 
-    The further tasks have the verb of the first and numbers after all others. What is said once ("bring *me* a pen from
-    the desk and a cup from the shelf") holds for each. A condition is left whole.
+    So is "give Anna and Tom a pen each". The further tasks have the verb of the first and numbers after all others.
+    What is said once ("bring *me* a pen from the desk and a cup from the shelf") holds for each. A condition is left
+    whole.
     """
     conditions = {number for node, _ in instruction.flow.walk() if isinstance(node, If) for number in node.tasks}
     tasks: list[Task] = []
     further: dict[int, tuple[int, ...]] = {}
     number = len(instruction.tasks)
     for task in instruction.tasks:
-        rounds = _rounds(task) if task.id not in conditions else (task.arguments,)
+        is_condition = task.id in conditions
+        rounds = (task.arguments,) if is_condition else _people(task, instruction.text) or _rounds(task)
         tasks.append(replace(task, arguments=rounds[0]))
         for arguments in rounds[1:]:
             number += 1
             tasks.append(replace(task, id=number, arguments=arguments))
             further[task.id] = (*further.get(task.id, ()), number)
-    if not further:
+    if tuple(tasks) == instruction.tasks:
         return instruction
     ordered = tuple(sorted(tasks, key=lambda task: task.id))
     return replace(instruction, tasks=ordered, flow=Flow(in_reading_order(_with(instruction.flow.nodes, further))))
@@ -53,6 +62,31 @@ def _rounds(task: Task) -> tuple[tuple[Argument, ...], ...]:
         (*arguments, *(a for a in first if a.type not in kind), *silent)
         for arguments, kind in zip(rounds, kinds, strict=True)
     )
+
+
+def _people(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
+    """The arguments for each of several people, where each gets things of their own; else none. Of "us ... each" it is
+    left open who they are: one task, for "each of us"."""
+    recipient, objects = task.argument("recipient"), [a for a in task.arguments if a.type == "object"]
+    if task.type != "bringing" or recipient is None or len(task.values("recipient")) > 1:
+        return ()
+    things = [_named(_EACH_IN.sub("", thing.value), thing, text) for thing in objects]
+    is_each = any(_EACH_IN.search(a.value) or (a.span and _EACH_BEHIND.match(text, a.span.end)) for a in objects)
+    is_each_of = _EACH_OF.match(recipient.value) is not None
+    if not (is_each or is_each_of) or not all(_ANEW.match(one) for a in things for one in _AND.split(a.value)):
+        return ()
+    others = (*things, *(a for a in task.arguments if a not in (recipient, *objects)))
+    names = [name for name in _AND.split(_EACH_OF.sub(r"\1", recipient.value)) if name]
+    if len(names) < 2:
+        value = recipient.value if is_each_of else f"each of {names[0]}"
+        return ((*others, replace(recipient, value=value)),)
+    return tuple((*others, _named(name, recipient, text)) for name in names)
+
+
+def _named(words: str, among: Argument, text: str) -> Argument:
+    """The argument with no more than these of its words, and where they stand; no span where that is not known."""
+    start = -1 if among.span is None else text.find(words, among.span.start, among.span.end)
+    return replace(among, value=words, span=None if start < 0 else Span(start, start + len(words)))
 
 
 def _with(nodes: Sequence[Node], further: dict[int, tuple[int, ...]]) -> tuple[Node, ...]:

@@ -186,11 +186,17 @@ class _Grounder:
             people = (self.referents.goal_place(goal),)
             if not all(map(self.referents.is_person, people[0].candidates)):
                 return replace(grounded, goal=people[0])
-        if len(people) > 1 or people[0].is_all:
+        if len(people) > 1 or people[0].is_all or self._is_of_us(recipient):
             who = " and ".join(person.phrase for person in people)
             raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
         self.referents.others.give(grounded.objects)
         return replace(grounded, recipients=people)
+
+    def _is_of_us(self, recipient: Argument | None) -> bool:
+        """Whether more than the one who speaks is meant: "each of us"."""
+        if recipient is None:
+            return False
+        return any(p.is_all and p.entities == (self.house.user,) for p in self.referents.phrases(recipient))
 
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")

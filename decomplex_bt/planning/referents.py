@@ -65,9 +65,9 @@ class Referents:
         """Where a thing is put: on or in a place, in a room, beside a thing, or to a person."""
         words = argument.value
         phrase, *others = self.phrases(argument)
-        if others:
-            raise ImpossibleGoalError(f"a thing ends up in one place, not {words!r}; say which, or which thing where")
         referent = self.referent(phrase, lambda name: True, "be a place", is_place=True)
+        if others or (phrase.is_all and len(referent.candidates) > 1):
+            raise ImpossibleGoalError(f"a thing ends up in one place, not {words!r}; say which, or which thing where")
         fit = self.narrowed(referent, self.can_hold)
         is_near = fit is None and phrase.preposition in TO  # "to the front door": nothing can be put on it
         if is_near or phrase.preposition in self._domain.lexicon.beside:

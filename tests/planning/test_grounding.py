@@ -394,6 +394,46 @@ def test_one_thing_for_several_people_is_refused(who: str) -> None:
             first(f"[Give](1:bringing) [the apple](1:object) [to {who}](1:{kind})")
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Give](1:bringing) [Anna and Tom](1:recipient) [a pen](1:object) each.",
+        "[Give](1:bringing) [Anna and Tom](1:recipient) [each a pen](1:object)",
+        "[Hand](1:bringing) [a pen each](1:object) [to Anna and Tom](1:recipient)",
+        "[Give](1:bringing) [each of Anna and Tom](1:recipient) [a pen](1:object)",
+        "[Give](1:bringing) [both Anna and Tom](1:recipient) [a pen](1:object)",
+    ],
+)
+def test_what_several_people_get_each_is_a_task_for_each(text: str) -> None:
+    anna, tom = grounded(text).tasks
+    assert [task.recipients[0].candidates for task in (anna, tom)] == [("anna",), ("tom",)]
+    assert {task.objects[0].phrase for task in (anna, tom)} == {"a pen"}
+    assert anna.objects[0] in tom.objects[0].others
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Give](1:bringing) [Anna and Tom](1:recipient) [a pen and the book](1:object) each",
+        "[Give](1:bringing) [Anna and Tom](1:recipient) [a pen](1:object) each time",
+        "[Bring](1:bringing) [each of us](1:recipient) [a cup](1:object)",
+        "[Bring](1:bringing) [us](1:recipient) [a cup](1:object) each",
+    ],
+)
+def test_what_each_gets_is_refused_where_it_or_they_are_left_open(text: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match="only one person can have a thing"):
+        first(text)
+    assert first("[Bring](1:bringing) [us](1:recipient) [a cup](1:object)").recipients[0].candidates == ("user",)
+
+
+@pytest.mark.parametrize("where", ["on every table", "on both tables", "in each room"])
+def test_a_thing_for_every_place_of_a_kind_is_refused(where: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match=f"ends up in one place, not '{where}'"):
+        first(f"[Put](1:placing) [a pen](1:object) [{where}](1:goal)")
+    assert first("[Put](1:placing) [a pen](1:object) [on any table](1:goal)").goal is not None
+    assert first("[Put](1:placing) [a pen](1:object) [in every fridge](1:goal)").goal is not None
+
+
 def test_a_thing_for_several_places_and_a_way_to_several_of_many_are_refused() -> None:
     with pytest.raises(ImpossibleGoalError, match="ends up in one place"):
         first("[Put](1:placing) [the pen](1:object) [on the desk and the couch](1:goal)")
