@@ -22,6 +22,7 @@ from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.sources import with_source
+from decomplex_bt.planning.told_by_place import with_places_told
 from decomplex_bt.planning.wording import Wording
 
 __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
@@ -75,7 +76,7 @@ class _Grounder:
         """The grounded task. Raises `InputError`s without the task's number."""
         self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
-        task = with_source(task, self.domain)
+        task = with_places_told(self.instruction, with_source(task, self.domain), self.domain)
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))

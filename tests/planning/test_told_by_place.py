@@ -1,0 +1,81 @@
+"""Places that a clause tells by who or what is there."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.planning.ground_task import GroundTask
+from decomplex_bt.planning.grounding import ground
+
+DOMAIN = load_domain()
+
+
+def first(text: str, count: int = 1) -> GroundTask:
+    return ground(read_markup(text, DOMAIN.ontology, flow=list(range(1, count + 1))), DOMAIN).tasks[0]
+
+
+@pytest.mark.parametrize(
+    ("where", "goal"),
+    [
+        ("[to the room](1:goal) where Tom is", ("tom",)),
+        ("[to the room](1:goal) Anna is in", ("anna",)),
+        ("[to the room](1:goal) in which the guest is sleeping", ("guest",)),
+        ("[to the room where the phone is](1:goal)", ("phone",)),
+        ("[wherever Tom is](1:goal)", ("tom",)),
+        ("[to the room](1:goal) where the tv is", ("living_room",)),
+        ("[to the room](1:goal) that has the bathtub", ("bathroom",)),
+        ("[to the room](1:goal) [with the bed](1:manner)", ("bedroom",)),
+    ],
+)
+def test_a_room_is_told_by_what_is_in_it_and_people_are_gone_to(where: str, goal: tuple[str, ...]) -> None:
+    task = first(f"[Go](1:motion) {where}.")
+    assert task.goal is not None
+    assert task.goal.candidates == goal
+
+
+def test_a_lamp_is_of_the_room_that_the_map_tells() -> None:
+    task = first("[Turn](1:change_state) [on](1:state) [the lamp](1:object) [in the room](1:location) where the bed is")
+    assert [referent.candidates for referent in task.objects] == [("bedroom_lamp",)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Turn](1:change_state) [on](1:state) [the light](1:object) [in the room](1:location) where Anna is.",
+        "[Turn](1:change_state) [on](1:state) [the light](1:object) where Anna is.",
+        "[Bring](1:bringing) [the book](1:object) [to the room](1:goal) Tom is in.",
+        "[Put](1:placing) [the pen](1:object) [on the table where the laptop is](1:goal)",
+        "[Fetch](1:bringing) [the pen](1:object) [from the table](1:source) where the laptop is",
+        "[Go](1:motion) [to the room](1:goal) where you left the book",
+        "[Go](1:motion) [to the room](1:goal) that has the piano",
+    ],
+)
+def test_what_nobody_can_know_beforehand_is_refused(text: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match="cannot be known beforehand; say it by name"):
+        first(text)
+
+
+def test_a_thing_goes_to_who_is_somewhere_or_next_to_what_is() -> None:
+    take = first("[Take](1:bringing) [the cup](1:object) [to where Anna is](1:goal)")
+    assert [person.candidates for person in take.recipients] == [("anna",)]
+    put = first("[Put](1:placing) [the book](1:object) [where the laptop is](1:goal)")
+    assert put.goal is not None
+    assert put.goal.candidates == ("laptop",)
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("[Go](1:motion) [to the kitchen](1:goal), where Tom is", 1),  # of one place alone it tells nothing
+        ("[Go](1:motion) [to the kitchen](1:goal) where it is warm", 1),
+        ("[Go](1:motion) [to the room](1:goal) and [see](2:check_state) if [Anna](2:object) is [in](2:state)", 2),
+        ("[Go](1:motion) [to the room](1:goal) with the cup", 1),
+    ],
+)
+def test_what_tells_no_place_from_another_changes_nothing(text: str, count: int) -> None:
+    bare = first(text.split("(1:goal)")[0] + "(1:goal)")
+    assert first(text, count).goal == bare.goal
+    first("[Tell](1:informing) [Anna](1:recipient) [where the keys are](1:message)")
