@@ -13,6 +13,9 @@ _THERE = re.compile(
 _SO = re.compile(rf"(?:whether|if) (?P<object>.+?) {_BE} (?P<rest>.+)$", re.IGNORECASE)
 _WHERE = re.compile(r"where (?P<object>.+?) (?:is|are)$", re.IGNORECASE)
 _WHAT = re.compile(r"what(?:['\u2019]s| is| are)? (?:there )?(?P<location>(?:in|on|at|inside) .+)$", re.IGNORECASE)
+_HOW_MANY = re.compile(
+    r"how (?:many|much) .+? (?:there )?(?:is|are) (?:there )?(?P<location>(?:in|on|at|inside) .+)$", re.IGNORECASE
+)
 _AT = re.compile(r"(?:in|on|at|inside|under|beside|next to|with) (?:the|my|your|her|his) ", re.IGNORECASE)
 _TAIL = re.compile(r"(?: or not| now|[\s.,!?])+$")
 
@@ -28,7 +31,7 @@ def question_of(message: str) -> tuple[str, tuple[Argument, ...]] | None:
         return "check_state", (Argument("object", match["object"]), Argument(kind, match["rest"]))
     if match := _WHERE.match(words):
         return "searching", _arguments(match, "object")
-    if match := _WHAT.match(words):
+    if match := _WHAT.match(words) or _HOW_MANY.match(words):
         return "searching", _arguments(match, "location")
     return None
 

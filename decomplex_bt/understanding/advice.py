@@ -23,6 +23,11 @@ _REPEATING = {
 }  # fmt: skip
 
 
+_MAKING = frozenset("make brew cook bake fix prepare mix buy purchase".split())
+_COUNTING = frozenset(("count", "tally"))
+_HOW_MANY = "how many "
+
+
 def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, domain: Domain) -> Iterator[Missing]:
     """The required arguments that are neither said, implied, given by the verb nor by default, of
     all tasks but later mentions."""
@@ -93,7 +98,7 @@ def _asks_who(observed: Observed, task: Task) -> bool:
 
 def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     """One line each: no task found, a prohibition that is not watched, what has no verb, what is left out, repetition
-    that is read as once, times."""
+    that is read as once, what would have to be made or counted, times."""
     document = observed.document
     for verb in forbidden(observed):
         if is_needless(document, verb):
@@ -124,10 +129,26 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         if word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
+    yield from _beyond(observed, tasks)
     for time in times(document):
         span = document.span(time.start, time.stop - 1)
         if not any(one.start < span.end and span.start < one.end for one in said_of):
             yield f"{span.of(document.text)!r} is not heeded: times are not part of the flow"
+
+
+def _beyond(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
+    """Orders that are carried out as less than they say: what is to be made is brought, what is to be counted seen."""
+    document = observed.document
+    for task in tasks:
+        verb = document.tokens[document.indices(task.span).start]
+        if task.type in ("bringing", "taking") and verb.lemma in _MAKING:
+            known = "bring" if task.type == "bringing" else "take"
+            yield f"{verb.text!r} is read as {known!r}: nothing is made or bought here"
+        if task.type in ("searching", "check_state") and verb.lemma in _COUNTING:
+            yield f"{verb.text!r} is read as 'look for': what is seen is not counted"
+        for message in task.values("message"):
+            if message.lower().startswith(_HOW_MANY):
+                yield f"{message!r} is told without a number: what is seen is not counted"
 
 
 _END = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "but"))

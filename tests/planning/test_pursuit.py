@@ -304,6 +304,7 @@ def test_somebody_is_told_where_they_are() -> None:
         ("if there is milk in the fridge", "fridge"),
         ("where the ball is", "study"),
         ("what's in the wardrobe", "wardrobe"),
+        ("how many mugs there are in the dishwasher", "dishwasher"),
         ("whether the ball is in the box or not", "study"),
     ],
 )
