@@ -370,10 +370,10 @@ SCALES: tuple[frozenset[str], ...] = tuple(
     for words in (
         "hot warm lukewarm tepid cold cool chilled frozen freezing boiling", "wet dry damp moist soaked soaking soggy",
         "clean dirty filthy muddy dusty stained spotless grubby", "locked unlocked open closed shut ajar",
-        "asleep awake sleeping dozing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
+        "asleep awake sleeping dozing crying fussing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
         "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
-        "crying fussing", "sick ill poorly feverish", "on off running stopped lit unlit blinking flashing flickering",
+        "sick ill poorly feverish", "on off running stopped lit unlit blinking flashing flickering",
         "heavy", "blue red green yellow amber black white grey gray brown pink orange purple",
         "dead alive wilting wilted", "full half empty overflowing", "raining pouring snowing sunny dry",
     )

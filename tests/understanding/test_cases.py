@@ -91,3 +91,22 @@ def test_some_of_them_is_of_those_and_of_no_single_thing(first: str, expected: s
     )
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == expected
+
+
+@pytest.mark.parametrize(
+    ("asked", "role"), [("", "mention"), (" whether [he](1:object) is [well](1:state)", "condition")]
+)
+def test_the_first_of_three_states_is_what_a_check_before_asks(asked: str, role: str) -> None:
+    thing = "" if asked else " on [Leo](1:object)"
+    found = clauses(
+        f"[Check](1:check_state){thing}{asked}. If [he](2:object)'[s](2:check_state) [awake](2:state), "
+        "[call](3:informing) [me](3:recipient), if [he](4:object)'[s](4:check_state) [dozing](4:state), "
+        "[wait](5:motion), and if [he](6:object)'[s](6:check_state) [asleep](6:state), "
+        "[shut](7:change_state) [the door](7:object)."
+    )
+    roles = ("condition", "condition", "task", "mention", "task", "mention", "task")
+    told = stated_roles(found, roles)
+    assert told == ("condition", role, "task", "condition", "task", "condition", "task")
+    sides = stated_sides(found, told, ("top", "<1+", "<1+", "<1+", "<1+", "<1+", "<1+"))
+    assert (sides[1] == "<1") == (role == "mention")
+    assert (sides[3], sides[5]) == ("<1-", "<1-")

@@ -371,3 +371,18 @@ def test_what_a_thing_is_done_with_or_what_is_missing_is_not_what_it_is_done_to(
     text: str, meant: str, encoder: bool
 ) -> None:
     assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("object") == meant
+
+
+def test_what_a_check_asks_is_told_by_the_first_that_takes_it_up():
+    words = "check/VB it/PRP ./. if/IN it/PRP is/VBZ hot/JJ ,/, go/VB ,/, if/IN it/PRP is/VBZ cold/JJ ,/, stop/VB"
+    doc = document(*words.split())
+    first = Task(1, "check_state", doc.span(0, 0), (argument(doc, "object", 1, 1),))
+    second = Task(2, "check_state", doc.span(5, 5), (argument(doc, "state", 6, 6),))
+    third = Task(3, "check_state", doc.span(12, 12), (argument(doc, "state", 13, 13),))
+    last = Task(4, "motion", doc.span(15, 15))
+    observed = Observed(doc, GAZETTEER)
+    context = Context(observed, (first, second, third, last), Flow.from_json([{"if": [1, 2, 3], "then": [4]}]))
+    (gap,) = unsaid_gaps(observed, first, load_domain("household").ontology)
+    options = {option.text for option in options_of(context, gap)}
+    assert "hot" in options
+    assert "cold" not in options

@@ -13,7 +13,7 @@ from documents import document
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.phrases import degree_asked
-from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, predicated
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, predicated
 
 
 @pytest.fixture(scope="module")
@@ -252,3 +252,18 @@ def test_what_only_looks_like_a_bare_state_is_none(parser: Parser, text: str) ->
     read = parser.parse(text)
     orders = {token.i: "informing" for token in read.tokens if token.lower == "tell"}
     assert "check_state" not in idiomatic(read, orders).values()
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("If you run into Leo, wave.", "Leo"),
+        ("When you bump into the nurse, stop.", "the nurse"),
+        ("If you run into the garden, stop.", ""),
+    ],
+)
+def test_whom_one_runs_into_is_found(parser: Parser, text: str, told: str) -> None:
+    document = parser.parse(text)
+    verb = next(token.i for token in document.tokens if token.lemma in ("run", "bump"))
+    met = encountered(document, verb)
+    assert (document.span(met.start, met.stop - 1).of(text) if met else "") == told

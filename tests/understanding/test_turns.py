@@ -156,3 +156,41 @@ def test_what_is_done_if_she_does_is_done_in_the_case_of_the_order_ahead() -> No
     labels = ("task", "condition", "mention", "task"), (">1+", "top", "<1", "<1+")
     assert stated_sides(clauses(text.format(says="does")), *labels)[3] == "<1-"
     assert stated_sides(clauses(text.format(says="doesn't")), *labels)[3] == "<1+"
+
+
+@pytest.mark.parametrize(
+    ("text", "roles", "sides", "expected"),
+    [
+        (
+            "[Open](1:change_state) [the hatch](1:object) if [it](2:object) [smells](2:check_state), "
+            "[shut](3:change_state) [it](3:object) if [it](4:object) [does](4:check_state)n't.",
+            ("task", "condition", "task", "mention"),
+            (">1+", "top", "<1+", "<1"),
+            "<1-",
+        ),
+        (
+            "[Open](1:change_state) [the hatch](1:object) if [it](2:object) [smells](2:check_state), if "
+            "[it](3:object) [does](3:check_state)n't, [shut](4:change_state) [it](4:object).",
+            ("task", "condition", "mention", "task"),
+            (">1+", "top", "<1", "<1+"),
+            "<1+",  # the mention, stated again, is the other case by itself
+        ),
+    ],
+)
+def test_what_is_done_if_it_does_not_is_done_in_the_other_case(
+    text: str, roles: tuple[str, ...], sides: tuple[str, ...], expected: str
+) -> None:
+    found = stated_sides(clauses(text), roles, sides)
+    assert found[roles.index("task", 1)] == expected
+
+
+@pytest.mark.parametrize(
+    ("corrected", "side"),
+    [("No, [the green one](1:object), if", ">1+"), ("No, [the green one](1:object), unless", ">1-")],
+)
+def test_a_no_that_corrects_answers_nothing(corrected: str, side: str) -> None:
+    found = clauses(
+        f"[Bring](1:bringing) [me](1:recipient) the blue rug. {corrected} [it](2:object)'[s](2:check_state) "
+        "[dry](2:state)."
+    )
+    assert stated_sides(found, ("task", "condition"), (">1-", "top"))[0] == side

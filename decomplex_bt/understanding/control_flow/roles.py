@@ -33,7 +33,14 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
     for cases in told_apart(clauses, stated):
         for k in cases[1:]:  # of three states none is the other side of another: "hot", "lukewarm", "cold"
             stated[k] = "condition"
+        if stated[cases[0] - 1] == "condition" and cases[0] and _leaves_state(clauses[cases[0] - 1]):
+            stated[cases[0]] = "mention"  # "check on him: if he's up, ..., if he's dozing, ..., if he's asleep, ..."
     return tuple(stated)
+
+
+def _leaves_state(clause: Clause) -> bool:
+    """Whether it is an order to check something that says no state of it."""
+    return clause.task.type == "check_state" and clause.is_asked and not clause.wording.state and not clause.asks_where
 
 
 def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

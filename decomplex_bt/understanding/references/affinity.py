@@ -218,7 +218,7 @@ def _features(
 def _predicates(context: Context, gap: Gap) -> list[Option]:
     """The options of a gap that a state or a place fills. What asks how full something is asks for what the first
     mention of it says; what says that there is a thing says no state of it, and nobody is as another thing is."""
-    options = list(_predicate_options(context, gap))
+    options = [o for o in _predicate_options(context, gap) if not _is_of_later_mention(context, gap, o)]
     if degree_asked(context.observed.document, gap.position):
         owners = [c.candidate.owner for c in options if c.candidate and c.type == "state"]
         mentions = [owner for owner in owners if context.relation(owner, gap.task.id) == "mention"]
@@ -230,6 +230,15 @@ def _predicates(context: Context, gap: Gap) -> list[Option]:
     if nobody(context.observed.document, gap.position):
         return [option for option in options if not _is_of_other_check(context, gap, option)]
     return options
+
+
+def _is_of_later_mention(context: Context, gap: Gap, option: Option) -> bool:
+    """Whether another state is told first of what a check asks: "check the soup; if it's *boiling*, ..., if it's
+    *cold*, ..." asks if it is boiling."""
+    if option.candidate is None or context.relation(option.candidate.owner, gap.task.id) != "mention":
+        return False
+    told = (c.owner for c in context.predicates if c.owner and context.relation(c.owner, gap.task.id) == "mention")
+    return any(gap.task.id < owner < option.candidate.owner for owner in told)
 
 
 def _is_of_other_check(context: Context, gap: Gap, option: Option) -> bool:

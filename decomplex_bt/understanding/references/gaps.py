@@ -151,12 +151,20 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             continue
         if group[0] == "goal" and observed.gazetteer.particle(document, position) in ("away", "up"):
             continue  # "put the cups away", "hang up the washing"
+        if group[0] == "goal" and _is_put_aside(document, position):
+            continue
         if group[0] in ("object", "goal") and not said & set(group):
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
         is_certain = is_bare_being(document, position) or bool(degree_asked(document, position))
         yield Gap(task, PREDICATE, position, "", is_certain=is_certain)
+
+
+def _is_put_aside(document: Document, verb: int) -> bool:
+    """Whether something is put aside, which is nowhere in particular."""
+    words = [token.lower for token in document.tokens[verb + 1 :]]
+    return "aside" in words[: next((i for i, word in enumerate(words) if word in MARKS | {"and", "but"}), len(words))]
 
 
 def says_there_is(document: Document, task: Task) -> bool:

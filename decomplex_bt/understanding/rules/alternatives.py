@@ -232,6 +232,11 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
         if cue.name in _TURNING and cue.first not in tasks and not _is_part(tokens, cue.first)
     }
     leads |= {cue.first: ("if", cue.last) for cue in observed.cues if cue.name in _OPENING and cue.first not in leads}
+    leads |= {  # "if it works"
+        cue.first: ("if", cue.first)
+        for cue in observed.cues
+        if cue.name == "so" and not tasks.keys().isdisjoint(range(cue.first + 1, cue.last + 1))
+    }
     leads |= {opening.start: ("besides", opening.stop - 1) for opening in _reminders(observed.document)}
     lead, opening, first, i = "start", range(0), 0, 0
     while i < len(tokens):

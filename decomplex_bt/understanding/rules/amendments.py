@@ -28,7 +28,7 @@ from decomplex_bt.understanding.rules.checks import (
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, served
-from decomplex_bt.understanding.rules.idioms import for_somebody, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
@@ -102,6 +102,9 @@ def amended(
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
+        if kind == "searching" and (met := encountered(document, token)):
+            kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
+            kept.append(FoundArgument("object", token, met, CERTAIN))
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
             kept = with_told(kept, token, _taken_up_behind(document, token))
         if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (token, "object") for a in kept):

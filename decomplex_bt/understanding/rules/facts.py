@@ -13,7 +13,7 @@ from decomplex_bt.understanding.rules.asides import concession, means, musing, r
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.idioms import for_somebody, idiomatic, is_light
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.questions import questions
@@ -331,6 +331,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"  # "hoover the stairs and clear up"
     if task.type == "motion" and _are_gone(document, task.token):
         return "check_state"
+    if task.type == "motion" and encountered(document, task.token):
+        return "searching"
     return task.type
 
 

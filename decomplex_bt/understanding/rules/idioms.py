@@ -324,6 +324,17 @@ def for_somebody(document: Document, verb: int) -> range:
     return range(0)
 
 
+def encountered(document: Document, verb: int) -> range:
+    """The "Ann" of "run into Ann", "bump into Ann", who is found; empty where somebody goes into a place."""
+    tokens = document.tokens
+    behind = tokens[verb + 1 : verb + 4]
+    if tokens[verb].lemma not in ("run", "bump") or [t.lower for t in behind[:1]] != ["into"] or len(behind) < 2:
+        return range(0)
+    last = verb + 3 if len(behind) > 2 and behind[1].tag in ("DT", "PRP$") else verb + 2
+    is_person = tokens[last].lemma in PERSON_NOUNS or tokens[last].tag in ("NNP", "PRP")
+    return range(verb + 2, last + 1) if is_person else range(0)
+
+
 def predicated(document: Document, check: int) -> dict[str, range]:
     """What the words of a check that may be so say of it: the `object`, its subject, and behind a "be" the `state`
     ("the attic door might be locked") or else the `location` ("the keys might be in the car"), as of "nobody is in the

@@ -20,6 +20,7 @@ _RULES = (
     reversals.oppose,
     reversals.turn_back,
     reversals.affirm,
+    reversals.correct,
     reversals.deny,
     reversals.affirm_ahead,
     scopes.precede,

@@ -64,6 +64,16 @@ def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k - 1] = FAILS if clauses[first].wording.is_negated else HOLDS
 
 
+def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A "no" before the first condition, which can answer nothing, turns none round ("bring me the red towel. *No*, the
+    blue one, if it's dry")."""
+    clause = clauses[k]
+    is_first = (roles[k - 1], roles[k]) == ("task", "condition") and CONDITION_ROLES.isdisjoint(roles[:k])
+    is_last = k + 1 == len(clauses) or clauses[k + 1].sentence != clause.sentence
+    if is_first and is_last and "else" in clause.far and clause.near == ("if",) and not clauses[k - 1].is_forbidden:
+        sides[k - 1] = ">1+" if sides[k - 1] == ">1-" else sides[k - 1]
+
+
 def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if it isn't", said behind it at the end of a sentence, is done where what was asked before proves
     false ("see whether it's shut, and shut it *if it isn't*")."""
@@ -71,8 +81,10 @@ def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
-    is_denied = clause.says_only_whether and clause.wording.is_negated and not clauses[first].wording.is_negated
-    is_behind = clause.is_trailing and clause.sentence == task.sentence and clause.near[:1] == ("if",)
+    is_failing = clause.near == ("fail",)  # "if it doesn't"
+    is_denied = clause.says_only_whether and (clause.wording.is_negated or is_failing)
+    is_denied = is_denied and not clauses[first].wording.is_negated
+    is_behind = clause.is_trailing and clause.sentence == task.sentence and (is_failing or clause.near[:1] == ("if",))
     is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
     if is_denied and is_behind and not is_turned and sides[k - 1] == HOLDS and clauses[first].ability == "":
         sides[k - 1] = FAILS
@@ -121,11 +133,12 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     stands between.
 
     In "if it does not work" the cue says so, not the clause's own negation; it is the other side only right behind what
-    it mentions, before one side of that has tasks (`arcs.flip_of`).
+    it mentions, before one side of that has tasks, be they ahead of it (`arcs.flip_of`).
     """
     clause, before = clauses[k], clauses[k - 1]
     is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
     is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
+    is_mention = is_mention and not (k > 2 and roles[k - 3] == "task" and sides[k - 3][:2] == ">1")
     is_contrary = before.wording.is_contrary or before.wording.is_negated
     is_failure = is_mention and "fail" in before.near and not is_contrary
     between = {*clause.far, *clause.near, *before.behind}

@@ -21,6 +21,7 @@ def tell_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
             if roles[k] == "condition" and sides[k] == HOLDS and sides[k - 1][:2] != ">1":
                 sides[k] = FAILS
     for run in told_apart(clauses, roles):
+        sides[run[0]] = "<1" if roles[run[0]] == "mention" and roles[run[0] - 1] == "condition" else sides[run[0]]
         for k, later in zip(run, [*run[1:], len(clauses)], strict=True):
             sides[k] = FAILS if k != run[0] else sides[k]
             _follow_case(clauses, roles, sides, range(k, later))
