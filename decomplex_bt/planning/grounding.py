@@ -97,7 +97,7 @@ class _Grounder:
             task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
         if self.wording.is_of_nobody(task):
             others = tuple(argument for argument in task.arguments if argument.type != "object")
-            task = replace(task, arguments=(*others, Argument("object", SOMEBODY)))
+            task = replace(task, arguments=(*others, Argument("object", self._nobody_of(task))))
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
@@ -109,6 +109,14 @@ class _Grounder:
             if not left_out.is_aside:
                 raise
             return grounded
+
+    def _nobody_of(self, task: Task) -> str:
+        """Whom a check of nobody asks of: at a place that is said the one who speaks may be, too."""
+        where, lexicon = task.value("location"), self.domain.lexicon
+        is_at_place = where is not None and not self.wording.is_presence(where)
+        is_with_me = where is not None and self._place_words(where) in (*lexicon.user_words, *lexicon.here_words)
+        is_of_me = is_at_place and not is_with_me and not self.wording.is_of_nobody_else(task)
+        return f"{SOMEBODY} or me" if is_of_me else SOMEBODY
 
     def mention(self, task: Task) -> GroundTask:
         """A task that speaks of another again and is not executed: without what it says where that is not enough for a

@@ -12,6 +12,8 @@ from decomplex_bt.instruction import Instruction, Task
 from decomplex_bt.planning.phrases import read_state, split_preposition
 
 _FINDING_OUT = frozenset(("check", "verify", "test", "inspect", "look", "see"))
+_BESIDES = r"(?:but|except(?:\s+for)?|besides|apart\s+from|other\s+than)"
+_ELSE = re.compile(rf"\b(?:nobody|no[- ]?one)\s+(?:else|{_BESIDES})\b|\b{_BESIDES}\s+(?:me|us|myself)\b", re.IGNORECASE)
 _PARTICLES = re.compile(r"[a-z']+")
 
 
@@ -36,6 +38,10 @@ class Wording:
         if task.type != "check_state" or task.value("object") not in (None, "one", "no one"):
             return False
         return is_of_nobody(self._clause(task))
+
+    def is_of_nobody_else(self, task: Task) -> bool:
+        """Whether a check of nobody leaves somebody out, who may be there ("nobody else", "nobody but me")."""
+        return _ELSE.search(self._clause(task)) is not None
 
     def is_of_weather(self, task: Task) -> bool:
         """Whether a check is of the weather or the day, which no thing tells."""

@@ -204,6 +204,19 @@ def test_what_has_a_door_runs_behind_it(is_on):
     assert truth.state("shirt", "cleanliness") == "clean"
 
 
+@pytest.mark.parametrize("light", ["kitchen light", "bathroom light"])
+def test_what_holds_nothing_has_nothing_and_the_judge_knows_it(light):
+    look = markup(
+        f"[Look](1:searching) [in the {light}](1:location) [for the phone](1:object). If [it](2:object=the phone) "
+        f"[is](2:check_state) [there](2:location=in the {light}), [close](3:change_state) [the fridge](3:object).",
+        [{"if": [1, 2], "then": [3]}],
+    )
+    agent, info, _ = run(make_env(), look, 1, noise=False)
+    assert info["is_success"]
+    assert info["branches"] == [{"task": 1, "truth": False, "taken": None}]
+    assert agent.failures == ()
+
+
 def test_an_environment_without_a_body_is_refused_in_words():
     with pytest.raises(InputError, match=r"CartPole-v1 has no embodiment\(\).* decomplex_bt/Household-v0"):
         decomplex_bt.TreeAgent(gym.make("CartPole-v1"))

@@ -459,15 +459,35 @@ def test_a_later_mention_need_not_be_a_task_of_its_own() -> None:
         ground(alone, DOMAIN)
 
 
+def _check_of_whom(nobody: str, where: str) -> GroundTask:
+    text = f"If {nobody} [is](1:check_state) {where}, [go](2:motion) [to the bedroom](2:goal)."
+    return ground(read_markup(text, DOMAIN.ontology, flow=[{"if": 1, "then": [2]}]), DOMAIN).tasks[0]
+
+
 @pytest.mark.parametrize("nobody", ["nobody", "no [one](1:object)"])
-def test_a_check_of_nobody_is_one_of_anybody(nobody: str) -> None:
-    checks = [
-        ground(read_markup(f"If {who} {rest}", DOMAIN.ontology, flow=[{"if": 1, "then": [2]}]), DOMAIN).tasks[0]
-        for rest in ["[is](1:check_state) [in the kitchen](1:location), [go](2:motion) [to the bedroom](2:goal)."]
-        for who in (nobody, "[somebody](1:object)")
-    ]
+@pytest.mark.parametrize("where", ["[home](1:location)", "[with me](1:location)", "[around](1:state)"])
+def test_a_check_of_nobody_is_one_of_anybody(nobody: str, where: str) -> None:
+    checks = [_check_of_whom(who, where) for who in (nobody, "[somebody](1:object)")]
     assert checks[0].objects == checks[1].objects
     assert checks[0].state == checks[1].state == HERE
+
+
+@pytest.mark.parametrize(
+    ("nobody", "where", "has_user"),
+    [
+        ("nobody", "[in the kitchen](1:location)", True),
+        ("no [one](1:object)", "[at the desk](1:location)", True),
+        ("but if nobody", "[in the kitchen](1:location)", True),
+        ("nobody else", "[in the kitchen](1:location)", False),
+        ("nobody but me", "[in the kitchen](1:location)", False),
+        ("nobody", "[in the kitchen](1:location) except me", False),
+    ],
+)
+def test_where_nobody_is_the_one_who_speaks_is_not_either(nobody: str, where: str, has_user: bool) -> None:
+    check = _check_of_whom(nobody, where)
+    assert ("user" in check.objects[0].candidates) is has_user
+    assert check.objects[0].is_any
+    assert check.state == HERE
 
 
 def test_to_see_if_there_is_something_is_to_ask_whether_it_is_there() -> None:
