@@ -6,6 +6,7 @@ gives are errors, each with the task's number; nothing is guessed from words tha
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
@@ -33,6 +34,9 @@ Ask = Callable[[Missing], str | None]
 FILL, FULL, EMPTY = "fill", "full", "empty"
 FINDING_OUT = ("searching", "check_state")
 SOMEBODY = "somebody"
+
+_JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
+"""What joins two states into words that are none: "clean and dry", not "nice and warm"."""
 
 
 def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) -> GroundInstruction:
@@ -421,6 +425,8 @@ class _Grounder:
         self, task: Task, places: tuple[Referent, ...], words: str | None, state: str | None
     ) -> tuple[tuple[Referent, ...], tuple[Referent, ...]]:
         """The objects of a task about a state: of what a phrase may name, what can be in that state."""
+        if words is not None and _JOINED.search(words):
+            raise ImpossibleGoalError(f"{words!r} is more than one state; say each ('if it is open and it is dirty')")
         pairs = self._pairs_meant(words, state)
         if words is not None and not pairs and state is None:
             known = sorted({value for pair in self.domain.kinds.state_pairs.values() for value in pair.values})

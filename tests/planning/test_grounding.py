@@ -338,6 +338,7 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Take](1:taking) [the purple mug](1:object)", UnknownWordError, "green mug"),
         ("[Take](1:taking) [the bok](1:object)", UnknownWordError, "book"),
         ("[Open](1:change_state) [the pen](1:object)", ImpossibleGoalError, "open"),
+        ("[Is](1:check_state) [the box](1:object) [open and empty](1:state)?", ImpossibleGoalError, "say each"),
         ("[Heat](1:change_state) [the sofa](1:object)", ImpossibleGoalError, "hot"),
         ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
         ("If it['s](1:check_state) [raining](1:state)", ImpossibleGoalError, "weather"),

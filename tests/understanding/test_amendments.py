@@ -307,3 +307,24 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
 )
 def test_what_a_phrase_ends_and_begins_with(text: str, number: int, kind: str, value: str | None) -> None:
     assert Interpreter.load().interpret(text).task(number).value(kind) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "state"),
+    [
+        ("If the vase is clean and dry, put it on the shelf.", "clean and dry"),
+        ("If the gate is open but not locked, shut it.", "open but not locked"),
+        ("If the tin is empty or rusty throw it away.", "empty or rusty"),
+        ("If the oven is hot and the pan is clean, call me.", "hot"),
+        ("If the vase is clean, and dry leaves are in it, wash it.", "clean"),
+    ],
+)
+def test_a_state_has_the_states_that_are_joined_to_it(text: str, state: str) -> None:
+    instruction = Interpreter.load().interpret(text)
+    assert instruction.task(1).value("state") == state
+
+
+def test_what_there_is_is_no_state() -> None:
+    task = Interpreter.load().interpret("If there's less than half a jug left, fill it.").task(1)
+    assert task.value("object") == "less than half a jug"
+    assert "jug" not in (task.value("state") or "")

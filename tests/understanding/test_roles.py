@@ -439,3 +439,12 @@ def test_an_answer_is_no_mention_of_the_question() -> None:
         "[answers](2:check_state) no, [go](3:motion)."
     )
     assert stated_roles(asked, ("condition", "mention", "task")) == ("task", "condition", "task")
+
+
+@pytest.mark.parametrize(("asked", "role"), [("is [on](1:state)", "condition"), ("is", "mention")])
+def test_what_there_is_beside_is_no_mention_of_another_state(asked: str, role: str) -> None:
+    found = clauses(
+        f"[See](1:check_state) if [the grill](1:object) {asked}; if there [are](2:check_state) [clean "
+        "forks](2:object), [bring](3:bringing) [me](3:recipient) [one](3:object)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task"))[1] == role

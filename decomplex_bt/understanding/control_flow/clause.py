@@ -80,6 +80,8 @@ class Clause:
     """The words and lemmas of what it asks somebody, where yes or no answers it ("ask Lea if she wants soap")."""
     is_of_it: bool
     """Whether its object is a pronoun and no more: "it", not "the other one"."""
+    says_there_is: bool
+    """Whether it asks if there is something that it names: "if there's a letter"."""
     is_of_some: bool
     """Whether it is of some of what was named: "if one of them is up"."""
     verb: str

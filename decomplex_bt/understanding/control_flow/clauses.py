@@ -158,6 +158,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_only_whether=is_bare(document, task, own_last, ECHOING | _DENYING),
         question=_question(document, task),
         is_of_it=is_of_somebody(document, task, ITS),
+        says_there_is=task.type == "check_state" and token > 0 and document.tokens[token - 1].lower == "there",
         is_of_some=_is_of_some(document, task),
         verb=document.tokens[token].lemma,
         is_of_nobody=bool(nobody(document, token)),

@@ -9,6 +9,9 @@ from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 
+_STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
+"""What there is that may be what was named, or an answer to it, in other words."""
+
 
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
     """The roles of tasks in text order, with those that the rules below settle; as long as `roles`."""
@@ -27,6 +30,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _turn_back,
         _be_able,
         _ask_openly,
+        _name_other,
     ):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
@@ -236,3 +240,15 @@ def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
     is_chosen = any("depending" in (*clauses[j].far, *clauses[j].near) for j in around)
     is_asked = any(roles[j] in CONDITION_ROLES for j in around if j > k)
     return roles[k] == "task" and clauses[k].is_choice_beside(clauses[k - 1]) and not (is_chosen or is_asked)
+
+
+def _name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether there is something that was not spoken of is no mention of what state another thing is in ("check whether
+    the timer is on; if *there are five minutes* left, ...")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first is None or not (clause.says_there_is and clauses[first].said_state):
+        return
+    named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
+    if clause.objects and named.isdisjoint(clause.objects) and _STANDING_FOR.isdisjoint(clause.objects):
+        roles[k] = "condition"

@@ -22,8 +22,10 @@ from decomplex_bt.understanding.rules.checks import (
     departed,
     done_by_nobody,
     identified,
+    that_there_is,
     with_named_state,
     with_told,
+    with_whole_state,
 )
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_gapped
@@ -96,6 +98,7 @@ def amended(
             kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
+            kept = with_whole_state(document, that_there_is(document, kept, token), token)
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
             kept = with_told(kept, token, predicated(document, token))

@@ -8,7 +8,7 @@ from itertools import dropwhile
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
@@ -22,6 +22,9 @@ _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _STATING = frozenset("be 's \u2019s 're have".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
+_DESCRIBING = frozenset(("JJ", "VBN", "JJR"))
+_JOINING = frozenset(("and", "or", "but"))
+_DEGREES = frozenset("not n't n\u2019t still too also very quite only nearly almost already fully completely".split())
 _BEFORE_WEATHER = frozenset(
     "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
     "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
@@ -41,6 +44,49 @@ def done_by_nobody(document: Document, verb: int) -> dict[str, range]:
     if thing is None or document.tokens[thing.start].tag not in ("DT", "PRP$"):
         return {}
     return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
+
+
+def whole_state(document: Document, state: range) -> range:
+    """A state with those that are joined to it, where nothing else is said behind: "clean *and dry*", "awake *but not
+    hungry*", "asleep *or busy*"."""
+    tokens, stop = document.tokens, state.stop
+    is_described = bool(state) and tokens[state.stop - 1].tag in _DESCRIBING
+    while is_described and stop + 1 < len(tokens) and tokens[stop].lower in _JOINING:
+        at = stop + 1
+        while at < len(tokens) and tokens[at].lower in _DEGREES:
+            at += 1
+        if at >= len(tokens) or tokens[at].tag not in _DESCRIBING:
+            break
+        behind = tokens[at + 1 : at + 2]
+        if behind and behind[0].text not in MARKS and behind[0].tag not in ("VB", "VBP"):
+            break
+        stop = at + 1
+    return range(state.start, stop)
+
+
+def with_whole_state(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with the whole of the state that a check asks for, and none of its parts beside it."""
+    state = next((a for a in arguments if (a.owner, a.type) == (check, "state")), None)
+    whole = whole_state(document, state.tokens) if state is not None else range(0)
+    if state is None or whole == state.tokens:
+        return list(arguments)
+    kept = [a for a in arguments if a is state or not set(a.tokens) & set(whole)]
+    return [replace(a, tokens=whole) if a is state else a for a in kept]
+
+
+def that_there_is(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with what there is as the object of the check, and no state of nothing: "if there's *less than half
+    a jug*"."""
+    own = {a.type for a in arguments if a.owner == check}
+    is_there = check > 0 and document.tokens[check - 1].lower == "there"
+    if not is_there or "object" in own:
+        return list(arguments)
+    return [
+        replace(a, type="object")
+        if (a.owner, a.type) == (check, "state") and any(document.tokens[i].pos == "NOUN" for i in a.tokens)
+        else a
+        for a in arguments
+    ]
 
 
 def departed(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:

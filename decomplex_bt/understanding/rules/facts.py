@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 
@@ -11,6 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
+from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
@@ -92,6 +93,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
+            or _is_joined_state(document, task.token, types_found)
             or _is_name(observed, task.token)
             or (not found and following is not None and _is_missed(observed, task))
         )
@@ -166,6 +168,15 @@ def _is_case(observed: Observed, at: int) -> bool:
 def _is_beside(document: Document, at: int) -> bool:
     """Whether a check only tells why, or what makes no difference."""
     return reason(document, at) is not None or concession(document, at) is not None
+
+
+def _is_joined_state(document: Document, at: int, tasks: Mapping[int, str]) -> bool:
+    """Whether a word only is a further state of a check before it: "if it's clean and *dry*"."""
+    check = max((i for i in tasks if i < at), default=None)
+    if check is None or tasks[check] != "check_state" or document.tokens[check].lower not in _BE:
+        return False
+    first = next((i for i in range(check + 1, at) if document.tokens[i].tag in ("JJ", "VBN")), at)
+    return first < at and at in whole_state(document, range(first, first + 1))
 
 
 def _is_name(observed: Observed, at: int) -> bool:
