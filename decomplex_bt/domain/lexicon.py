@@ -27,11 +27,11 @@ class VerbGroup(VerbSense):
 class Lexicon(Record):
     """`words.yaml`: verbs in groups of one sense, colours, and the small words around nouns.
 
-    `all_words` ask for all of a kind; `anybody_words`, `everybody_words` for people of the house; `here_words` for
-    the place of the one who speaks; `presence_words` and, in a condition, `presence_verbs` say only that something is
-    there, `absence_words` and, of people, `absence_verbs` that it is not. `prepositions` lead a phrase, those in
-    `beside` mean near or under a thing; `determiners` do not say which one is meant; `measures` count ("a slice of
-    bread"); `parts` stand for the whole ("the fridge door").
+    `all_words` ask for all of a kind; `anything_words` for any thing at a place; `anybody_words`, `everybody_words` for
+    people of the house; `here_words` for the place of the one who speaks; `presence_words` and, in a condition,
+    `presence_verbs` say only that something is there, `absence_words` and, of people, `absence_verbs` that it is not.
+    `prepositions` lead a phrase, those in `beside` mean near or under a thing; `determiners` do not say which one is
+    meant; `measures` count ("a slice of bread"); `parts` stand for the whole ("the fridge door").
     """
 
     format: Format
@@ -39,6 +39,7 @@ class Lexicon(Record):
     colours: tuple[str, ...]
     user_words: tuple[str, ...]
     all_words: tuple[str, ...] = ()
+    anything_words: tuple[str, ...] = ()
     anybody_words: tuple[str, ...] = ()
     everybody_words: tuple[str, ...] = ()
     here_words: tuple[str, ...] = ()

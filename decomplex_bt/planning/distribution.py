@@ -11,6 +11,7 @@ from decomplex_bt.flow import Do, Flow, If, Node, in_reading_order
 from decomplex_bt.instruction import Argument, Instruction, Span, Task
 
 _THINGS = frozenset(("object", "message"))
+_PLACES = frozenset(("source", "location"))
 _PAIRED = frozenset(("goal", "recipient", "state", "source", "location"))
 _EACH_BEHIND = re.compile(r"\s+each\b(?!\s+(?:of|time)\b)", re.IGNORECASE)
 _EACH_OF = re.compile(r"^(to )?(?:each of|both) ", re.IGNORECASE)
@@ -28,11 +29,14 @@ def distributed(instruction: Instruction) -> Instruction:
     """
     conditions = {number for node, _ in instruction.flow.walk() if isinstance(node, If) for number in node.tasks}
     tasks: list[Task] = []
+    instruction = replace(instruction, tasks=tuple(_with_choice(task, instruction.text) for task in instruction.tasks))
     further: dict[int, tuple[int, ...]] = {}
     number = len(instruction.tasks)
     for task in instruction.tasks:
         is_condition = task.id in conditions
-        rounds = (task.arguments,) if is_condition else _people(task, instruction.text) or _rounds(task)
+        rounds = (
+            (task.arguments,) if is_condition else _people(task, instruction.text) or _rounds(task, instruction.text)
+        )
         tasks.append(replace(task, arguments=rounds[0]))
         for arguments in rounds[1:]:
             number += 1
@@ -44,11 +48,28 @@ def distributed(instruction: Instruction) -> Instruction:
     return replace(instruction, tasks=ordered, flow=Flow(in_reading_order(_with(instruction.flow.nodes, further))))
 
 
-def _rounds(task: Task) -> tuple[tuple[Argument, ...], ...]:
+def _with_choice(task: Task, text: str) -> Task:
+    """The task with "the blanket from the couch or the one on the bed" as one blanket, from the couch or the bed."""
+    kept: list[Argument] = []
+    is_choice = False
+    for argument in task.arguments:
+        if argument.span is not None and argument.type == "object":
+            before = text[: argument.span.start].rstrip().lower()
+            is_choice = argument.value.lower() in ("one", "the one") and before.endswith(" or") and bool(kept)
+        same = next((a for a in kept if a.type == argument.type), None) if is_choice else None
+        if same is None:
+            kept.append(argument)
+        elif argument.type in _PLACES:
+            kept[kept.index(same)] = replace(same, value=f"{same.value} or {argument.value}")
+    return replace(task, arguments=tuple(kept))
+
+
+def _rounds(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
     """The arguments for each thing, where several things have something of their own; else all in one."""
     said = sorted((a for a in task.arguments if a.span is not None), key=lambda a: a.span.start if a.span else 0)
     rounds: list[list[Argument]] = [[]]
     for argument in said:
+        argument = _as_another(argument, rounds[-1], text)
         if argument.type in _THINGS | _PAIRED and any(a.type == argument.type for a in rounds[-1]):
             rounds.append([])
         rounds[-1].append(argument)
@@ -87,6 +108,14 @@ def _named(words: str, among: Argument, text: str) -> Argument:
     """The argument with no more than these of its words, and where they stand; no span where that is not known."""
     start = -1 if among.span is None else text.find(words, among.span.start, among.span.end)
     return replace(among, value=words, span=None if start < 0 else Span(start, start + len(words)))
+
+
+def _as_another(argument: Argument, before: Sequence[Argument], text: str) -> Argument:
+    """ "The one" of "the pen from the desk and the one from the drawer" as the other pen, which it is."""
+    first = next((a.value for a in before if a.type == argument.type), "")
+    if argument.type != "object" or not first or argument.span is None or argument.span.of(text).lower() != "the one":
+        return argument
+    return replace(argument, value=f"the other {first.partition(' ')[2]}" if " " in first else first)
 
 
 def _with(nodes: Sequence[Node], further: dict[int, tuple[int, ...]]) -> tuple[Node, ...]:

@@ -18,7 +18,14 @@ from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.others import too_few
-from decomplex_bt.planning.phrases import picked_words, read_phrases, read_state, rooms_of, split_preposition
+from decomplex_bt.planning.phrases import (
+    NounPhrase,
+    picked_words,
+    read_phrases,
+    read_state,
+    rooms_of,
+    split_preposition,
+)
 from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
@@ -170,12 +177,17 @@ class _Grounder:
         return replace(bare, objects=objects, places=places + inner, is_only_there=self._is_only_there(task))
 
     def _is_only_there(self, task: Task) -> bool:
-        """Whether a later mention asks if the things are where the task takes them from ("if it isn't there")."""
+        """Whether a later mention asks if the things are where the task takes them from ("if it isn't there"), or that
+        is all that is said of them ("something from the fridge")."""
         sources = {self._place_words(a.value) for a in task.arguments if a.type in ("source", "location")}
-        return bool(sources) and any(
-            self._place_words(argument.value) in sources or self._is_there(argument)
-            for mention in self.mentions.get(task.id, ())
-            if mention.type in FINDING_OUT and (argument := mention.argument("location", "source")) is not None
+        said = [phrase for words in task.values("object") for phrase in read_phrases(words, self.domain)]
+        return bool(sources) and (
+            any(map(self._is_anything, said))
+            or any(
+                self._place_words(argument.value) in sources or self._is_there(argument)
+                for mention in self.mentions.get(task.id, ())
+                if mention.type in FINDING_OUT and (argument := mention.argument("location", "source")) is not None
+            )
         )
 
     def _place_words(self, words: str) -> str:
@@ -489,6 +501,7 @@ class _Grounder:
             if argument.type != "object":
                 continue
             for phrase in self.referents.phrases(argument):
+                self._refuse_anything(task, phrase)
                 objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
@@ -541,6 +554,18 @@ class _Grounder:
             has_place = inner or task.value("source") or task.value("location")
             if referent.is_all and len(referent.candidates) == len(self.house.things) and not has_place:
                 raise UnknownWordError(referent.phrase, expected="a thing, or everything at a place")
+
+    def _refuse_anything(self, task: Task, phrase: NounPhrase) -> None:
+        """Refuses "something" without a place where it is, and "anything" and "nothing" but to ask; "it" was found."""
+        if not self._is_anything(phrase) or phrase.is_pronoun:
+            return
+        if task.type not in FINDING_OUT and not phrase.noun.startswith("some"):
+            raise UnknownWordError(phrase.text, expected="a thing, or something or everything at a place")
+        if phrase.place is None and not task.value("source") and not task.value("location"):
+            raise UnknownWordError(phrase.text, expected=f"a thing, or {phrase.noun} at a place")
+
+    def _is_anything(self, phrase: NounPhrase) -> bool:
+        return phrase.noun in self.domain.lexicon.anything_words
 
     def _places(self, task: Task, *names: str) -> tuple[Referent, ...]:
         """The referents of the places that these arguments name."""

@@ -9,6 +9,7 @@ from functools import lru_cache
 from itertools import pairwise
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.nouns import singulars
 from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import states_of
@@ -19,6 +20,8 @@ _BEING = re.compile(rf"\s(?:that|which)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:swi
 _WHICHEVER = re.compile(rf"^(?:whichever|whatever)\s+(.+?)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:\w+ )?\w+)$")
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|(?:along|together) with|&)\b)\s+")
 _CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
+_ONE = re.compile(r"^((?:the|an?|that|this|those|these)\s+(?:[\w-]+\s+){0,2})(ones?)\b(?!\s+of\b)")
+"""A phrase whose noun stood before ("the white plate and the blue one")."""
 _DESCRIBING = frozenset(("with", "for"))
 """Prepositions that tell one from another by what it has or is for, and not by where it is."""
 DEFINITE = frozenset("the my our your his her its their these those".split())
@@ -194,7 +197,7 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     preposition, rest = split_preposition(words, domain)
     rest = _WHICHEVER.sub(r"any \1 that is \2", rest)
     rest, clause = _CLAUSE.sub("", rest), _BEING.search(rest)
-    parts = [part.strip() for part in _JOINT.split(rest) if part and part.strip()]
+    parts = [part.strip() for part in _JOINT.split(_spelt_out(rest, domain)) if part and part.strip()]
     phrases: list[NounPhrase] = []
     later: NounPhrase | None = None
     for part in reversed(parts or [""]):
@@ -203,6 +206,25 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     if clause is not None:
         phrases = [_described(phrase, clause[1], domain) for phrase in phrases]
     return tuple(reversed(phrases))
+
+
+def _spelt_out(words: str, domain: Domain) -> str:
+    """The words with the noun in place of each "one" for which it stands: that of the part before it."""
+    noun, spelt = "", []
+    for part in re.split(r"(\s*,\s*|\s+(?:and|or|nor|plus)\s+)", words):
+        one = _ONE.search(part) if noun else None
+        said = part if one is None else f"{one[1]}{_numbered(noun, one[2], domain)}{part[one.end() :]}"
+        named = _read_part(said, "", domain, None) if said.strip(" ,") else None
+        noun = named.noun or noun if named is not None else noun
+        spelt.append(said)
+    return "".join(spelt)
+
+
+def _numbered(noun: str, one: str, domain: Domain) -> str:
+    """A noun for "one" or "ones": in the singular for the first, where it is a plural."""
+    if one == "ones" or domain.nouns.entities.get(noun):
+        return noun
+    return next((stem for stem in singulars(noun) if domain.nouns.entities.get(stem)), noun)
 
 
 def _described(phrase: NounPhrase, words: str, domain: Domain) -> NounPhrase:
@@ -357,6 +379,11 @@ def _special(words: str, preposition: str, domain: Domain) -> NounPhrase | None:
         return NounPhrase(words, preposition, (house.user,))
     if words in lexicon.all_words:
         return NounPhrase(words, preposition, (), tuple(house.things), is_all=True)
+    if anything := next((said for said in lexicon.anything_words if f"{words} ".startswith(f"{said} ")), None):
+        phrase = NounPhrase(words, preposition, tuple(house.things), noun=anything)
+        before = words.removeprefix(anything).split()
+        is_told = all(read_state(word, domain.kinds.state_pairs, domain) for word in before)
+        return _modified(phrase, ["any", *before], domain) if is_told else None
     if words in lexicon.anybody_words:
         return NounPhrase(words, preposition, others)
     if words in lexicon.everybody_words:

@@ -130,6 +130,8 @@ class Referents:
         is_new = before is not None and not phrase.is_other and self.others.are_excluded(phrase, before.candidates)
         if before is not None and not is_new and all(map(fits, before.candidates)):
             return before
+        if before is not None and phrase.noun in self._domain.lexicon.anything_words:
+            raise ImpossibleGoalError(f"{phrase.text!r} may be what cannot {ability.format('it')}; say what")
         if self._container is not None and self._is_bare_part(phrase, words):
             phrase = replace(phrase, entities=(self._container,))  # "the door", after the fridge
         is_plural = not any(map(fits, phrase.entities))

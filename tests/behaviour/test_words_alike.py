@@ -65,3 +65,17 @@ def test_dirty_plates_that_are_clean_stay_where_they_are() -> None:
     status, info, events = episode(text, [1, 2], placement=places, states={"plate_1": "clean", "plate_2": "clean"})
     assert (info["is_success"], status) == (True, Status.SUCCESS)
     assert not any("plate" in event for event in events)
+
+
+@pytest.mark.parametrize("places", [{"ball": "couch", "pen_1": "couch"}, {}])
+def test_what_was_found_somewhere_is_brought_from_there(places: dict[str, str]) -> None:
+    text = (
+        "If [there](1:location=on the couch) [is](1:check_state) [anything](1:object), "
+        "[bring](2:bringing) [it](2:object=anything) [to me](2:recipient), otherwise [tell](3:informing) "
+        "[me](3:recipient)."
+    )
+    elsewhere = dict.fromkeys(("toy", "remote", "book_1", "book_2", "magazine", "pillow", "blanket"), "basket")
+    status, info, _ = episode(text, [{"if": 1, "then": [2], "else": [3]}], placement={**elsewhere, **places})
+    assert (info["is_success"], status) == (True, Status.SUCCESS)
+    if places:
+        assert info["branches"][0]["truth"] is True
