@@ -24,8 +24,9 @@ class Referent:
     whichever they are ("a window", "the tv or the radio"): a check of them is false only when none of them will do,
     while that of a certain one ("the mug") is settled by the first one seen. `where`: state pairs and values by which
     one is told from another ("the clean mug"). `others`: referents none of which it is ("the other mug"): what they
-    have turned out to mean is none of its candidates. Equal referents of one instruction are one and the same: who
-    binds one binds all.
+    have turned out to mean is none of its candidates. `near`: of floors, what the robot puts things down beside ("next
+    to the front door"), though anywhere on the floor will do. Equal referents of one instruction are one and the same:
+    who binds one binds all.
     """
 
     phrase: str
@@ -35,6 +36,7 @@ class Referent:
     where: tuple[tuple[str, str], ...] = ()
     is_any: bool = False
     others: tuple[Referent, ...] = ()
+    near: tuple[str, ...] = ()
 
     @property
     def choice(self) -> str:
@@ -42,10 +44,11 @@ class Referent:
         quantity = "all of " if self.is_all else f"{self.count} of " if self.count > 1 else ""
         told_by = f" ({', '.join(value for _, value in self.where)})" if self.where else ""
         but = f" other than {', '.join(repr(other.phrase) for other in self.others)}" if self.others else ""
-        return f"{quantity}{' | '.join(self.candidates)}{told_by}{but}"
+        near = f" near {' | '.join(self.near)}" if self.near else ""
+        return f"{quantity}{' | '.join(self.candidates)}{told_by}{but}{near}"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, keys in this order; "other_than" where there are others."""
+        """Plain values, keys in this order; "other_than" and "near" where there are any."""
         value = {
             "phrase": self.phrase,
             "candidates": list(self.candidates),
@@ -53,7 +56,8 @@ class Referent:
             "count": self.count,
             "where": dict(self.where),
         }
-        return {**value, "other_than": [other.phrase for other in self.others]} if self.others else value
+        others = {"other_than": [other.phrase for other in self.others]} if self.others else {}
+        return {**value, **others, **({"near": list(self.near)} if self.near else {})}
 
     def __str__(self) -> str:
         return f"{self.phrase!r}: {self.choice}"

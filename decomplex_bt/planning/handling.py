@@ -82,6 +82,8 @@ class Handling(Looking):
             return self._fetch(has_arrived) or self._look_for_people(target, lost)
         if not ends:
             raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
+        if (way := self._go_beside(target, has_arrived)) is not None:
+            return way
         problem: NothingLeftError | None = None
         for end in ends:
             try:
@@ -100,6 +102,19 @@ class Handling(Looking):
 
         has_room = self.belief.held is None or None in self.belief.tray
         return self._handle("taking", is_settled, {}) if has_room and self._found(is_settled) is None else None
+
+    def _go_beside(self, target: Referent, has_arrived: Callable[[str], bool]) -> Pursuit | None:
+        """The things are had, and then what they are put down beside is gone to; None where the robot is there with
+        them, or cannot get there: anywhere on the floor will do."""
+        places = [name for name in target.near if self._is_possible((Atom("at", (name,)),))]
+        if not places:
+            return None
+        if (fetch := self._fetch(has_arrived)) is not None:
+            return fetch
+        if any(name in self.belief.near for name in places):
+            return None
+        places.sort(key=self._distance)
+        return self._ongoing((Atom("at", (places[0],)),), f"going to {target.phrase}")
 
     def _floors(self) -> frozenset[str]:
         return frozenset(self.house.floor_of(room) for room in self.house.rooms)

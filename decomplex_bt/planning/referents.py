@@ -71,8 +71,9 @@ class Referents:
         fit = self.narrowed(referent, self.can_hold)
         is_near = fit is None and phrase.preposition in TO  # "to the front door": nothing can be put on it
         if is_near or phrase.preposition in self._domain.lexicon.beside:
-            near = [place for name in referent.candidates for place in self._beside(name)]
-            return replace(referent, candidates=tuple(dict.fromkeys(near)))
+            ends = tuple(dict.fromkeys(place for name in referent.candidates for place in self._beside(name)))
+            is_on_floor = {self._house.floor_of(room) for room in self._house.rooms}.issuperset(ends)
+            return replace(referent, candidates=ends, near=referent.candidates if is_on_floor else ())
         if fit is None or all(self.is_thing(name) for name in fit.candidates):
             raise ImpossibleGoalError(
                 f"nothing can be put there: {words!r} names neither a surface nor a container of this house"

@@ -204,6 +204,18 @@ def test_what_has_a_door_runs_behind_it(is_on):
     assert truth.state("shirt", "cleanliness") == "clean"
 
 
+@pytest.mark.parametrize(("thing", "landmark"), [("shoes", "front_door"), ("bag", "tv"), ("jacket", "bed")])
+def test_what_is_put_next_to_something_lies_near_it(thing, landmark):
+    said = landmark.replace("_", " ")
+    put = markup(f"[Put](1:placing) [the {thing}](1:object) [next to the {said}](1:goal).", [1])
+    env = make_env()
+    _, info, _ = run(env, put, 1, noise=False, placement={thing: "wardrobe"})
+    assert info["is_success"]
+    world = env.unwrapped.world
+    row = world.geometry.row[thing]
+    assert world.geometry.distance(*world.position[row], world.geometry.row[landmark]) < 1.2
+
+
 @pytest.mark.parametrize("light", ["kitchen light", "bathroom light"])
 def test_what_holds_nothing_has_nothing_and_the_judge_knows_it(light):
     look = markup(

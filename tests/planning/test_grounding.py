@@ -590,6 +590,12 @@ def test_what_is_brought_to_what_holds_nothing_is_laid_beside_it(place: str) -> 
     task = first(f"[Take](1:bringing) [the bag](1:object) [{place}](1:goal)")
     assert task.goal is not None
     assert task.goal.candidates == ("hallway_floor",)
+    assert task.goal.near == ("front_door",)
+    assert task.goal.to_json()["near"] == ["front_door"]
+    for goal in ("on the floor in the hallway", "next to the microwave", "next to the laptop"):
+        other = first(f"[Put](1:placing) [the book](1:object) [{goal}](1:goal)").goal
+        assert other is not None
+        assert other.near == ()
 
 
 def test_neither_nor_names_both() -> None:

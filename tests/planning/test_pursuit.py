@@ -12,6 +12,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import ROBOT, Belief
 from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.percept import Percept
 from decomplex_bt.planning.pursuit import Pursuit, PursuitStatus, pursue
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
@@ -401,6 +402,30 @@ def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:
     inside = world({"laptop": "bed"})
     (put,) = run("[Put](1:placing) [the red book](1:object) [next to the laptop](1:goal)", inside)
     assert (put.status, inside.places["book_1"]) == (DONE, "bed")
+
+
+def test_a_thing_is_laid_down_on_the_floor_where_it_is_to_be() -> None:
+    inside = world({"shoes": "wardrobe", "bag": "bed"})
+    text = "[Put](1:placing) [the shoes and the bag](1:object) [next to the front door](1:goal)"
+    assert run(text, inside)[0].status is DONE
+    assert {inside.places["shoes"], inside.places["bag"]} == {"hallway_floor"}
+    moves = [step for step in inside.steps if step.name in ("move", "pick", "place")]
+    assert [step.name for step in moves[-3:]] == ["move", "place", "place"]
+    assert moves[-3].objects[1] == "front_door"
+    there = world({"shoes": "hallway_floor"})
+    assert run(text.replace(" and the bag", ""), there)[0].status is DONE
+    assert "place" not in [step.name for step in there.steps]
+
+
+def test_what_cannot_be_got_to_does_not_keep_a_thing_from_the_floor() -> None:
+    task = ground(
+        read_markup("[Put](1:placing) [the shoes](1:object) [by the front door](1:goal)", DOMAIN.ontology, flow=[1]),
+        DOMAIN,
+    ).tasks[0]
+    inside, belief = world({"shoes": "hallway_table"}), Belief(DOMAIN)
+    belief.update(inside.percept())
+    belief.give_up((Atom("at", ("front_door",)),), "somebody stands there")
+    assert pursue(task, belief, {}, since=0).goal_atoms == (Atom("lies", ("shoes", "hallway_floor")),)
 
 
 def test_somebody_is_followed_wherever_they_go() -> None:
