@@ -15,7 +15,7 @@ from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.phrases import read_phrases, rooms_of, split_preposition
 
-_IS = r"(?:\s+(?:is|are)|['\u2019](?:s|re))\b"
+_IS = r"(?:\s+(?:is|are|am)|['\u2019](?:s|re|m))\b"
 _NOT_ONE = r"(?!(?:and|or|if|then|when|while|as|before|after|there)\b)"
 _WHERE = re.compile(rf"\s+(?:where|in which)\s+(?P<who>[^,.;:!?]+?){_IS}(?:\s+\w+ing\b)?", re.IGNORECASE)
 _WITHIN = re.compile(rf"\s+(?:that\s+|which\s+)?(?P<who>{_NOT_ONE}\w+(?:\s+\w+){{0,2}}?){_IS}\s+in\b", re.IGNORECASE)

@@ -25,6 +25,8 @@ def first(text: str, count: int = 1) -> GroundTask:
         ("[to the room](1:goal) in which the guest is sleeping", ("guest",)),
         ("[to the room where the phone is](1:goal)", ("phone",)),
         ("[wherever Tom is](1:goal)", ("tom",)),
+        ("[to the room](1:goal) where I'm sitting", ("user",)),
+        ("[where I am](1:goal)", ("user",)),
         ("[to the room](1:goal) where the tv is", ("living_room",)),
         ("[to the room](1:goal) that has the laundry basket", ("bathroom",)),
         ("[to the room](1:goal) [with the bed](1:manner)", ("bedroom",)),
