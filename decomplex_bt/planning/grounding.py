@@ -452,7 +452,21 @@ class _Grounder:
         rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
         values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
         label = f"be {state or words}: being {values} is not modelled for {{}}"
-        return self._objects(task, has_state, label, rooms=rooms)
+        objects, inner = self._objects(task, has_state, label, rooms=rooms)
+        return tuple(one for referent in objects for one in self._each_in(referent, places)), inner
+
+    def _each_in(self, referent: Referent, places: tuple[Referent, ...]) -> tuple[Referent, ...]:
+        """One of several things of a kind for each of several places that "and" joins: "close the window in the kitchen
+        and in the study"; the referent itself where a place has none of its own."""
+        own = [
+            tuple(n for n in referent.candidates if not rooms.isdisjoint(rooms_of(n, self.domain)))
+            for place in places
+            for rooms in [{room for name in place.candidates for room in rooms_of(name, self.domain)}]
+        ]
+        is_one_of_each = len(own) > 1 and all(own) and len({*sum(own, ())}) == sum(map(len, own))
+        if referent.is_all or not is_one_of_each or not all(map(self.referents.is_fixed, referent.candidates)):
+            return (referent,)
+        return tuple(replace(referent, candidates=names) for names in own)
 
     def _as_it_is(self, referent: Referent, *pairs: str) -> Referent:
         """A referent that is the only one of its kind, whatever its state (one of `pairs`, if given): "wash the dirty

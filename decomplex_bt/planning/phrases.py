@@ -201,11 +201,23 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     phrases: list[NounPhrase] = []
     later: NounPhrase | None = None
     for part in reversed(parts or [""]):
-        later = _read_choice(part, preposition, domain, later, text)
+        read = _read_choice(part, preposition, domain, later, text)
+        later = (later and _of_room(read, part, later, domain)) or read
         phrases.append(later)
     if clause is not None:
         phrases = [_described(phrase, clause[1], domain) for phrase in phrases]
     return tuple(reversed(phrases))
+
+
+def _of_room(phrase: NounPhrase, words: str, later: NounPhrase, domain: Domain) -> NounPhrase | None:
+    """What is named by its room alone ("*the kitchen* and the bedroom light"), where the next phrase has the noun
+    behind the name of another; else None."""
+    rooms = set(domain.house.rooms)
+    before, _, noun = later.noun.rpartition(" ")
+    other = _read_part(before, "", domain, None) if before else None
+    if other is None or not all(named.entities and rooms.issuperset(named.entities) for named in (phrase, other)):
+        return None
+    return _read_part(f"{words} {noun}", phrase.preposition, domain, None)
 
 
 def _spelt_out(words: str, domain: Domain) -> str:

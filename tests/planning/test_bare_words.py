@@ -1,4 +1,5 @@
-"""Words without a noun of their own: "the blue one", "something", "anything", "nothing"."""
+"""Words without a noun of their own ("the blue one", "anything") or with one for several ("the kitchen and bedroom
+windows")."""
 
 from __future__ import annotations
 
@@ -94,3 +95,34 @@ def test_something_from_a_place_is_from_there_alone() -> None:
 def test_what_leaves_open_what_is_meant_is_refused(text: str) -> None:
     with pytest.raises(UnknownWordError, match="thing"):
         grounded(text)
+
+
+@pytest.mark.parametrize(
+    ("phrase", "meant"),
+    [
+        ("the kitchen and bedroom windows", [("kitchen_window",), ("bedroom_window",)]),
+        ("the kitchen and the bedroom window", [("kitchen_window",), ("bedroom_window",)]),
+    ],
+)
+def test_a_noun_behind_a_second_room_is_that_of_the_first_too(phrase: str, meant: list[tuple[str, ...]]) -> None:
+    task = grounded(f"[Close](1:change_state) [{phrase}](1:object)").tasks[0]
+    assert [referent.candidates for referent in task.objects] == meant
+
+
+def test_a_room_beside_a_thing_is_no_part_of_its_name() -> None:
+    with pytest.raises(ImpossibleGoalError, match="'the kitchen' cannot be closed"):
+        grounded("[Close](1:change_state) [the kitchen and the window](1:object)")
+
+
+@pytest.mark.parametrize(
+    ("where", "meant"),
+    [
+        ("in the kitchen and in the bedroom", [("kitchen_window",), ("bedroom_window",)]),
+        ("in the kitchen and the bedroom", [("kitchen_window",), ("bedroom_window",)]),
+        ("in the kitchen or in the bedroom", [("kitchen_window", "bedroom_window")]),
+        ("in the bedroom", [("bedroom_window",)]),
+    ],
+)
+def test_in_two_rooms_there_is_one_each(where: str, meant: list[tuple[str, ...]]) -> None:
+    task = grounded(f"[Close](1:change_state) [the window](1:object) [{where}](1:location)").tasks[0]
+    assert [sorted(referent.candidates) for referent in task.objects] == [sorted(names) for names in meant]
