@@ -20,7 +20,7 @@ from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.abilities import devices_for, wipers_of
+from decomplex_bt.planning.abilities import wipers_of
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 MOST_READINGS = 32
@@ -110,7 +110,7 @@ def _obstacle(domain: Domain, truth: Truth, task: GroundTask, role: str, name: s
     if name in house.things:
         if truth.place(name) is None:
             return "thing nowhere", name
-        return _state_obstacle(domain, truth, name, task.state) if _brings_state(task, role) else None
+        return _state_obstacle(domain, truth, name, task) if _brings_state(task, role) else None
     if not is_reachable(domain, name):
         return "place not reachable", name
     if role == "object" and task.type in ("taking", "placing", "bringing"):
@@ -118,15 +118,16 @@ def _obstacle(domain: Domain, truth: Truth, task: GroundTask, role: str, name: s
     is_put_there = role == "goal" and task.type in ("placing", "bringing")
     if is_put_there and name not in house.rooms and not holds_things(domain, name):
         return "goal not possible", name
-    return _state_obstacle(domain, truth, name, task.state) if _brings_state(task, role) else None
+    return _state_obstacle(domain, truth, name, task) if _brings_state(task, role) else None
 
 
 def _brings_state(task: GroundTask, role: str) -> bool:
     return task.type == "change_state" and role == "object"
 
 
-def _state_obstacle(domain: Domain, truth: Truth, name: str, value: str | None) -> tuple[CauseKind, str] | None:
-    """Why an entity cannot be brought into a state; None if it can, or is in it."""
+def _state_obstacle(domain: Domain, truth: Truth, name: str, task: GroundTask) -> tuple[CauseKind, str] | None:
+    """Why an entity cannot be brought into the state of a task; None if it can, or is in it."""
+    value = task.state
     assert value is not None
     kind = domain.kind(name)
     try:
@@ -143,7 +144,7 @@ def _state_obstacle(domain: Domain, truth: Truth, name: str, value: str | None) 
         return None
     if name not in domain.house.things:
         return _place_state_obstacle(domain, truth, name, value)
-    return _device_obstacle(domain, truth, name, value)
+    return _device_obstacle(domain, truth, name, task)
 
 
 def _place_state_obstacle(domain: Domain, truth: Truth, name: str, value: str) -> tuple[CauseKind, str] | None:
@@ -156,9 +157,9 @@ def _place_state_obstacle(domain: Domain, truth: Truth, name: str, value: str) -
     return None if any(truth.place(tool) is not None for tool in tools) else ("thing nowhere", tools[0])
 
 
-def _device_obstacle(domain: Domain, truth: Truth, thing: str, value: str) -> tuple[CauseKind, str] | None:
+def _device_obstacle(domain: Domain, truth: Truth, thing: str, task: GroundTask) -> tuple[CauseKind, str] | None:
     """A thing needs a place that heats, cools, cleans, fills or empties it, in reach and in order."""
-    useful = devices_for(thing, value, domain)
+    useful = task.devices(thing, domain)
     if not useful:
         return "goal not possible", thing
     reachable = [place for place in useful if is_reachable(domain, place)]

@@ -38,7 +38,7 @@ from decomplex_bt.envs.floorplan import RESOLUTION, Floorplan, floorplan_of
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
-from decomplex_bt.planning.abilities import devices_for, is_fixed, wipers_of
+from decomplex_bt.planning.abilities import is_fixed, wipers_of
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ class ShortestPath:
             return
         if task.type == "change_state":
             for name in _names(task.objects, bindings):
-                yield from self._change(name, task.state)
+                yield from self._change(name, task)
             return
         if task.type == "following":
             yield from self._follow(task, bindings)
@@ -146,19 +146,20 @@ class ShortestPath:
         gaps = np.hypot(self._plan.cell_x - x, self._plan.cell_y - y)
         return sorted((stop for stop in stops if stop.any()), key=lambda stop: float(gaps[stop].min()))
 
-    def _change(self, name: str, value: str | None) -> Iterator[Mask]:
+    def _change(self, name: str, task: GroundTask) -> Iterator[Mask]:
         """To the place whose state is changed; with a thing first to it, then to what changes it."""
-        pair = self._domain.kinds.pair_of(value or "")
+        value = task.state or ""
+        pair = self._domain.kinds.pair_of(value)
         if self._state(name, pair) == value:
             return
-        self._values[name, pair] = value or ""
+        self._values[name, pair] = value
         if name not in self._places:
             tools = wipers_of(name, self._domain) if value == "clean" else ()
             if tools:
                 yield self._any(tools, self._use)
             yield self._use(name)
             return
-        devices = devices_for(name, value or "", self._domain)
+        devices = task.devices(name, self._domain)
         if self._places[name] not in devices:
             yield from self._fetch((name,), "taking")
         yield self._any(devices, self._use)

@@ -9,7 +9,6 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
 from decomplex_bt.envs.evidence import holds_things, places_in
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.abilities import devices_for
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 
@@ -140,6 +139,6 @@ def _devices(referent: Referent, task: GroundTask, domain: Domain) -> tuple[str,
     fixed = tuple(name for name in referent.candidates if name not in domain.house.things)
     if fixed:
         return fixed
-    able = {name: devices_for(name, task.state or "", domain) for name in referent.candidates}
+    able = {name: task.devices(name, domain) for name in referent.candidates}
     shared = tuple(dict.fromkeys(place for places in able.values() for place in places))
     return shared if all(domain.kind(place).is_device for place in shared) else ()

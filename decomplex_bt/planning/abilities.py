@@ -9,6 +9,8 @@ from decomplex_bt.domain.loader import Domain
 _BY = {  # abilities of kinds of places that bring about a value of a thing's state
     "hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",), "empty": ("drains",),
 }  # fmt: skip
+_ACTIONS = {"heats": "heat", "cools": "chill", "washes": "wash", "rinses": "rinse", "fills": "fill", "drains": "drain"}
+"""The actions of `domain.pddl` by these abilities."""
 
 
 @lru_cache(maxsize=4096)
@@ -40,6 +42,11 @@ def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
     return tuple(
         place for place in places if any(tags & set(getattr(domain.kind(place), by)) for by in _BY.get(value, ()))
     )
+
+
+def steps_at(place: str, value: str, domain: Domain) -> tuple[str, ...]:
+    """The names of the actions by which things are brought into a state at a place."""
+    return tuple(_ACTIONS[by] for by in _BY.get(value, ()) if getattr(domain.kind(place), by))
 
 
 @lru_cache(maxsize=4096)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow
+from decomplex_bt.planning.abilities import devices_for
 from decomplex_bt.planning.pddl import GroundAction
 
 HERE = "here"
@@ -76,7 +78,8 @@ class GroundTask:
     are *not* there ("if Anna is out"). `is_only_there`: whether the objects are to be taken from the places and from
     nowhere else, so that it cannot be done where they are not there. `message`: what is said; `question`: the check or
     search that answers it ("whether the lamp is on"), which the robot makes before it says it. `forbidden`: steps by
-    which it is not to be done (filling at the sink, where it is to be "with coffee"). `span`: the verb
+    which it is not to be done (filling at the sink, where it is to be "with coffee"; heating in the microwave, where
+    it is to be "in the oven"). `span`: the verb
     in the text, code points, end exclusive.
     """
 
@@ -103,6 +106,11 @@ class GroundTask:
     def referents(self) -> tuple[Referent, ...]:
         """All its referents: objects, places, goal, recipients."""
         return (*self.objects, *self.places, *((self.goal,) if self.goal is not None else ()), *self.recipients)
+
+    def devices(self, thing: str, domain: Domain) -> tuple[str, ...]:
+        """The places at which it may bring a thing into its state, in the order of the house."""
+        barred = {step.objects for step in self.forbidden}
+        return tuple(place for place in devices_for(thing, self.state or "", domain) if (thing, place) not in barred)
 
     def may_be_none(self, referent: Referent) -> bool:
         """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows")."""

@@ -14,6 +14,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Missing, Task
 from decomplex_bt.planning.abilities import bringable_values, states_of
+from decomplex_bt.planning.devices import steps_elsewhere
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
@@ -237,7 +238,8 @@ class _Grounder:
                 raise ImpossibleGoalError(f"nothing here makes {referent.phrase!r} {value}")
         there = places + inner if self.referents.may_move(objects) else ()
         able = tuple(fit for fit in fits if fit is not None)
-        forbidden = wrong_fillings(task, able, self.domain) if value == FULL else ()
+        forbidden = steps_elsewhere(task, able, value, self.domain)
+        forbidden += wrong_fillings(task, able, self.domain) if value == FULL else ()
         return replace(bare, objects=able, places=there, state=value, forbidden=forbidden)
 
     def _check_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:

@@ -74,7 +74,11 @@ def test_what_was_found_somewhere_is_brought_from_there(places: dict[str, str]) 
         "[bring](2:bringing) [it](2:object=anything) [to me](2:recipient), otherwise [tell](3:informing) "
         "[me](3:recipient)."
     )
-    elsewhere = dict.fromkeys(("toy", "remote", "book_1", "book_2", "magazine", "pillow", "blanket"), "basket")
+    elsewhere = {
+        **dict.fromkeys(("toy", "remote"), "basket"),
+        **dict.fromkeys(("book_1", "book_2", "magazine"), "desk"),
+        **dict.fromkeys(("pillow", "blanket"), "bed"),
+    }
     status, info, _ = episode(text, [{"if": 1, "then": [2], "else": [3]}], placement={**elsewhere, **places})
     assert (info["is_success"], status) == (True, Status.SUCCESS)
     if places:

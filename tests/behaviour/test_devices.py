@@ -1,0 +1,71 @@
+"""What is to be done at a device is done there, by the robot and for the judge."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium as gym
+import pytest
+from py_trees.common import Status
+
+import decomplex_bt
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.planning.grounding import ground
+
+DOMAIN = load_domain()
+ENV = gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
+PLATE = "[Wash](1:change_state) [the white plate](1:object){}"
+
+
+def episode(text: str, **options: Any) -> tuple[Status, dict[str, Any], str | None]:
+    """One episode without noise: the agent's status, the last info, why it is not feasible."""
+    instruction = read_markup(text, DOMAIN.ontology, flow=[1])
+    options = {"noise": False, "broken": [], **options}
+    observation, info = ENV.reset(seed=1, options={"instruction": instruction, **options})
+    agent = decomplex_bt.TreeAgent(ENV, flow=instruction)
+    agent.reset(observation, {"instruction": info["instruction"]})
+    cause = info["infeasible_cause"]
+    while True:
+        observation, _, terminated, truncated, info = ENV.step(agent.act(observation))
+        if terminated or truncated:
+            return agent.status, info, cause
+
+
+def power_of(device: str) -> str:
+    truth = ENV.unwrapped.truth()  # type: ignore[attr-defined]
+    return truth.state(device, "power")
+
+
+@pytest.mark.parametrize(
+    ("words", "devices"),
+    [
+        ("", ("sink", "dishwasher")),
+        (" [in the dishwasher](1:location)", ("dishwasher",)),
+        (" [in the sink](1:location)", ("sink",)),
+        (" [using the dishwasher](1:manner)", ("dishwasher",)),
+        (" [in the kitchen](1:location)", ("sink", "dishwasher")),
+        (" [with care](1:manner)", ("sink", "dishwasher")),
+    ],
+)
+def test_what_is_named_is_what_may_be_used(words: str, devices: tuple[str, ...]) -> None:
+    (task,) = ground(read_markup(PLATE.format(words), DOMAIN.ontology, flow=[1]), DOMAIN).tasks
+    assert sorted(set(task.devices("plate_1", DOMAIN)) & {"sink", "dishwasher"}) == sorted(devices)
+
+
+@pytest.mark.parametrize("device", ["oven", "microwave"])
+def test_a_thing_is_heated_where_it_is_to_be(device: str) -> None:
+    text = f"[Heat](1:change_state) [the bread](1:object) [in the {device}](1:location)"
+    status, info, _ = episode(text, placement={"bread": "counter"}, states={"bread": "cold"})
+    assert (info["is_success"], status, power_of(device)) == (True, Status.SUCCESS, "on")
+
+
+def test_where_the_device_is_broken_no_other_will_do() -> None:
+    text = "[Heat](1:change_state) [the bread](1:object){}"
+    world = {"placement": {"bread": "counter"}, "states": {"bread": "cold"}, "broken": ["oven"]}
+    status, info, cause = episode(text.format(" [in the oven](1:location)"), **world)
+    assert (info["is_success"], status is Status.SUCCESS) == (False, False)
+    assert cause is not None
+    assert "oven" in str(cause)
+    status, info, cause = episode(text.format(""), **world)
+    assert (info["is_success"], status, cause) == (True, Status.SUCCESS, None)
