@@ -691,3 +691,12 @@ def test_what_is_of_another_matter_is_not_asked_in_the_case_before(words: str, s
     )
     roles = ("condition", "task", "condition", "task")
     assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == side
+
+
+@pytest.mark.parametrize(("mark", "expected"), [("; ", "top"), (" and ", "<1+")])
+def test_what_is_done_with_everything_else_hangs_on_nothing_in_a_clause_of_its_own(mark: str, expected: str) -> None:
+    found = clauses(
+        "If there['s](1:check_state) [a bill](1:object), [bring](2:bringing) [it](2:object) [to me](2:recipient)"
+        f"{mark}[leave](3:placing) [everything else](3:object) [on the mat](3:goal)."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == expected

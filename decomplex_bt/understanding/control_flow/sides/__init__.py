@@ -39,6 +39,7 @@ _RULES = (
     prohibitions.allow,
     scopes.exclude,
     scopes.turn_away,
+    scopes.leave_rest,
     reversals.choose,
 )
 """One after the other on each task, left to right: a later one speaks of a rarer wording and has the last word."""

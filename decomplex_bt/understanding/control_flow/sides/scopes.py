@@ -10,6 +10,8 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, goes_on, hangs_ahead
 
 _IFS = frozenset(("if", "when"))
+_ALL = frozenset(("everything", "anything", "all"))
+_PARTING = frozenset((".", ";"))
 _MOVING = frozenset(("placing", "bringing"))
 _FILLED = frozenset("full packed crammed overflowing".split())
 _OBSTRUCTED = frozenset(
@@ -171,3 +173,12 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
         sides[first + 1 : k] = [HOLDS] * (k - first - 1)
         sides[k] = FAILS
+
+
+def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with everything else than what a case spoke of, in a clause of its own, is done in any case ("if
+    there's a letter, bring it; *leave everything else* on the mat")."""
+    clause = clauses[k]
+    is_rest = roles[k] == "task" and "else" in clause.thing and not _ALL.isdisjoint(clause.thing)
+    if is_rest and clause.boundary in _PARTING and sides[k] == HOLDS:
+        sides[k] = "top"
