@@ -13,12 +13,15 @@ from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.phrases import read_phrases, split_preposition
 
 _SAID = ("location", "source", "goal", "manner")
+_FROM = frozenset(("from", "out of", "off", "off of", "away from", "back from"))
+"""Prepositions of where a thing has been; things are filled "from the tap", too."""
 
 
 def steps_elsewhere(task: Task, objects: Sequence[Referent], value: str, domain: Domain) -> tuple[GroundAction, ...]:
     """The steps that would bring things into a state at another device than the one that a task names; none where it
     names none that can."""
-    named = {name for kind in _SAID for words in task.values(kind) for name in _named(words, domain)}
+    away = frozenset(domain.lexicon.beside) | (frozenset() if value == "full" else _FROM)
+    named = {name for kind in _SAID for words in task.values(kind) for name in _named(words, away, domain)}
     things = [name for referent in objects for name in referent.candidates if name in domain.house.things]
     useful = {thing: devices_for(thing, value, domain) for thing in things}
     if not things or any(named.isdisjoint(devices) for devices in useful.values()):
@@ -32,9 +35,13 @@ def steps_elsewhere(task: Task, objects: Sequence[Referent], value: str, domain:
     )
 
 
-def _named(words: str, domain: Domain) -> list[str]:
+def _named(words: str, away: frozenset[str], domain: Domain) -> list[str]:
+    """What words name, unless they begin with a preposition that says where a thing is not brought."""
+    preposition, place = split_preposition(words.lower().removeprefix("using "), domain)
+    if preposition in away:
+        return []
     try:
-        phrases = read_phrases(split_preposition(words.lower().removeprefix("using "), domain)[1], domain)
+        phrases = read_phrases(place, domain)
     except (UnknownWordError, ImpossibleGoalError):
         return []  # "with care"
     return [name for phrase in phrases for name in phrase.entities]

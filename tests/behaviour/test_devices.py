@@ -46,11 +46,20 @@ def power_of(device: str) -> str:
         (" [using the dishwasher](1:manner)", ("dishwasher",)),
         (" [in the kitchen](1:location)", ("sink", "dishwasher")),
         (" [with care](1:manner)", ("sink", "dishwasher")),
+        (" [from the dishwasher](1:source)", ("sink", "dishwasher")),
+        (" [next to the sink](1:location)", ("sink", "dishwasher")),
     ],
 )
 def test_what_is_named_is_what_may_be_used(words: str, devices: tuple[str, ...]) -> None:
     (task,) = ground(read_markup(PLATE.format(words), DOMAIN.ontology, flow=[1]), DOMAIN).tasks
     assert sorted(set(task.devices("plate_1", DOMAIN)) & {"sink", "dishwasher"}) == sorted(devices)
+
+
+def test_things_are_filled_from_a_device() -> None:
+    text = "[Fill](1:change_state) [the red mug](1:object) [from the sink](1:source)"
+    (task,) = ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks
+    assert "coffee_machine" not in task.devices("mug_1", DOMAIN)
+    assert "sink" in task.devices("mug_1", DOMAIN)
 
 
 @pytest.mark.parametrize("device", ["oven", "microwave"])
