@@ -382,9 +382,23 @@ class _Grounder:
             given.add("state")
         for group in task_type.required:
             if not given & set(group):
+                self._check_stateless(task, group[0])
                 answer = self._answer(task, group[0], task_type.questions[group[0]])
                 task = replace(task, arguments=(*task.arguments, Argument(group[0], answer)))
         return task
+
+    def _check_stateless(self, task: Task, lacking: str) -> None:
+        """Raises `ImpossibleGoalError` where an order lacks a state and what it is about has none to ask for."""
+        if task.type != "change_state" or lacking != "state" or task.value("object") is None:
+            return
+        phrases = [phrase for said in task.values("object") for phrase in read_phrases(said, self.domain)]
+        if any(states_of(name, self.domain) for p in phrases for name in (*p.entities, *p.plurals)):
+            return
+        done, what = task.span.of(self.instruction.text).lower(), task.value("object")
+        raise ImpossibleGoalError(
+            f"{done!r} says nothing that can be done with {what!r} here, which has no state to change; "
+            "ask for something else"
+        )
 
     def _with_mentions(self, task: Task) -> Task:
         """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …"), a

@@ -396,11 +396,25 @@ def _special(words: str, preposition: str, domain: Domain) -> NounPhrase | None:
         before = words.removeprefix(anything).split()
         is_told = all(read_state(word, domain.kinds.state_pairs, domain) for word in before)
         return _modified(phrase, ["any", *before], domain) if is_told else None
-    if words in lexicon.anybody_words:
-        return NounPhrase(words, preposition, others)
-    if words in lexicon.everybody_words:
-        return NounPhrase(words, preposition, (), others, is_all=True)
+    people = _people(words, domain)
+    is_other = words == f"{people} else"
+    if people in lexicon.anybody_words:
+        return NounPhrase(words, preposition, others, is_other=is_other)
+    if people in lexicon.everybody_words:
+        return NounPhrase(words, preposition, (), others, is_all=True, is_other=is_other)
     return None
+
+
+def _people(words: str, domain: Domain) -> str:
+    """Words for somebody or everybody without what is said of them: "else", or the house that they are in."""
+    lexicon = domain.lexicon
+    for people in (*lexicon.anybody_words, *lexicon.everybody_words):
+        said = words.removeprefix(f"{people} ")
+        preposition, place = split_preposition(said, domain)
+        is_house = said in lexicon.presence_words and bool(preposition) and place not in ("", "there")
+        if said != words and (said == "else" or is_house):
+            return people
+    return words
 
 
 def _strip_end(words: str, domain: Domain) -> str:
@@ -509,14 +523,24 @@ def _unique(names: tuple[str, ...]) -> tuple[str, ...]:
 
 def _unknown(words: str, domain: Domain) -> UnknownWordError:
     """The error for words that name nothing: the nearest are what the noun alone names, else words that look alike."""
-    tokens = [token for token in words.split() if token not in domain.lexicon.determiners]
-    known = next(
-        (found for i in range(len(tokens)) if (found := domain.nouns.lookup(" ".join(tokens[i:])))[0] or found[1]), None
-    )
-    if known is not None:
-        return UnknownWordError(words, _unique(tuple(_describe(name, domain) for name in (*known[0], *known[1])))[:4])
-    noun = " ".join(tokens) or words
+    noun, known = _noun_of(words, domain)
+    if known:
+        return UnknownWordError(words, _unique(tuple(_describe(name, domain) for name in known))[:4])
     return UnknownWordError(words, domain.nouns.nearest(noun) or domain.nouns.nearest(noun.split()[-1]))
+
+
+def as_expected(error: UnknownWordError, expected: str, among: Iterable[str], domain: Domain) -> UnknownWordError:
+    """The error with what was expected in place of a thing, and where the noun names nothing, the nearest of that."""
+    noun, known = _noun_of(error.phrase, domain)
+    choices = error.choices if known else domain.nouns.nearest(noun, among)
+    return UnknownWordError(error.phrase, choices, expected=expected)
+
+
+def _noun_of(words: str, domain: Domain) -> tuple[str, tuple[str, ...]]:
+    """Words without those that do not say which one, and what the last of them name."""
+    tokens = [token for token in words.split() if token not in domain.lexicon.determiners]
+    found = (domain.nouns.lookup(" ".join(tokens[i:])) for i in range(len(tokens)))
+    return " ".join(tokens) or words, next(((*names, *plurals) for names, plurals in found if names or plurals), ())
 
 
 def _describe(name: str, domain: Domain) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things, states_of
@@ -18,6 +18,7 @@ from decomplex_bt.planning.others import Others
 from decomplex_bt.planning.phrases import (
     DEFINITE,
     NounPhrase,
+    as_expected,
     nothing_there,
     read_argument,
     rooms_of,
@@ -25,6 +26,8 @@ from decomplex_bt.planning.phrases import (
 )
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
+PLACES = frozenset(("goal", "location", "source", "path"))
+"""Types of arguments that say where."""
 Key = tuple[tuple[str, ...], tuple[tuple[str, str], ...], tuple[Referent, ...]]
 
 
@@ -45,7 +48,20 @@ class Referents:
 
     def phrases(self, argument: Argument) -> tuple[NounPhrase, ...]:
         start = argument.span.start if argument.span is not None else None
-        return tuple(replace(phrase, start=start) for phrase in read_argument(argument, self._text, self._domain))
+        try:
+            read = read_argument(argument, self._text, self._domain)
+        except UnknownWordError as error:
+            raise self._expecting(error, argument.type) from None
+        return tuple(replace(phrase, start=start) for phrase in read)
+
+    def _expecting(self, error: UnknownWordError, role: str) -> UnknownWordError:
+        """The error of an argument that names nothing, with what its type asks for."""
+        if role == "recipient":
+            return as_expected(error, "a person", self._house.people, self._domain)
+        if role in PLACES:
+            known = (*self._house.rooms, *self._house.places(), *self._house.people)
+            return as_expected(error, "a room, a place or a person", known, self._domain)
+        return error
 
     def where(self, phrase: NounPhrase) -> Referent:
         """Where something is looked for: on or in a place, beside a thing or with a person."""

@@ -126,3 +126,18 @@ def test_a_room_beside_a_thing_is_no_part_of_its_name() -> None:
 def test_in_two_rooms_there_is_one_each(where: str, meant: list[tuple[str, ...]]) -> None:
     task = grounded(f"[Close](1:change_state) [the window](1:object) [{where}](1:location)").tasks[0]
     assert [sorted(referent.candidates) for referent in task.objects] == [sorted(names) for names in meant]
+
+
+@pytest.mark.parametrize("words", ["everybody", "everybody in the house", "everyone at home", "everybody else"])
+def test_everybody_may_be_said_to_be_in_the_house(words: str) -> None:
+    (task,) = grounded(f"[Tell](1:informing) [{words}](1:recipient) [that it is late](1:message)").tasks
+    (people,) = task.recipients
+    assert (people.is_all, set(people.candidates)) == (True, set(DOMAIN.house.people) - {DOMAIN.house.user})
+
+
+def test_everybody_else_is_all_but_those_named_before() -> None:
+    text = "[Tell](1:informing) [Anna](1:recipient) [hello](1:message), "
+    text += "[tell](2:informing) [{}](2:recipient) [bye](2:message)"
+    for words in ("everyone else", "somebody else"):
+        assert "anna" not in grounded(text.format(words), 2).tasks[1].recipients[0].candidates
+    assert "anna" in grounded(text.format("everyone"), 2).tasks[1].recipients[0].candidates

@@ -164,6 +164,15 @@ def test_what_is_dropped_lands_on_the_floor(text: str) -> None:
     assert set(task.goal.candidates) == {DOMAIN.house.floor_of(room) for room in DOMAIN.house.rooms}
 
 
+@pytest.mark.parametrize(
+    "text", ["[Iron](1:change_state) [the {}](1:object)", "[Mend](1:change_state) [all {}s](1:object)"]
+)
+@pytest.mark.parametrize("what", ["shirt", "window"])
+def test_what_has_a_state_is_asked_for_it_where_the_verb_says_none(text: str, what: str) -> None:
+    with pytest.raises(MissingArgumentError, match="What state"):
+        first(text.format(what))
+
+
 def test_nothing_is_put_onto_itself() -> None:
     instruction = read_markup("[Put](1:placing) [the pen](1:object) down", DOMAIN.ontology, flow=[1])
     circle = replace(instruction.tasks[0], arguments=(*instruction.tasks[0].arguments, Argument("goal", "the pen")))
@@ -336,6 +345,12 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Bring](1:bringing) [me](1:recipient) [the hairdryer](1:object)", UnknownWordError, "hairdryer"),
         ("[Take](1:taking) [my library book](1:object)", UnknownWordError, "red book"),
         ("[Take](1:taking) [the purple mug](1:object)", UnknownWordError, "green mug"),
+        ("[Go](1:motion) [to the garage](1:goal)", UnknownWordError, "expected a room, a place or a person"),
+        ("[Go](1:motion) [to the dining room](1:goal)", UnknownWordError, "known: living room"),
+        ("[Bring](1:bringing) [Ottokar](1:recipient) [the book](1:object)", UnknownWordError, "expected a person"),
+        ("[Bring](1:bringing) [John](1:recipient) [the book](1:object)", UnknownWordError, "known: son, owner, woman"),
+        ("[Charge](1:change_state) [my phone](1:object)", ImpossibleGoalError, "'charge' says nothing .* no state"),
+        ("[Swap](1:change_state) [the books](1:object)", ImpossibleGoalError, "no state to change"),
         ("[Take](1:taking) [the bok](1:object)", UnknownWordError, "book"),
         ("[Open](1:change_state) [the pen](1:object)", ImpossibleGoalError, "open"),
         ("[Is](1:check_state) [the box](1:object) [open and empty](1:state)?", ImpossibleGoalError, "say each"),
