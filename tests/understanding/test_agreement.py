@@ -101,6 +101,7 @@ def test_he_she_and_they_are_no_thing(interpreter: Interpreter, text: str, numbe
     [
         ("If he's eaten the gruel, bring him a pear.", "him"),
         ("If Gus has finished the soup, hand him the bread.", "Gus"),
+        ("If he's on the phone, hand him a note.", "him"),
     ],
 )
 def test_who_has_finished_something_is_not_what_is_finished(interpreter: Interpreter, text: str, value: str) -> None:

@@ -7,7 +7,7 @@ import pytest
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.preferences import preferences
+from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 
 
 @pytest.fixture(scope="module")
@@ -75,3 +75,17 @@ def test_it_is_what_is_wished_for_and_him_who_wishes(interpreter: Interpreter) -
     bringings = [shape(instruction, task.id)[1] for task in instruction.tasks if task.type == "bringing"]
     assert bringings[0]["object"] == "a biscuit"
     assert {said["recipient"].removeprefix("to ") for said in bringings} == {"Bertie"}
+
+
+@pytest.mark.parametrize(
+    ("text", "is_case"),
+    [
+        ("If he doesn't want one, call me.", True),
+        ("When Nan wants her tea, boil the milk.", True),
+        ("If I want one, I'll say so.", False),
+        ("I want the blue cup if it's clean.", False),
+    ],
+)
+def test_what_somebody_else_wants_is_asked_in_a_case(parser: Parser, text: str, is_case: bool) -> None:
+    document = parser.parse(text)
+    assert is_wished(document, next(t.i for t in document.tokens if t.lemma == "want")) == is_case

@@ -12,6 +12,7 @@ from annotated import clauses
 
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
+from decomplex_bt.understanding.interpreter import Interpreter
 
 WET_OR_DARK = (
     "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"
@@ -448,3 +449,27 @@ def test_what_there_is_beside_is_no_mention_of_another_state(asked: str, role: s
         "forks](2:object), [bring](3:bringing) [me](3:recipient) [one](3:object)."
     )
     assert stated_roles(found, ("condition", "mention", "task"))[1] == role
+
+
+@pytest.mark.parametrize(("first", "role"), [("is [busy](1:state)", "condition"), ("wants [tea](1:state)", "mention")])
+def test_what_somebody_wants_is_no_mention_where_nothing_before_was_a_wish(first: str, role: str) -> None:
+    verb, state = first.split(" ", 1)
+    found = clauses(
+        f"If [Leo](1:object) [{verb}](1:check_state) {state}, [ring](2:informing) [the bell](2:message). "
+        "[Offer](3:bringing) [him](3:recipient) [a bun](3:object); if he doesn't [want](4:check_state) [one](4:object)"
+        ", [call](5:informing) [me](5:recipient)."
+    )
+    assert stated_roles(found, ("condition", "task", "task", "mention", "task"))[3] == role
+
+
+def test_how_somebody_answers_what_they_are_asked_in_the_same_sentence_is_a_condition_of_its_own() -> None:
+    found = clauses(
+        "If [Leo](1:object) [is](1:check_state) [up](1:state), [ask](2:informing) [him](2:recipient) [whether he wants "
+        "a bun](2:message), and if [he](3:object) [does](3:check_state), [fetch](4:taking) [one](4:object)."
+    )
+    assert stated_roles(found, ("condition", "task", "mention", "task"))[2] == "condition"
+
+
+def test_what_an_answer_says_is_what_was_asked() -> None:
+    instruction = Interpreter.load().interpret("If Nan's home, ask her if she's thirsty, and if she is, boil the milk.")
+    assert instruction.task(3).value("state") == "thirsty"

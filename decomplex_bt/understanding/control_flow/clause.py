@@ -266,12 +266,13 @@ class Clause:
 
     def is_answer_to(self, before: Clause, others: Sequence[Clause]) -> bool:
         """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
-        does, ..."), where the `others`, the conditions so far, are of things."""
+        does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things."""
         is_fitting = self.verb == "do" or not before.question.isdisjoint((self.verb, "'s", "\u2019s"))
         is_of_them = self.is_of_somebody and not any(other.number == "many" for other in others)
         is_answer = self.says_only_whether and bool(before.question) and is_fitting
         is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
-        return is_answer and is_of_things and (self.is_of_person or is_of_them)
+        is_told = self.sentence == before.sentence and self.is_of_somebody
+        return is_answer and (is_told or (is_of_things and (self.is_of_person or is_of_them)))
 
     @property
     def says_answer(self) -> bool:

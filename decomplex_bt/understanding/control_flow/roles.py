@@ -8,6 +8,7 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wordin
 from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
+from decomplex_bt.understanding.cues import WISHING
 
 _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
 """What there is that may be what was named, or an answer to it, in other words."""
@@ -31,6 +32,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _be_able,
         _ask_openly,
         _name_other,
+        _wish,
     ):
         for k in range(1, len(clauses)):
             rule(clauses, stated, k)
@@ -251,4 +253,12 @@ def _name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
     if clause.objects and named.isdisjoint(clause.objects) and _STANDING_FOR.isdisjoint(clause.objects):
+        roles[k] = "condition"
+
+
+def _wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What somebody wants is no mention of a condition, where nothing before was a wish ("if he's out, ... Offer him a
+    tea; *if he doesn't want one*, ...")."""
+    is_first = not any(before.is_wish or not WISHING.isdisjoint(before.question) for before in clauses[:k])
+    if roles[k] == "mention" and clauses[k].is_check and clauses[k].verb in WISHING and is_first:
         roles[k] = "condition"

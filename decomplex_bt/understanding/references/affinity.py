@@ -227,6 +227,8 @@ def _predicates(context: Context, gap: Gap) -> list[Option]:
         ]
     if says_there_is(context.observed.document, gap.task):
         return [option for option in options if option.type != "state"]
+    if answers := _answers(context, gap, options):
+        return answers
     if nobody(context.observed.document, gap.position):
         return [option for option in options if not _is_of_other_check(context, gap, option)]
     return options
@@ -239,6 +241,16 @@ def _is_of_later_mention(context: Context, gap: Gap, option: Option) -> bool:
         return False
     told = (c.owner for c in context.predicates if c.owner and context.relation(c.owner, gap.task.id) == "mention")
     return any(gap.task.id < owner < option.candidate.owner for owner in told)
+
+
+def _answers(context: Context, gap: Gap, options: Sequence[Option]) -> list[Option]:
+    """Of what a new condition may ask, what the task before asks somebody: "ask him if he's *hungry*, and if he is"."""
+    before = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    if before is None or before.type != "informing" or context.first.get(gap.task.id) != gap.task.id:
+        return []
+    document = context.observed.document
+    said = {i for a in before.arguments if a.type == "message" and a.span for i in document.indices(a.span)}
+    return [o for o in options if o.candidate is not None and o.type == "state" and {*o.candidate.tokens} <= said]
 
 
 def _is_of_other_check(context: Context, gap: Gap, option: Option) -> bool:

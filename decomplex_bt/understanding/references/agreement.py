@@ -9,7 +9,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, WHOLE, Candidate
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, WHOLE, Candidate
 from decomplex_bt.understanding.references.places import place_meant
 
 _FEMALE = frozenset(
@@ -80,7 +80,7 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if group not in _PERSONAL or kind_of(context, candidate) in _ANIMATE:
         return False
     if candidate.mention:
-        return candidate.mention == "unsaid" or GROUPS.get(candidate.mention) == "it"
+        return candidate.mention in ("unsaid", "one", "some") or GROUPS.get(candidate.mention) == "it"
     first, behind = document.tokens[candidate.tokens.start], document.tokens[candidate.tokens.stop :][:1]
     is_of_them = first.tag == "PRP$" and _OWNING.get(first.lower) == group
     if is_of_them and (group != "they" or candidate.tokens.start > gap.position):
@@ -98,7 +98,8 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
-    return is_handled or is_place or _is_had(context, gap, candidate)
+    is_whereabouts = candidate.type == "state" and before in PREPOSITIONS  # "if he's on *the phone*"
+    return is_handled or is_place or is_whereabouts or _is_had(context, gap, candidate)
 
 
 def _is_had(context: Context, gap: Gap, candidate: Candidate) -> bool:

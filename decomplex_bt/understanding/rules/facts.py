@@ -16,7 +16,7 @@ from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
-from decomplex_bt.understanding.rules.preferences import preferences
+from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
@@ -340,6 +340,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
         return "change_state"  # "hoover the stairs and clear up"
+    if task.type == "bringing" and is_wished(document, task.token):
+        return "check_state"
     if task.type == "motion" and _are_gone(document, task.token):
         return "check_state"
     if task.type == "motion" and encountered(document, task.token):

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
+from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import ENDS, Document
 
 _OPENING = frozenset(("if", "when", "unless", "case"))
@@ -13,6 +14,8 @@ _WOULD = frozenset("would 'd \u2019d d".split())
 _HAVING = frozenset("have take eat drink get".split())
 _MARKS = frozenset((",", ";", ":", "-", "–", "—")) | ENDS
 _NOT = frozenset(("not", "n't", "n\u2019t"))
+_HELPING = _WOULD | _NOT | frozenset("does do did still really actually ever".split())
+_SPEAKERS = frozenset(("i", "we"))
 _LONGEST = 6
 """The most words between what opens a case and the verb of a wish."""
 
@@ -59,6 +62,15 @@ def preferences(document: Document, tasks: Mapping[int, str]) -> Iterator[Prefer
         if stop > start and tokens[start].lower in _NOT:
             start = stop
         yield Preference(check, subject, range(start, stop), range(first, stop))
+
+
+def is_wished(document: Document, verb: int) -> bool:
+    """Whether a case asks with a verb what somebody else than the one who speaks wants: "if she doesn't *want* any"."""
+    tokens, first = document.tokens, verb
+    while first and tokens[first - 1].lower in _HELPING:
+        first -= 1
+    who = _subject(document, first) if tokens[verb].lemma in WISHING else range(0)
+    return bool(who) and tokens[who.start].lower not in _SPEAKERS
 
 
 def _is_over(tasks: Mapping[int, str], start: int, i: int) -> bool:
