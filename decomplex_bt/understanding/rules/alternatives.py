@@ -96,10 +96,10 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
         if not body or body.start in known or not (is_verbal or _is_phrase(document, body, tasks)):
             continue
-        if _is_ahead(document, parts, k, tasks):
+        if _is_ahead(document, parts, k, tasks) and (is_verbal or not _is_apart(document, parts, k, tasks)):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, condition, is_verbal)
-        elif not is_verbal and _is_added(document, parts, k, tasks):
+        elif not is_verbal and (_is_added(document, parts, k, tasks) or _is_apart(document, parts, k, tasks)):
             own = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, range(body.stop, body.stop), mark=part.opening, own=own)
         elif not is_verbal and _is_behind(document, parts, k, body, tasks):
@@ -202,6 +202,26 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_joined = tokens[part.body.start].lower == "and" and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
+
+
+def _is_apart(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
+    """Whether what "and" adds behind a condition has one of its own that asks of another thing: "bring the charger if
+    the battery is low, *and a cup of tea* if there's any left"."""
+    part, tokens = parts[k], document.tokens
+    if part.lead != "mark" or part.is_last or k + 1 == len(parts) or not _follows_condition(parts, k, tasks):
+        return False
+    before, condition = parts[k - 1].body, parts[k + 1]
+    is_next = condition.lead == "if" and part.body.stop == condition.opening.start and bool(condition.body)
+    if (
+        not is_next
+        or tokens[part.body.start].lower != "and"
+        or tokens[condition.body.start].lower in _SUBJECTS - {"there"}
+    ):
+        return False
+    named = [{tokens[i].lemma for i in body if tokens[i].pos in _NAMING} for body in (before, condition.body)]
+    first = tokens[before.start].lower
+    is_other = bool(named[0]) and first not in _SUBJECTS and named[0].isdisjoint(named[1])
+    return is_other and any(i in tasks for i in condition.body) and not _is_contrary(document, condition)
 
 
 def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> bool:
