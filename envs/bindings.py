@@ -37,6 +37,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
                 and all(truth.state(name, pair) in (value, None) for pair, value in referent.where)
             )
         is_of_place = referent.is_all and referent in task.objects and bool(task.places) and task.type != "searching"
+        is_of_place |= referent in task.told_there()
         if is_only_there or (referent not in bindings and is_of_place):
             wheres = [where for place in task.places for where in candidates(place, bindings)]
             named[referent] = tuple(

@@ -277,7 +277,7 @@ class Assumed:
     def after(self, task: GroundTask, bindings: Bindings) -> Assumed:
         """The world once a task is done with the first of what its phrases mean."""
         things = [name for referent in task.objects for name in candidates(referent, bindings)]
-        where = candidates(task.target, bindings)[0] if task.target is not None else None
+        where = next(iter(candidates(task.target, bindings)), None) if task.target is not None else None
         if task.type == "taking":
             return self._moved(things, ROBOT)
         if task.type in ("placing", "bringing") and where is not None:

@@ -104,7 +104,7 @@ def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_cond
 
 
 def _informing(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    yield from _done(_choose(task.recipients, bindings, evidence.was_told))
+    yield from _done(_choose(task.recipients, bindings, evidence.was_told, task))
 
 
 def _by_template(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:

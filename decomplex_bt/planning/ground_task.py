@@ -107,13 +107,21 @@ class GroundTask:
         """All its referents: objects, places, goal, recipients."""
         return (*self.objects, *self.places, *((self.goal,) if self.goal is not None else ()), *self.recipients)
 
+    def told_there(self) -> tuple[Referent, ...]:
+        """Those of its recipients who are all that are at its places ("everybody in the kitchen")."""
+        is_there = self.type == "informing" and bool(self.places)
+        return tuple(referent for referent in self.recipients if is_there and referent.is_all)
+
     def devices(self, thing: str, domain: Domain) -> tuple[str, ...]:
         """The places at which it may bring a thing into its state, in the order of the house."""
         barred = {step.objects for step in self.forbidden}
         return tuple(place for place in devices_for(thing, self.state or "", domain) if (thing, place) not in barred)
 
     def may_be_none(self, referent: Referent) -> bool:
-        """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows")."""
+        """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows"), or nobody
+        where it says ("tell everybody in the kitchen")."""
+        if referent in self.told_there():
+            return True
         return self.type in HANDLING and referent in self.objects and referent.is_all and bool(referent.where)
 
     def arguments(self) -> dict[str, tuple[Referent, ...] | str]:

@@ -332,7 +332,18 @@ class _Grounder:
     def _informing(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         recipient = task.argument("recipient")
         people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
-        return replace(bare, recipients=people, message=task.value("message"), question=self._question(task, bare))
+        there = self._where_all_are(recipient) if recipient is not None else ()
+        question = self._question(task, bare)
+        return replace(bare, recipients=people, places=there, message=task.value("message"), question=question)
+
+    def _where_all_are(self, recipient: Argument) -> tuple[Referent, ...]:
+        """The places of all who are somewhere ("everybody in the kitchen")."""
+        said = [phrase.place for phrase in self.referents.phrases(recipient) if phrase.is_all]
+        places = tuple(self.referents.where(place) for place in said if place is not None)
+        for place in places:
+            if not all(map(self.referents.is_fixed, place.candidates)):
+                raise ImpossibleGoalError(f"who is where {place.phrase!r} is cannot be known here; say a room")
+        return places
 
     def _question(self, task: Task, bare: GroundTask) -> GroundTask | None:
         """What is to be found out before it is said: where a message asks for what can be seen here; else None."""

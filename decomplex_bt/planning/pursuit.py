@@ -25,6 +25,7 @@ from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundTask
 from decomplex_bt.planning.handling import Handling
 from decomplex_bt.planning.standing import Bindings, NothingLeftError, Pursuit, PursuitStatus
+from decomplex_bt.planning.whereabouts import next_place
 
 __all__ = ["Bindings", "Pursuit", "PursuitStatus", "pursue"]
 
@@ -143,7 +144,23 @@ class _Pursuer(Handling):
             if looking.status is PursuitStatus.ONGOING:
                 return looking
             self.bindings = looking.bindings
+        if (search := self._look_who_is_there()) is not None:
+            return search
         return self._with_people(self.task.recipients, lambda who: self._goal({"recipient": who}), was_told)
+
+    def _look_who_is_there(self) -> Pursuit | None:
+        """A look for all who are at the places that the task says; None once they are bound to who is there."""
+        for referent in self.task.told_there():
+            if referent in self.bindings:
+                continue
+            place = next_place(referent.candidates, self.belief, [p for p in self.wheres if self._is_open(p)])
+            if place is not None:
+                return self._inspect(place, referent.phrase)
+            if not all(map(self._was_inspected, self.wheres)):
+                raise NothingLeftError(self._why(f"who is {referent.phrase!r} could not be seen", self.wheres))
+            there = tuple(name for name in referent.candidates if self._is_there(name))
+            self.bindings = {**self.bindings, referent: there}
+        return None
 
     def _other(self) -> Pursuit:
         """A task type of a domain of one's own: its goal template, with the first candidate of every phrase."""

@@ -163,7 +163,8 @@ class Standing:
         return self.belief.noted(Atom(predicate, objects)) > self.since
 
     def _asks_people(self) -> bool:
-        names = [name for referent in self.task.objects for name in referent.candidates]
+        asked = self.task.told_there() or self.task.objects
+        names = [name for referent in asked for name in referent.candidates]
         return bool(names) and all(name in self.house.people for name in names)
 
     def _distance(self, name: str) -> int:

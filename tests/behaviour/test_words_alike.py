@@ -18,7 +18,9 @@ ENV = gym.make("decomplex_bt/Household-v0", disable_env_checker=True)
 WINDOWS = ("kitchen_window", "living_room_window", "bedroom_window")
 
 
-def episode(text: str, flow: list[Any], **options: Mapping[str, str]) -> tuple[Status, dict[str, Any], list[str]]:
+def episode(
+    text: str, flow: list[Any], **options: Mapping[str, str | None]
+) -> tuple[Status, dict[str, Any], list[str]]:
     """One episode of a marked text without noise: the agent's status, the last info, the places of things changed."""
     instruction = read_markup(text, DOMAIN.ontology, flow=flow)
     world = {"noise": False, "broken": [], **options}
@@ -83,3 +85,23 @@ def test_what_was_found_somewhere_is_brought_from_there(places: dict[str, str]) 
     assert (info["is_success"], status) == (True, Status.SUCCESS)
     if places:
         assert info["branches"][0]["truth"] is True
+
+
+@pytest.mark.parametrize("there", [(), ("anna",), ("anna", "tom")])
+def test_everybody_in_a_room_is_who_is_there(there: tuple[str, ...]) -> None:
+    text = "[Tell](1:informing) [everybody in the living room](1:recipient) [that it is late](1:message) and "
+    text += "[go](2:motion) [to the kitchen](2:goal)"
+    elsewhere = {"anna": "study", "tom": "study", "guest": "bedroom", "relative": "bathroom"}
+    status, info, events = episode(text, [1, 2], people={**elsewhere, **dict.fromkeys(there, "living_room")})
+    assert (info["is_success"], status) == (True, Status.SUCCESS)
+    told = {name for name in elsewhere if any(f"say {name}" in event for event in events)}
+    assert told == set(there)
+
+
+def test_everybody_is_told_wherever_they_are() -> None:
+    text = "[Tell](1:informing) [everybody](1:recipient) [that it is late](1:message)"
+    status, info, events = episode(
+        text, [1], people={"anna": "study", "tom": "bedroom", "guest": None, "relative": None}
+    )
+    assert (info["is_success"], status) == (True, Status.SUCCESS)
+    assert all(any(f"say {name}" in event for event in events) for name in ("anna", "tom"))

@@ -135,6 +135,26 @@ def test_everybody_may_be_said_to_be_in_the_house(words: str) -> None:
     assert (people.is_all, set(people.candidates)) == (True, set(DOMAIN.house.people) - {DOMAIN.house.user})
 
 
+@pytest.mark.parametrize(
+    ("words", "places"),
+    [
+        ("everybody in the kitchen", [("kitchen",)]),
+        ("everyone at the kitchen table", [("kitchen_table",)]),
+        ("Anna in the kitchen", []),
+        ("everybody at home", []),
+    ],
+)
+def test_everybody_may_be_said_to_be_somewhere(words: str, places: list[tuple[str, ...]]) -> None:
+    (task,) = grounded(f"[Tell](1:informing) [{words}](1:recipient) [that it is late](1:message)").tasks
+    assert [place.candidates for place in task.places] == places
+
+
+@pytest.mark.parametrize("words", ["everybody with Anna", "everyone near the laptop"])
+def test_who_is_with_somebody_is_refused(words: str) -> None:
+    with pytest.raises(ImpossibleGoalError, match="say a room"):
+        grounded(f"[Tell](1:informing) [{words}](1:recipient) [that it is late](1:message)")
+
+
 def test_everybody_else_is_all_but_those_named_before() -> None:
     text = "[Tell](1:informing) [Anna](1:recipient) [hello](1:message), "
     text += "[tell](2:informing) [{}](2:recipient) [bye](2:message)"
