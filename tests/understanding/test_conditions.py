@@ -19,6 +19,7 @@ def parser() -> Parser:
         ("If Lea's borrowed the drill, let me know.", "'s"),
         ("If the moon is out, shut the blinds.", "is"),
         ("Put the kettle on, and when she's brought the eggs in, boil two.", "'s"),
+        ("Wipe the board only if there's nothing important on it.", "'s"),
         ("Unless the paint has dried, leave the window open.", "has"),
     ],
 )
@@ -35,6 +36,8 @@ def test_an_untold_case_is_a_check(parser: Parser, text: str, word: str) -> None
         ("Should the second attempt be in vain, or if that attempt is in vain, stop.", {}),
         ("Tell Lea, if the bus is late, to wait.", {"Tell": "informing"}),
         ("See if the moon is out.", {"See": "check_state"}),
+        ("If there's no sign of it, go on.", {}),
+        ("If there is nothing to sort out, go on.", {}),
         ("If you're done, come here.", {}),
     ],
 )

@@ -11,16 +11,16 @@ _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))
 _BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
 _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
-_UNNAMED = frozenset("you i it that this there u".split())
-_TRIED = frozenset("attempt try search".split())
-"""What is told of the order before: "if the second attempt is unsuccessful"."""
+_UNNAMED = frozenset("you i it that this u".split())
+_TRIED = frozenset("attempt try search sign".split())
+"""What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
 _LONGEST = 6
 """The most words of a subject."""
 
 
 def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
-    """The "is" or "has" of every case that begins a clause, has a noun or a person for its subject, and none of whose
-    words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told."""
+    """The "is" or "has" of every case that begins a clause, has a noun, a person or "there" for its subject, and none
+    of whose words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told."""
     tokens = document.tokens
     return frozenset(
         be
@@ -41,8 +41,12 @@ def _be(document: Document, clause: range) -> int | None:
     be = next((i for i in subject if i > clause.start and tokens[i].lower in _BE_OR_HAVE), None)
     if be is None or tokens[clause.start].lower in _UNNAMED:
         return None
-    named = tokens[clause.start : be]
-    is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
+    if tokens[clause.start].lower == "there":
+        named = tokens[be + 1 : clause.stop]
+        is_named = be == clause.start + 1 and named[-1].tag != "VB"  # "if there's nothing to sort out"
+    else:
+        named = tokens[clause.start : be]
+        is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
     return be if is_named and _TRIED.isdisjoint(t.lemma for t in named) else None
 
 
