@@ -478,7 +478,10 @@ class _Grounder:
 
         rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
         values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
-        label = f"be {state or words}: being {values} is not modelled for {{}}"
+        verb = task.span.of(self.instruction.text).lower()
+        is_said = words is not None or state is None or state in verb or verb in state
+        label = f"be {state or words}{'' if is_said else f' (so {verb!r} is read)'}: being {values}"
+        label += " is not modelled for {}"
         objects, inner = self._objects(task, has_state, label, rooms=rooms)
         return tuple(one for referent in objects for one in self._each_in(referent, places)), inner
 

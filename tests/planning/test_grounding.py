@@ -349,6 +349,12 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Go](1:motion) [to the dining room](1:goal)", UnknownWordError, "known: living room"),
         ("[Bring](1:bringing) [Ottokar](1:recipient) [the book](1:object)", UnknownWordError, "expected a person"),
         ("[Bring](1:bringing) [John](1:recipient) [the book](1:object)", UnknownWordError, "known: son, owner, woman"),
+        (
+            "[Cut](1:change_state) [the bread](1:object)",
+            ImpossibleGoalError,
+            r"'the bread' cannot be off \(so 'cut' is read\): being on or off is not modelled for bread",
+        ),
+        ("[Open](1:change_state) [the bread](1:object)", ImpossibleGoalError, "cannot be open: being"),
         ("[Charge](1:change_state) [my phone](1:object)", ImpossibleGoalError, "'charge' says nothing .* no state"),
         ("[Swap](1:change_state) [the books](1:object)", ImpossibleGoalError, "no state to change"),
         ("[Take](1:taking) [the bok](1:object)", UnknownWordError, "book"),
