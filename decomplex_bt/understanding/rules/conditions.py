@@ -43,7 +43,7 @@ def _be(document: Document, clause: range) -> int | None:
         return None
     if tokens[clause.start].lower == "there":
         named = tokens[be + 1 : clause.stop]
-        is_named = be == clause.start + 1 and named[-1].tag != "VB"  # "if there's nothing to sort out"
+        is_named = be == clause.start + 1 and all(t.tag != "TO" for t in named)  # "if there's nothing to sort out"
     else:
         named = tokens[clause.start : be]
         is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
