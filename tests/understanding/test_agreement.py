@@ -133,3 +133,21 @@ def test_what_is_done_up_without_an_object_is_done_to_nothing_that_it_cannot_be_
 def test_whichever_of_two_it_is(interpreter: Interpreter, text: str, number: int, value: str) -> None:
     found = interpreter.interpret(text)
     assert found.tasks[min(number, len(found.tasks)) - 1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Take the tray away, and hang the towel up unless it stinks.", 3, "the towel"),
+        ("Empty the kettle, then wash the jug if it needs rinsing.", 3, "the jug"),
+    ],
+)
+def test_an_if_it_right_behind_an_order_is_of_what_that_names(
+    interpreter: Interpreter, text: str, number: int, value: str
+) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value
+
+
+def test_what_is_put_in_is_put() -> None:
+    task = Interpreter.load().interpret("When it boils, put in the peas.").tasks[-1]
+    assert (task.value("object"), task.value("goal")) == ("the peas", None)

@@ -44,6 +44,8 @@ _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 """By a verb, what it is done with."""
 _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
+_GUARDING = frozenset(("if", "unless"))
+_JOINING = frozenset(("and", "but", "or", "then"))
 _ABSENT = frozenset(("missing", "gone", "lost"))
 
 
@@ -216,7 +218,33 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
+    if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
+        return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _guarded(context: Context, gap: Gap) -> int:
+    """The order right behind which, with no mark between, an "if it ..." asks of what that names: "take the tray away
+    and hang the towel up *unless it* is wet"; 0 where there is none."""
+    tokens, before = context.observed.document.tokens, gap.task.id - 1
+    opener = gap.tokens.start - 1
+    if gap.word != "it" or gap.task.type != "check_state" or opener < 1 or tokens[opener].lower not in _GUARDING:
+        return 0
+    check = context.observed.document.indices(gap.task.span).start
+    if tokens[opener - 1].lower in _JOINING or identity_of(context.observed.document, check) is not None:
+        return 0  # "... and if it is", "only if it's the plumber"
+    order = next((task for task in context.tasks if task.id == before), None)
+    if order is None or order.type in ("check_state", "searching", "informing", "motion"):
+        return 0
+    verb = context.observed.document.indices(order.span).start
+    is_apart = any(token.text in MARKS for token in tokens[verb:opener]) or verb > opener
+    return 0 if is_apart or not any(c.owner == before and c.type == "object" for c in context.pool) else before
+
+
+def _is_of(context: Context, order: int, candidate: Candidate) -> bool:
+    """Whether a candidate is among what a task names."""
+    text = candidate.text.lower()
+    return candidate.owner == order or any(c.owner == order and c.text.lower() == text for c in context.pool)
 
 
 def _is_stuff(context: Context, gap: Gap, candidate: Candidate) -> bool:

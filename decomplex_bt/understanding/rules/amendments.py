@@ -90,6 +90,8 @@ def amended(
         kept = _corrected(observed, kept, phrase)
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
+        if kind == "placing":
+            kept = _put_in(document, kept, token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -168,6 +170,17 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
         return list(arguments)
     wrong = before[-1]
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
+
+
+def _put_in(document: Document, arguments: Sequence[FoundArgument], put: int) -> list[FoundArgument]:
+    """The arguments with what is put in, where nothing else is, as what is put: "put in *the pasta*"."""
+    own = {a.type: a for a in arguments if a.owner == put}
+    goal = own.get("goal")
+    is_particle = goal is not None and goal.tokens.start == put + 1 and document.tokens[put + 1].lower == "in"
+    if goal is None or not is_particle or "object" in own or len(goal.tokens) < 2:
+        return list(arguments)
+    kept = [a for a in arguments if a is not goal]
+    return [*kept, replace(goal, type="object", tokens=range(put + 2, goal.tokens.stop))]
 
 
 def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
