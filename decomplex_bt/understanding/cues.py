@@ -166,6 +166,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
         if length == 1 and _is_adjective(document, words, position):
             names = ()
+        if names == ("instead",) and _counts(document, position):
+            names = ()
         if names == ("before",) and _is_forbidden_before(document, words, position):
             names = ("until",)
         for name in names:
@@ -178,6 +180,12 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         replaced = {i for order in replaced_orders(document) for i in order}
         cues = [cue for cue in cues if cue.first not in replaced]
     return tuple(sorted(cues, key=lambda cue: cue.first))
+
+
+def _counts(document: Document, instead: int) -> bool:
+    """Whether an "instead" only says how many there were to be: "three instead of four"."""
+    behind = document.tokens[instead + 1 : instead + 3]
+    return len(behind) == 2 and behind[0].lower == "of" and behind[1].pos == "NUM"
 
 
 def _goes_on(document: Document, words: Sequence[str], position: int, end: int) -> bool:

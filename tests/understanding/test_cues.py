@@ -67,3 +67,15 @@ def test_a_phrase_is_its_class(text, expected):
 def test_what_goes_on_after_before_is_a_clause_and_no_pro_form(text, expected):
     names = {"before", "before_that", "before_all", "until", "not"}
     assert [cue.name for cue in find_cues(Parser().parse(text)) if cue.name in names] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "is_cue"),
+    [
+        ("If there are five cups instead of four, fetch a tray.", False),
+        ("If it's hot, fetch the pot instead of the pan.", True),
+        ("If it's hot, fetch the pot instead.", True),
+    ],
+)
+def test_an_instead_that_only_counts_turns_nothing(text: str, is_cue: bool) -> None:
+    assert any(cue.name == "instead" for cue in find_cues(Parser().parse(text))) == is_cue
