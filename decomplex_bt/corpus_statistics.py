@@ -15,7 +15,8 @@ from decomplex_bt.corpus_structures import COMPLEX, STRUCTURES
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import DataFileError, ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Instruction
-from decomplex_bt.planning.phrases import read_phrases, split_preposition
+from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.prepositions import split_preposition
 
 __all__ = ["COMPLEX", "STRUCTURES", "CorpusStatistics", "Counts", "corpus_statistics", "count"]
 

@@ -10,7 +10,8 @@ from decomplex_bt.instruction import Task
 from decomplex_bt.planning.abilities import devices_for, steps_at
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import GroundAction
-from decomplex_bt.planning.phrases import read_phrases, split_preposition
+from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.prepositions import split_preposition
 
 _SAID = ("location", "source", "goal", "manner")
 _FROM = frozenset(("from", "out of", "off", "off of", "away from", "back from"))

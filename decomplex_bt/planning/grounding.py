@@ -18,19 +18,15 @@ from decomplex_bt.planning.devices import steps_elsewhere
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.noun_phrase import NounPhrase
 from decomplex_bt.planning.others import too_few
-from decomplex_bt.planning.phrases import (
-    NounPhrase,
-    picked_words,
-    read_phrases,
-    read_state,
-    rooms_of,
-    split_preposition,
-)
+from decomplex_bt.planning.phrases import picked_words, read_phrases, rooms_of
 from decomplex_bt.planning.pouring import wrong_fillings
+from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.sources import with_source
+from decomplex_bt.planning.state_words import read_state
 from decomplex_bt.planning.told_by_place import with_places_told
 from decomplex_bt.planning.wording import Wording
 

@@ -14,7 +14,8 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.planning.ground_task import Referent
-from decomplex_bt.planning.phrases import NounPhrase, read_phrases
+from decomplex_bt.planning.noun_phrase import NounPhrase
+from decomplex_bt.planning.phrases import read_phrases
 
 _MOST_MODIFIERS = 3
 

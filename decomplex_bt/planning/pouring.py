@@ -9,7 +9,8 @@ from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Task
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import GroundAction
-from decomplex_bt.planning.phrases import read_phrases, split_preposition
+from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.prepositions import split_preposition
 
 
 def wrong_fillings(task: Task, objects: Sequence[Referent], domain: Domain) -> tuple[GroundAction, ...]:

@@ -14,16 +14,12 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.abilities import holds_things, states_of
 from decomplex_bt.planning.ground_task import Referent
+from decomplex_bt.planning.modifiers import DEFINITE
+from decomplex_bt.planning.noun_phrase import NounPhrase
 from decomplex_bt.planning.others import Others
-from decomplex_bt.planning.phrases import (
-    DEFINITE,
-    NounPhrase,
-    as_expected,
-    nothing_there,
-    read_argument,
-    rooms_of,
-    split_preposition,
-)
+from decomplex_bt.planning.phrases import nothing_there, read_argument, rooms_of
+from decomplex_bt.planning.prepositions import split_preposition
+from decomplex_bt.planning.suggestions import as_expected
 
 TO = frozenset(("", "to", "at", "towards", "toward", "up to", "over to", "down to"))
 PLACES = frozenset(("goal", "location", "source", "path"))

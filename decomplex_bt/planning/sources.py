@@ -7,7 +7,8 @@ from dataclasses import replace
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Argument, Task
-from decomplex_bt.planning.phrases import read_phrases, split_preposition
+from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.prepositions import split_preposition
 
 
 def with_source(task: Task, domain: Domain) -> Task:

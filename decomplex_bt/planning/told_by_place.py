@@ -13,7 +13,8 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import is_fixed
-from decomplex_bt.planning.phrases import read_phrases, rooms_of, split_preposition
+from decomplex_bt.planning.phrases import read_phrases, rooms_of
+from decomplex_bt.planning.prepositions import split_preposition
 
 _IS = r"(?:\s+(?:is|are|am)|['\u2019](?:s|re|m))\b"
 _NOT_ONE = r"(?!(?:and|or|if|then|when|while|as|before|after|there)\b)"

@@ -9,7 +9,8 @@ from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
 from decomplex_bt.instruction import Instruction, Task
-from decomplex_bt.planning.phrases import read_state, split_preposition
+from decomplex_bt.planning.prepositions import split_preposition
+from decomplex_bt.planning.state_words import read_state
 
 _FINDING_OUT = frozenset(("check", "verify", "test", "inspect", "look", "see"))
 _BESIDES = r"(?:but|except(?:\s+for)?|besides|apart\s+from|other\s+than)"
