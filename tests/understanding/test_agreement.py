@@ -140,6 +140,7 @@ def test_whichever_of_two_it_is(interpreter: Interpreter, text: str, number: int
     [
         ("Take the tray away, and hang the towel up unless it stinks.", 3, "the towel"),
         ("Empty the kettle, then wash the jug if it needs rinsing.", 3, "the jug"),
+        ("If the shed is taken, make me a toast first and then see if it's free.", 3, "the shed"),
     ],
 )
 def test_an_if_it_right_behind_an_order_is_of_what_that_names(

@@ -231,8 +231,12 @@ def _guarded(context: Context, gap: Gap) -> int:
     if gap.word != "it" or gap.task.type != "check_state" or opener < 1 or tokens[opener].lower not in _GUARDING:
         return 0
     check = context.observed.document.indices(gap.task.span).start
-    if tokens[opener - 1].lower in _JOINING or identity_of(context.observed.document, check) is not None:
-        return 0  # "... and if it is", "only if it's the plumber"
+    if (
+        check < opener
+        or tokens[opener - 1].lower in _JOINING
+        or identity_of(context.observed.document, check) is not None
+    ):
+        return 0  # "see if it is", "... and if it is", "only if it's the plumber"
     order = next((task for task in context.tasks if task.id == before), None)
     if order is None or order.type in ("check_state", "searching", "informing", "motion"):
         return 0
