@@ -3,11 +3,13 @@
     python benchmarks/env.py [ROUNDS] [PYTHON]
 
 `step`: `env.step` of a driving robot, observation and verdict included, to the ten `Space.step` calls in it, each round
-in another world. `reset`:
-with the instruction known, on seeds not used before, to building a `Space` with everything in it anew by pymunk's own
-calls. Each round measures all of them; the medians are printed, with steps a second beside those of Gymnasium's
-CartPole (and of BabyAI's BossLevel and of PushT, where minigrid and gym-pusht are installed), what importing and
+in another world. `reset`: with the instruction known, on seeds not used before, to building a `Space` with everything
+in it anew by pymunk's own calls. Each round measures all of them; the medians are printed, with what importing and
 making an environment costs beside importing what it stands on, and memory.
+
+Steps a second, beside those of Gymnasium's CartPole (and of BabyAI's BossLevel and of PushT, where minigrid and
+gym-pusht are installed), are of environments as `gym.make` makes them, resets not counted, and are given twice: with
+random actions, of ours all but `FINISH`, and with one action (PushT: one goal; ours: random driving).
 
 `PYTHON`: the interpreter of an environment with gym-pusht, which wants a pymunk older than ours.
 """
@@ -21,7 +23,7 @@ import sys
 from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import count
+from itertools import count, cycle
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -34,28 +36,35 @@ import pymunk
 import decomplex_bt  # noqa: F401 - registers the environments
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.envs.household import HouseholdEnv
+from decomplex_bt.envs.interface import Interaction
 
+Sampler = Callable[[], Any]
+OURS = "Household-v0"
 STEPS = 400
 RESETS = 15
 SEEDS = count()
 WARM_UP = 1000
 """Resets before anything is measured, as in any training: what is remembered of a house is there by then."""
 PUSHT = f"""
+from statistics import median
 from time import perf_counter
 import gymnasium, gym_pusht, numpy
 peer = gymnasium.make("gym_pusht/PushT-v0", obs_type="state")
-best = 9.0
-for _ in range(3):
+peer.action_space.seed(0)
+def steps(act):
     peer.reset(seed=0)
     spent = 0.0
     for _ in range({STEPS}):
+        action = act()
         start = perf_counter()
-        _, _, terminated, truncated, _ = peer.step(numpy.array([256.0, 256.0], dtype=numpy.float32))
+        _, _, terminated, truncated, _ = peer.step(action)
         spent += perf_counter() - start
         if terminated or truncated:
             peer.reset()
-    best = min(best, spent / {STEPS})
-print(1 / best)
+    return {STEPS} / spent
+goal = numpy.array([256.0, 256.0], dtype=numpy.float32)
+for act in (peer.action_space.sample, lambda: goal):
+    print(median(steps(act) for _ in range(9)))
 """
 """PushT's steps a second, as `_peer_steps` counts them, in an interpreter of its own."""
 
@@ -77,8 +86,13 @@ def main(rounds: int = 9, other_python: str = sys.executable) -> None:
             times[name].append(measure(world))
     for name, values in times.items():
         print(f"{name:20} {median(values) * 1e6:8.1f} µs")
-    for name, steps in _peers(env, other_python).items():
-        print(f"{name:20} {steps:8.0f} steps/s")
+    rates = _peers(other_python)
+    print(f"{'steps a second':20} {'random':>8} {'one action':>10}")
+    for name, steps in rates.items():
+        ratios = "  ours to these: {:.1f} {:.1f}".format(
+            *(ours / s for ours, s in zip(rates[OURS], steps, strict=True))
+        )
+        print(f"{name:20} {steps[0]:8.0f} {steps[1]:10.0f}{'' if name == OURS else ratios}")
     for over, under in (("env.step", "ten bare steps"), ("env.reset", "building the space")):
         ratio = median(a / b for a, b in zip(times[over], times[under], strict=True))
         print(f"{over} to {under}: {ratio:.2f}")
@@ -88,31 +102,57 @@ def main(rounds: int = 9, other_python: str = sys.executable) -> None:
     print(f"memory: {megabytes:.2f} MB for an environment more; {objects} objects gained over 1000 resets")
 
 
-def _peers(env: HouseholdEnv, other_python: str) -> dict[str, float]:
-    """Steps a second with an action of one kind and no rendering, ours first; resets are not counted."""
-    steps = {"Household-v0": 1 / median(_steps(env, world) for world in range(9))}
-    peers = {"CartPole-v1": "CartPole-v1"}
+def _peers(other_python: str) -> dict[str, tuple[float, ...]]:
+    """Steps a second of each environment, ours first, with random actions and with one; resets are not counted."""
+    ours = gym.make("decomplex_bt/Household-v0", instruction=_instruction())
+    sides: dict[str, tuple[gym.Env[Any, Any], Sampler, Sampler]] = {
+        OURS: (ours, _act_at_random(ours), _drive_at_random())
+    }
+    identities = {"CartPole-v1": "CartPole-v1"}
     if find_spec("minigrid") is not None:
         import_module("minigrid")
-        peers["BabyAI BossLevel"] = "BabyAI-BossLevel-v0"
-    for name, identity in peers.items():
+        identities["BabyAI BossLevel"] = "BabyAI-BossLevel-v0"
+    for name, identity in identities.items():
         peer = gym.make(identity)
-        steps[name] = 1 / median(_peer_steps(peer) for _ in range(9))
+        peer.action_space.seed(0)
+        sides[name] = (peer, peer.action_space.sample, lambda: 0)
+    spent: dict[str, tuple[list[float], ...]] = {name: ([], []) for name in sides}
+    for _ in range(9):
+        for name, (env, *samplers) in sides.items():
+            for times, sample in zip(spent[name], samplers, strict=True):
+                times.append(_seconds_a_step(env, sample))
+    rates = {name: tuple(1 / median(times) for times in both) for name, both in spent.items()}
     pushed = subprocess.run([other_python, "-c", PUSHT], capture_output=True, text=True, check=False)
     if pushed.returncode == 0:
-        steps["PushT"] = float(pushed.stdout)
-    return steps
+        rates["PushT"] = tuple(map(float, pushed.stdout.split()))
+    return rates
 
 
-def _peer_steps(peer: gym.Env[Any, Any]) -> float:
-    peer.reset(seed=0)
+def _act_at_random(env: gym.Env[Any, Any]) -> Sampler:
+    """Draws from the action space all but the action that ends the episode."""
+    env.action_space.seed(0)
+
+    def sample() -> Any:
+        action = env.action_space.sample()
+        return sample() if action["interact"] == Interaction.FINISH else action
+
+    return sample
+
+
+def _drive_at_random() -> Sampler:
+    return cycle(_actions()).__next__
+
+
+def _seconds_a_step(env: gym.Env[Any, Any], sample: Sampler) -> float:
+    env.reset(seed=0)
     spent = 0.0
     for _ in range(STEPS):
+        action = sample()
         start = perf_counter()
-        _, _, terminated, truncated, _ = peer.step(0)
+        _, _, terminated, truncated, _ = env.step(action)
         spent += perf_counter() - start
         if terminated or truncated:
-            peer.reset()
+            env.reset()
     return spent / STEPS
 
 

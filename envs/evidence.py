@@ -13,6 +13,7 @@ from decomplex_bt.planning.abilities import is_fixed, stands_at
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
 
+_OK = Result.OK  # asking an enum takes ten times as long
 BEFORE = -1
 """The step before the first one: nothing was seen or done yet."""
 
@@ -39,7 +40,7 @@ class Record:
     def begin(self, event: Event | None) -> None:
         """Begins a control step, with what was done in it."""
         self.step += 1
-        if event is not None and event.interaction is Interaction.SAY and event.result is Result.OK:
+        if event is not None and event.result is _OK and event.interaction is Interaction.SAY:
             if event.goal is not None and event.person is not None:
                 self.led[event.person] = (self.step, event.goal)
             else:

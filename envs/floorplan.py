@@ -94,6 +94,11 @@ class Floorplan:
             window = self._window(self.footprint(name), 0.4)
             self._by_doorway[window] |= self._distances(self.footprint(name), window) < 0.4
 
+    @cached_property
+    def cell_rooms(self) -> NDArray[np.int64]:
+        """The index of the room of every cell, or of the one nearest to it, in the order of the house's rooms."""
+        return self.geometry.rooms_at(np.column_stack((self.cell_x, self.cell_y)))
+
     # -- where things are ---------------------------------------------------------------------------------------------
 
     def room_at(self, x: float, y: float) -> str | None:

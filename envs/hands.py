@@ -22,7 +22,9 @@ DROP_TURNS = tuple(sign * step * pi / 8 for step in range(9) for sign in (1, -1)
 """Directions, relative to the heading, in which the robot tries to put a thing on the floor."""
 
 Point = tuple[float, float]
-_NONE, _FINISH, _NO_RESULT = Interaction.NONE, Interaction.FINISH, Result.NONE  # asking an enum takes ten times as long
+# asking an enum takes ten times as long
+_NONE, _FINISH, _PICKING, _SAYING = Interaction.NONE, Interaction.FINISH, Interaction.PICK, Interaction.SAY
+_NO_RESULT = Result.NONE
 
 
 def interact(world: World, interaction: Interaction, target: int) -> Result:
@@ -36,19 +38,19 @@ def interact(world: World, interaction: Interaction, target: int) -> Result:
         return Result.NOT_THERE
     hand, holder, version = world.held, int(world.place[target]), world.version
     led = Lead()
-    if interaction is Interaction.SAY and not is_person(world, target):
+    if interaction is _SAYING and not is_person(world, target):
         led = ask_to_lead(world, target)
         result = led.result
     else:
         result = _ACTS[interaction](world, target)
     world.deeds += world.version != version
-    person = target if is_person(world, target) else holder if interaction is Interaction.PICK else led.person
+    person = target if is_person(world, target) else holder if interaction is _PICKING else led.person
     names = world.geometry.names
     world.event = Event(
         interaction,
         names[target],
         result,
-        thing=names[target] if interaction is Interaction.PICK else names[hand] if hand != NOTHING else None,
+        thing=names[target] if interaction is _PICKING else names[hand] if hand != NOTHING else None,
         person=names[person] if is_person(world, person) else None,
         goal=names[led.goal] if led.goal != NOTHING else None,
     )

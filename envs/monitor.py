@@ -31,6 +31,7 @@ MOMENTUM = 4
 going."""
 MOST_READINGS = 64
 """Readings followed at once; beyond it the least advanced are dropped."""
+_OK = Result.OK  # asking an enum takes ten times as long
 _ON_REACHING = frozenset(("motion", "following"))
 """Types of tasks whose goal is where the robot is."""
 
@@ -110,7 +111,8 @@ class Monitor:
         if self.verdict.is_over:
             return self.verdict
         self.record.begin(event)
-        if event is None and self._is_still():
+        has_acted = event is not None and event.result is _OK
+        if not has_acted and self._is_still():
             return self.verdict
         for reading in self.readings:
             self._look(reading)

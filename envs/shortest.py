@@ -70,7 +70,7 @@ class ShortestPath:
         self._domain, self._geometry, self._start = domain, geometry, start
         self._reach, self._earshot = reach, earshot
         self._sight, self._sight_inside = sight
-        self._plan = floorplan_of(domain.house, domain.kinds)
+        self._plan = _plan_of(domain)
         self._places = {
             geometry.names[row]: geometry.names[int(start.place[row])] if start.place[row] >= 0 else None
             for row in geometry.thing_rows
@@ -78,7 +78,6 @@ class ShortestPath:
         self._values: dict[tuple[str, str], str] = {}
         self._led: Mapping[str, str] = {}
         self._room_of: dict[str, str] = {}
-        self._rooms = geometry.rooms_at(np.column_stack((self._plan.cell_x, self._plan.cell_y)))
 
     def length(
         self, tasks: Sequence[tuple[GroundTask, bool]], bindings: Bindings, led: Mapping[str, str] | None = None
@@ -211,7 +210,7 @@ class ShortestPath:
         house, plan = self._domain.house, self._plan
         room = name.removesuffix("_floor")
         if room in house.rooms:
-            return plan.free & (self._rooms == self._geometry.room_index[room])
+            return plan.free & (self._plan.cell_rooms == self._geometry.room_index[room])
         if name in self._room_of:
             return self._within(self._room_of[name], reach)
         if name in house.people:
@@ -227,7 +226,7 @@ class ShortestPath:
         along = np.maximum(np.maximum(bottom - plan.cell_y, plan.cell_y - top), 0)
         near = np.hypot(across, along) <= reach
         rooms = [self._geometry.room_index[room] for room in plan.rooms_of(name)]
-        return plan.free & near & np.isin(self._rooms, rooms)
+        return plan.free & near & np.isin(self._plan.cell_rooms, rooms)
 
     def _around(self, name: str, reach: float) -> Mask:
         """Within a distance of where a thing or person is, in the same room."""
@@ -235,7 +234,7 @@ class ShortestPath:
         if point is None:
             return np.zeros(len(self._plan.free), dtype=bool)
         gap = np.hypot(self._plan.cell_x - point[0], self._plan.cell_y - point[1])
-        return self._plan.free & (gap <= reach) & (self._rooms == self._geometry.room_at(*point))
+        return self._plan.free & (gap <= reach) & (self._plan.cell_rooms == self._geometry.room_at(*point))
 
     def _view(self, name: str) -> Mask:
         """Where something is in range and in line of sight with all doors open; a room, from within."""
@@ -259,10 +258,10 @@ class ShortestPath:
         """The cells from which a point is seen: those that are seen from it."""
         offsets = (self._plan.cell_x - point[0]) + 1j * (self._plan.cell_y - point[1])
         room = self._geometry.room_at(*point)
-        seen = self._rooms == room
+        seen = self._plan.cell_rooms == room
         for beyond, (right, left) in wedges(self._geometry, room, complex(*point), (), reach=sight):
             inside = ((offsets * right.conjugate()).imag >= 0) & ((offsets * left.conjugate()).imag <= 0)
-            seen |= inside & (self._rooms == beyond)
+            seen |= inside & (self._plan.cell_rooms == beyond)
         return seen & (np.abs(offsets) <= sight)
 
     def _point(self, name: str) -> Point | None:
@@ -317,6 +316,11 @@ def _groups(referents: Sequence[Referent], bindings: Bindings) -> Iterator[tuple
             yield from ((name,) for name in among)
         else:
             yield from [among] * needed(referent, among)
+
+
+@lru_cache(maxsize=16)  # every episode that succeeds comes by: knowing the domain is quicker than comparing its house
+def _plan_of(domain: Domain) -> Floorplan:
+    return floorplan_of(domain.house, domain.kinds)
 
 
 # -- the path ---------------------------------------------------------------------------------------------------------

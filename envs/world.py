@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, pi, sin
 from operator import itemgetter
 from typing import TYPE_CHECKING
@@ -392,5 +393,6 @@ def _within(value: float, most: float) -> float:
     return most if value > most else -most if value < -most else value
 
 
+@lru_cache(maxsize=None, typed=True)  # the two enums have the same numbers
 def _say(member: Interaction | Result) -> str:
     return member.name.lower().replace("_", " ")
