@@ -36,3 +36,17 @@ def test_what_is_denied_and_then_asked_for_is_a_check_of_the_state(interpreter: 
     found = interpreter.interpret("Make sure the heater isn't on. If it is, turn it off.")
     assert [(task.type, task.value("state")) for task in found.tasks[:1]] == [("check_state", "on")]
     assert found.flow.to_json() == [{"if": [1, 2], "then": [3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("Make sure the gate is shut and the hose is off, and if she wants one, bring Ann a cup.",
+         ["change_state", "change_state", "check_state", "bringing"]),
+        ("Make sure the hose is off, and if I am late, sweep the hall.",
+         ["change_state", "check_state", "change_state"]),
+        ("Make sure the hose is off, and if it isn't, call me.", ["check_state", "check_state", "informing"]),
+    ],
+)  # fmt: skip
+def test_a_later_case_of_somebody_does_not_take_it_up(interpreter: Interpreter, text: str, types: list[str]) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == types

@@ -39,7 +39,7 @@ def test_a_question_without_a_verb_is_carried_by_its_preposition_and_a_bare_one_
     document = parser.parse(text)
     (fragment,) = fragments(document)
     assert document.tokens[fragment.carrier].text == carrier
-    words = [" ".join(document.tokens[i].text for i in said) for said in (fragment.object, fragment.location)]
+    words = [" ".join(document.tokens[i].text for i in said) for said in (fragment.object, fragment.place)]
     assert words == [thing, place]
 
 
@@ -84,12 +84,54 @@ def test_an_order_without_a_verb_is_carried_by_its_state(
     found = [
         tuple(
             " ".join(document.tokens[i].text for i in said)
-            for said in ((fragment.carrier,), fragment.object, fragment.location)
+            for said in ((fragment.carrier,), fragment.object, fragment.place)
         )
         for fragment in fragments(document)
         if fragment.type == "change_state"
     ]
     assert found == orders
+
+
+@pytest.mark.parametrize(
+    ("text", "placings"),
+    [
+        ("Tidy the shed: rakes on the wall, pots in the crate, and the hose by the tap.",
+         [("on", "rakes", "the wall"), ("in", "pots", "the crate"), ("by", "the hose", "the tap")]),
+        ("The shopping's here: eggs and ham in the fridge, rolls in the bin.",
+         [("in", "eggs and ham", "the fridge"), ("in", "rolls", "the bin")]),
+        ("Boots in the hall, coats behind the door, please.",
+         [("in", "Boots", "the hall"), ("behind", "coats", "the door")]),
+        ("Bring me two things: the rake on the wall and the pot in the crate.", []),
+        ("Water the plants: the fern in the hall, the cactus on the sill.", []),
+        ("Rakes on the wall.", []),
+        ("There's a rake on the wall and a pot in the crate.", []),
+        ("Boots in the hall, coats behind the door?", []),
+    ],
+)  # fmt: skip
+def test_a_list_of_places_orders_what_goes_where(
+    parser: Parser, text: str, placings: list[tuple[str, str, str]]
+) -> None:
+    document = parser.parse(text)
+    found = [
+        tuple(
+            " ".join(document.tokens[i].text for i in said)
+            for said in ((fragment.carrier,), fragment.object, fragment.place)
+        )
+        for fragment in fragments(document)
+        if fragment.type == "placing"
+    ]
+    assert found == placings
+
+
+def test_a_list_of_places_is_read_as_placings() -> None:
+    found = Interpreter.load().interpret(
+        "Sort the tools: saws on the rack, nails in the tin. If the tin is full, tell me."
+    )
+    assert [(task.type, task.value("object"), task.value("goal")) for task in found.tasks[1:3]] == [
+        ("placing", "saws", "the rack"),
+        ("placing", "nails", "the tin"),
+    ]
+    assert found.flow.to_json() == [1, 2, 3, {"if": 4, "then": [5]}]
 
 
 @pytest.mark.parametrize("encoder", [False, True])

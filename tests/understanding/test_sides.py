@@ -700,3 +700,44 @@ def test_what_is_done_with_everything_else_hangs_on_nothing_in_a_clause_of_its_o
         f"{mark}[leave](3:placing) [everything else](3:object) [on the mat](3:goal)."
     )
     assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == expected
+
+
+@pytest.mark.parametrize("attachment", ["top", ">1-"])
+@pytest.mark.parametrize(
+    ("left", "expected"),
+    [
+        ("[it](3:object)", ">1-"),
+        ("[them](3:object)", ">1-"),
+        ("[one](3:object)", "top"),
+        ("[two of them](3:object)", "top"),
+    ],
+)
+def test_what_is_left_somewhere_is_not_moved(left: str, expected: str, attachment: str) -> None:
+    found = clauses(
+        "[Bring](1:bringing) [the crates](1:object) in. If [they](2:object)'[re](2:check_state) [wet](2:state), "
+        f"[leave](3:placing) {left} [by the gate](3:goal)."
+    )
+    sides = stated_sides(found, ("task", "condition", "task"), (attachment, "top", "<1+"))
+    assert sides == (expected, "top", "<1+")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # it is the parcel that is left
+        "[Fetch](1:bringing) [the post](1:object). If there'[s](2:check_state) [a parcel](2:object), "
+        "[leave](3:placing) [it](3:object) [by the gate](3:goal).",
+        # only those are left
+        "[Bring](1:bringing) [the crates](1:object) in. If [any of them](2:object) [are](2:check_state) "
+        "[wet](2:state), [leave](3:placing) [those](3:object) [by the gate](3:goal).",
+        # it is taken there first
+        "[Take](1:bringing) [the crate](1:object) [to Ann](1:recipient). If [she](2:object)'[s](2:check_state) "
+        "[asleep](2:state), [leave](3:placing) [it](3:object) [by her bed](3:goal), otherwise "
+        "[hand](4:bringing) [it](4:object) [to her](4:recipient).",
+    ],
+)
+def test_other_things_left_somewhere_leave_the_order_before_alone(text: str) -> None:
+    found = clauses(text)
+    roles = ("task", "condition", "task", "task")[: len(found)]
+    sides = ("top", "top", "<1+", "<1-")[: len(found)]
+    assert stated_sides(found, roles, sides) == sides

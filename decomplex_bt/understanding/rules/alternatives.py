@@ -14,7 +14,7 @@ from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
 _JOINING = frozenset("and but or so then just maybe perhaps please".split())
-_LEADING = _JOINING | {"also"}
+_LEADING = _JOINING | {"also", "only"}
 _CLOSING = frozenset("please instead then though thanks too also well as altogether completely entirely".split())
 _ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
@@ -234,7 +234,10 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
     is_turned_again = bool(following) and following[0].lead == "turn"
     if is_turn and (part.is_last or body.stop < part.body.stop or is_turned_again or _goes_on(document, following)):
         return True
-    if part.lead != "mark" or not part.is_last or not _follows_condition(parts, k, tasks):
+    if part.lead != "mark" or not _follows_condition(parts, k, tasks):
+        return False
+    is_parted = document.tokens[parts[k - 1].opening.start - 1].lower == "or" and _goes_on(document, following)
+    if not (part.is_last or is_parted):
         return False
     if document.tokens[part.body.start].lower == "and":
         return False  # "close it if it's dark, *and the curtains*" goes with it

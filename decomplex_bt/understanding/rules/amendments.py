@@ -116,9 +116,8 @@ def amended(
             kept = with_told(kept, token, in_need(observed, token) or _telegraphed(document, token))
     for fragment in fragments(document):
         if fragment.carrier in tasks:
-            told = {"object": fragment.object, "location": fragment.location}
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
-            kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in told.items() if said]
+            kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = without_places_of_others(observed, tasks, kept)

@@ -26,6 +26,7 @@ _NOT_BROUGHT_ABOUT = frozenset(
     "asleep awake alive ok okay okey fine well safe happy comfortable gone there here home in out back ready".split()
 )
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
+_PERSONS = frozenset("i you we he she somebody someone anybody anyone nobody everybody everyone".split())
 _ANTONYMS = {
     **OPPOSITES,
     "open": "closed",
@@ -144,8 +145,12 @@ def _predicate(document: Document, be: int) -> list[Token]:
 
 
 def _names(document: Document, at: int) -> bool:
-    """Whether a condition names something of its own ("if the light is on") where it might take up what was said."""
-    return at < len(document) and document.tokens[at].tag in ("DT", "PRP$", "NN", "NNS", "NNP", "JJ")
+    """Whether a condition names something of its own ("if the light is on", "if she's tired") where it might take up
+    what was said."""
+    if at >= len(document):
+        return False
+    first = document.tokens[at]
+    return first.lower in _PERSONS or first.tag in ("DT", "PRP$", "NN", "NNS", "NNP", "JJ")
 
 
 def _is_state(predicate: Sequence[Token]) -> bool:

@@ -1,5 +1,5 @@
 """Fragments: what is said without a verb: questions whether something is somewhere ("any letters in the mailbox?"),
-orders of a state ("lamp off, heater on")."""
+orders of a state ("lamp off, heater on"), lists of where things go ("sort the shopping: milk in the fridge, ...")."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ _SOME = frozenset("any some anyone anybody someone somebody anything something m
 _NONE = frozenset("no nobody nothing".split())
 _ALONE = frozenset("anyone anybody someone somebody anything something nobody nothing".split())
 _WHERE = frozenset("in on at under behind inside by near beside outside".split())
+_NOUNS = ("NN", "VBZ", "VBG")
+"""Tags of nouns, and those that a tagger gives some of them in a list: "*forks* in the drawer"."""
+_PUT = frozenset("in on into onto under behind inside by".split())
 _BEHIND = frozenset("then still yet today now already or not please robot , all again anymore there".split())
 _IDLE = frozenset(
     "chance idea luck problem need time reason point doubt sign trace news way hope thoughts plan".split()
@@ -36,6 +39,10 @@ _NO_THINGS = frozenset(
 _LEADING = frozenset("please now then so ok okay right and just also otherwise".split())
 _TRAILING = frozenset("please now again too everywhere".split())
 _NAMING = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
+_SORTING = frozenset(
+    "tidy sort clear arrange organise organize unpack stow straighten declutter empty unload be".split()
+)
+"""Verbs that a list of what goes where may follow behind a colon; what one brings or looks for is there now."""
 _OPENING = frozenset(("if", "when", "once", "unless", "otherwise", "whenever"))
 
 
@@ -47,10 +54,16 @@ class Fragment:
     tokens: range
     carrier: int
     object: range
-    """What is asked for or changed; empty where it is nobody or nothing."""
-    location: range
-    """Where, without the preposition that carries a check."""
+    """What is asked for, changed or put; empty where it is nobody or nothing."""
+    place: range
+    """Where, without the preposition that carries a check or a placing."""
     type: str = "check_state"
+
+    @property
+    def told(self) -> dict[str, range]:
+        """The tokens of its arguments, by type."""
+        told = {"object": self.object, "goal" if self.type == "placing" else "location": self.place}
+        return {name: tokens for name, tokens in told.items() if tokens}
 
 
 def fragments(document: Document) -> Iterator[Fragment]:
@@ -65,8 +78,10 @@ def fragments(document: Document) -> Iterator[Fragment]:
                     yield fragment
             else:
                 yield from _orders(document, start, i)
+                yield from _placings(document, start, i)
             start = i + 1
     yield from _orders(document, start, len(tokens))
+    yield from _placings(document, start, len(tokens))
 
 
 def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
@@ -156,3 +171,42 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     location = range(behind[0].i, behind[-1].i + 1) if behind else range(0)
     return Fragment(range(start, stop), carrier, range(first, carrier), location, "change_state")
+
+
+def _placings(document: Document, start: int, stop: int) -> Iterator[Fragment]:
+    """A list of what goes where, be it a sentence by itself or behind a colon and an order to sort things."""
+    tokens = document.tokens
+    if not (start == 0 or tokens[start - 1].text in ".!" or _is_sorted(document, start)):
+        return
+    bounds = [start - 1, *(i for i in range(start, stop) if tokens[i].lower in (",", "and")), stop]
+    items: list[Fragment] = []
+    first = start
+    for end in bounds[1:]:
+        if item := _placing(document, range(first, end)):
+            items.append(item)
+        if item or all(token.lower in _LEADING for token in tokens[first:end]):
+            first = end + 1
+    if first >= stop and len(items) > 1:
+        yield from items
+
+
+def _is_sorted(document: Document, start: int) -> bool:
+    """Whether what stands ahead of a colon is an order to sort things, or says that they are here."""
+    tokens = document.tokens
+    if tokens[start - 1].text != ":":
+        return False
+    begin = next((i + 1 for i in range(start - 2, -1, -1) if tokens[i].text in _STOPS), 0)
+    verbs = {token.lemma for token in tokens[begin : start - 1] if token.pos in ("VERB", "AUX") or token.i == begin}
+    return not verbs.isdisjoint(_SORTING)
+
+
+def _placing(document: Document, words: range) -> Fragment | None:
+    """What goes where: "any toys in the box"."""
+    said = [token for token in document.tokens[words.start : words.stop] if token.lower not in _LEADING]
+    carrier = next((token.i for token in reversed(said[1:]) if token.lower in _PUT), None)
+    if carrier is None or any(token.pos in ("VERB", "AUX", "PRON") and token.tag not in _NOUNS for token in said):
+        return None
+    thing, place = (range(said[0].i, carrier), range(carrier + 1, said[-1].i + 1))
+    are_named = all(phrase and document.tokens[phrase[-1]].tag.startswith(_NOUNS) for phrase in (thing, place))
+    is_known = document.tokens[said[0].i].lower in _SOME - {"any", "some"} | _NONE | _ALONE
+    return Fragment(words, carrier, thing, place, "placing") if are_named and not is_known else None

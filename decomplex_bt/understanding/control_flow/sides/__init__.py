@@ -27,6 +27,7 @@ _RULES = (
     scopes.restrict,
     scopes.go_on,
     scopes.obstruct,
+    scopes.leave_be,
     reversals.fall_back,
     reversals.follow,
     prohibitions.permit,

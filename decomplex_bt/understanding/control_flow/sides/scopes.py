@@ -13,6 +13,8 @@ _IFS = frozenset(("if", "when"))
 _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
 _MOVING = frozenset(("placing", "bringing"))
+_SOME = frozenset("one ones some two three half few couple rest other others".split())
+_LEAVING = frozenset(("leave", "keep"))
 _FILLED = frozenset("full packed crammed overflowing".split())
 _OBSTRUCTED = frozenset(
     "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
@@ -91,6 +93,27 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         and sides[k - 1] in ("top", HOLDS, FAILS)
     ):
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is left somewhere in a case is not moved in it ("bring the washing in. If it's damp, *leave it on the
+    line*"); where only some of it is left, the rest is ("bring the milk in. If there are two, *leave one outside*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    is_left = before.task.type in _MOVING and after.task.type == "placing" and after.verb in _LEAVING
+    is_next = after.sentence == clause.sentence and after.boundary == "," and "if" in clause.near
+    is_led = clause.boundary in _PARTING and not {*clause.near, *after.near} & TURNING
+    if not (is_left and is_next and is_led and before.verb not in _LEAVING and sides[k - 1] in ("top", ">1-")):
+        return
+    is_turned = any("else" in (*later.far, *later.near) for later in clauses[k + 2 :])
+    is_known = not (clause.is_of_some or is_turned) and (
+        not clause.objects or not before.nouns.isdisjoint(clause.objects)
+    )
+    if after.is_of_it and is_known and sides[k - 1] == "top" and sides[k] == "top":
+        sides[k - 1] = ">1-"
+    elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
+        sides[k - 1] = "top"
 
 
 def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
