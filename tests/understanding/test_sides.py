@@ -741,3 +741,16 @@ def test_other_things_left_somewhere_leave_the_order_before_alone(text: str) -> 
     roles = ("task", "condition", "task", "task")[: len(found)]
     sides = ("top", "top", "<1+", "<1-")[: len(found)]
     assert stated_sides(found, roles, sides) == sides
+
+
+@pytest.mark.parametrize("attachment", [">1+", "top"])
+@pytest.mark.parametrize(("comma", "expected"), [(",", "top"), ("", None)])
+def test_a_condition_behind_a_comma_and_an_and_is_of_the_last_order(
+    comma: str, expected: str | None, attachment: str
+) -> None:
+    found = clauses(
+        f"[Shut](1:change_state) [the gate](1:object){comma} and [bring](2:bringing) [the chairs](2:object) if "
+        "[it](3:object)'[s](3:check_state) [windy](3:state)."
+    )
+    sides = stated_sides(found, ("task", "task", "condition"), (attachment, ">1+", "top"))
+    assert sides == (attachment if expected is None else expected, ">1+", "top")

@@ -36,6 +36,7 @@ _TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
 _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split())
+_TO_WHOM = frozenset(("to", "for"))
 _UNSURE = frozenset((("else",), ("perhaps",), ("maybe",), ("possibly",), ("failing", "that")))
 """What stands behind an "or" between two places of which the speaker does not know which it is."""
 _LEFT = frozenset("any one some it that them yet already there".split())
@@ -195,11 +196,11 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     condition, before, tokens = parts[k + 1], parts[k - 1], document.tokens
     gap = tokens[part.body.stop : condition.opening.start]
     is_too = not _ADDING.isdisjoint(tokens[i].lower for i in part.body)
-    is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body[:1])
+    is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body)
     is_next = not gap or (is_too and [token.text for token in gap] == [","])
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     is_next = is_next and condition.lead == "if" and is_done
-    is_joined = tokens[part.body.start].lower == "and" and before.lead == "start"
+    is_joined = (tokens[part.body.start].lower == "and" or is_too) and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
 
@@ -394,6 +395,8 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
     if is_led and len(words) == 2 and words[1].pos == "NUM":
         return words[0].lower == "to"  # "to twenty, or *to eighteen* if nobody is in"
+    if is_led and len(words) == 2 and words[1].tag == "PRP":
+        return words[0].lower in _TO_WHOM  # "to Tom if he's in, *to me* if not"
     if words[0].lower in _SOMETHING and words[-1].lower != "else":
         return not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
     return (

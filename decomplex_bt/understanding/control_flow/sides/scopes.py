@@ -143,16 +143,17 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
-    about ("light the candles and blow them out if they drip"), and where what is asked comes through one ("fill the tub
+    about ("light the candles and blow them out if they drip"), where what is asked comes through one ("fill the tub
     and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
-    empty")."""
+    empty"), and where a comma parts it from them ("shut the door, and bring a chair if there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
         return
     ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
+    is_parted = order.boundary == "," and "and" in order.near and "when" not in clause.near
     if any(order.undoes(clauses[j]) or clause.comes_through(clauses[j]) for j in ahead) or (
-        ahead and clause.is_only_of(order, clauses[ahead[0]])
+        ahead and (is_parted or clause.is_only_of(order, clauses[ahead[0]]))
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
