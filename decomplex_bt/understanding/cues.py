@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -201,10 +201,20 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
         return any(token.tag == "VB" for token in rest[:2])
     if words[end - 1] not in ("no", "nothing", "none", "neither"):
         return False
+    if words[end - 1] == "no" and _names(rest):
+        return True  # "if no bread left, ..."
     finite = ("VBZ", "VBP", "VBD", "MD")
     return any(
         token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj") for token in rest
     ) or words[end : end + 1] in (["one"], ["body"])
+
+
+def _names(rest: Sequence[Token]) -> bool:
+    """Whether the words up to a mark name something that is missing, and say no more: "clean cups", "bread left"."""
+    place = next((k for k, token in enumerate(rest) if token.tag == "IN"), len(rest))
+    named = [token for token in rest[:place] if token.lower not in ("left", "there", "around", "available")]
+    are_nouns = 0 < len(named) < 4 and all(token.tag in _NOMINAL for token in named)
+    return are_nouns and named[-1].tag.startswith("NN")
 
 
 def _is_adjective(document: Document, words: Sequence[str], position: int) -> bool:
@@ -239,6 +249,7 @@ _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of th
 _BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))
 _BEHIND_LAST = frozenset(("one", "ones", "night", "time", "week", "year", "piece", "bit", "drop", "few"))
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
+_NOMINAL = frozenset("JJ NN NNS NNP NNPS CD VBN".split())
 _AFTER_BEFORE = frozenset(
     "you i he she it we they that this the my your ur his her our their any all doing going".split()
 )

@@ -38,6 +38,7 @@ from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
 from decomplex_bt.understanding.rules.statements import without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
+from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
@@ -118,6 +119,13 @@ def amended(
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
+    for case in verbless_cases(document, tasks):
+        within = [argument for argument in kept if not set(argument.tokens).isdisjoint(case.tokens)]
+        last = [document.tokens[a.tokens[-1]] for a in within if a.owner == case.carrier]
+        is_named = any(token.pos in ("NOUN", "PROPN") or token.lower in ("one", "ones") for token in last)
+        if case.carrier in tasks and not is_named:
+            kept = [argument for argument in kept if argument not in within]
+            kept += [FoundArgument(name, case.carrier, said, CERTAIN) for name, said in case.told.items()]
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = without_places_of_others(observed, tasks, kept)

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.telegraph import telegraphed
+from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -125,6 +126,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for fragment in fragments(document):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
+    idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
     idioms |= {_place(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     for wish in preferences(document, found):
         behind.update(wish.words)

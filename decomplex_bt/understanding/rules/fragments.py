@@ -58,11 +58,14 @@ class Fragment:
     place: range
     """Where, without the preposition that carries a check or a placing."""
     type: str = "check_state"
+    state: range = range(0)
+    """What day or weather is asked for."""
 
     @property
     def told(self) -> dict[str, range]:
         """The tokens of its arguments, by type."""
-        told = {"object": self.object, "goal" if self.type == "placing" else "location": self.place}
+        place = "goal" if self.type == "placing" else "location"
+        told = {"object": self.object, "state": self.state, place: self.place}
         return {name: tokens for name, tokens in told.items() if tokens}
 
 

@@ -1,0 +1,61 @@
+"""Verbless cases: checks of which only a noun is said ("if *no bread*, ...", "unless *Sunday*, ...")."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.references.phrases import head_of
+from decomplex_bt.understanding.rules.fragments import Fragment
+
+_OPENING = frozenset(("if", "unless"))
+_UNHEEDED = frozenset("still only just ever then".split())
+_DENYING = "no"
+_PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM", "ADV", "ADP"))
+_NOUNS = frozenset(("NOUN", "PROPN"))
+_CORRECTING = frozenset("no sorry wait i oh er um uh".split())
+_LONGEST = 6
+_NO_CASES = frozenset(
+    "possible necessary necessity need needed required applicable available sure unsure true false positive negative "
+    "successful unsuccessful lucky unlucky ok okay fine home luck joy good anything nothing doubt emergency course "
+    "thing time yes no aye yeah yep nope nay neither either answer reply response sign show dice".split()
+)
+"""Heads of what stands behind an "if" and takes up what was said, or asks nothing."""
+
+
+def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragment]:
+    """The checks of nouns that stand alone between an "if" and a comma or the end of a sentence, with none of the
+    `tasks`, which are tokens, among them but the head."""
+    tokens = document.tokens
+    for first in (i + 1 for i, token in enumerate(tokens) if token.lower in _OPENING):
+        stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        if stop < len(tokens) and not _is_end(document, stop):
+            continue
+        while first < stop and tokens[first].lower in _UNHEEDED:
+            first += 1
+        phrase = range(first + (first < stop and tokens[first].lower == _DENYING), stop)
+        head = _head(document, phrase)
+        if head is not None and not any(i in tasks for i in phrase if i != head):
+            is_of_day = tokens[head].lower in WEATHER
+            thing, state = (range(0), phrase) if is_of_day else (phrase, range(0))
+            yield Fragment(range(first, stop), head, thing, range(0), state=state)
+
+
+def _head(document: Document, phrase: range) -> int | None:
+    """The noun that a phrase is about, if it is one and no more."""
+    words = document.tokens[phrase.start : phrase.stop]
+    if not 0 < len(words) <= _LONGEST or any(word.pos not in _PARTS for word in words):
+        return None
+    if words[0].pos == "ADP" or words[-1].pos not in _NOUNS:
+        return None
+    head = document.tokens[head_of(document, phrase)]
+    return head.i if head.pos in _NOUNS and head.lemma not in _NO_CASES else None
+
+
+def _is_end(document: Document, i: int) -> bool:
+    """Whether a mark ends a case: a comma behind which nothing is put right, or the end of a sentence."""
+    tokens = document.tokens
+    if tokens[i].text != ",":
+        return tokens[i].text in ENDS
+    return i + 1 < len(tokens) and tokens[i + 1].lower not in _CORRECTING
