@@ -22,7 +22,7 @@ def interpreter() -> Interpreter:
 @pytest.mark.parametrize(
     ("text", "carriers"),
     [
-        ("If a stew, warm it; if cold meat, bring the oil.", ["stew", "meat"]),
+        ("If a letter, open it; if cold meat, bring the oil.", ["letter", "meat"]),
         ("Unless Friday, lock the gate.", ["Friday"]),
         ("Take a coat if snow.", ["snow"]),
         ("If only two plates, wash the third.", ["plates"]),
