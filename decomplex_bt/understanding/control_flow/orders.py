@@ -13,11 +13,22 @@ def stated_orders(
     """The orders of tasks in text order, with those that the rules below settle; as long as `orders`."""
     stated = list(orders)
     for k in range(1, len(clauses)):
+        _stay(clauses, stated, k)
         _await(clauses, roles, sides, stated, k)
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
     return tuple(stated)
+
+
+def _stay(clauses: Sequence[Clause], orders: list[str], k: int) -> None:
+    """A "first" at the end of a clause says nothing of an "and if" behind it ("bring it in, shake it *first*, and if it
+    rains, ...")."""
+    before, clause = clauses[k - 1 : k + 1]
+    is_of_one_before = bool(_FIRST & {*before.behind} & {*clause.far}) and before.sentence == clause.sentence
+    is_plain = clause.near == ("and", "if") and k + 1 < len(clauses) and not clauses[k + 1].wording.orders
+    if is_of_one_before and is_plain and orders[k] in ("first", "before", "before+"):
+        orders[k] = "keep"
 
 
 def _await(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
