@@ -194,7 +194,8 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
     comes = document.tokens[end] if end < len(words) else None
     is_of_none = words[end - 1] == "none" and comes is not None and comes.pos == "VERB" and comes.tag in ("VBZ", "VBP")
-    if words[position] != "if" or not (is_first or words[end - 1] == "no" or is_of_none):
+    is_known = words[position] == "if" and (is_first or words[end - 1] == "no" or is_of_none)
+    if words[position] != "if" or not (is_known or _denies_named(document, words, end)):
         return False
     rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in MARKS), len(document))]
     if words[end - 1] in ("able", "unable", "possible", "impossible", "to"):
@@ -207,6 +208,25 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     return any(
         token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj") for token in rest
     ) or words[end : end + 1] in (["one"], ["body"])
+
+
+def _denies_named(document: Document, words: Sequence[str], end: int) -> bool:
+    """Whether a "none", "neither" or "nothing" says of which things: "none of the windows", "neither lamp", "nothing is
+    in the box"; not "none of that", "neither is there"."""
+    rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in MARKS), len(document))]
+    denied = words[end - 1]
+    if denied == "none" and words[end : end + 1] == ["of"]:
+        return len(rest) > 2 and rest[1].tag in ("DT", "PRP$", "CD") and _is_thing(rest[2:])
+    if denied == "neither":
+        return _is_thing(rest)
+    place = next((k for k, token in enumerate(rest) if token.tag == "IN"), len(rest))
+    return denied == "nothing" and words[end : end + 1] == ["is"] and any(t.pos == "NOUN" for t in rest[place:])
+
+
+def _is_thing(rest: Sequence[Token]) -> bool:
+    """Whether a noun begins here, be it with adjectives ahead."""
+    named = next((token for token in rest if token.pos not in ("ADJ", "NUM")), None)
+    return named is not None and named.tag in ("NN", "NNS") and named.lemma not in _NO_THINGS
 
 
 def _names(rest: Sequence[Token]) -> bool:
@@ -249,6 +269,7 @@ _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of th
 _BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))
 _BEHIND_LAST = frozenset(("one", "ones", "night", "time", "week", "year", "piece", "bit", "drop", "few"))
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
+_NO_THINGS = frozenset("above place option time way case luck thing".split())
 _NOMINAL = frozenset("JJ NN NNS NNP NNPS CD VBN".split())
 _AFTER_BEFORE = frozenset(
     "you i he she it we they that this the my your ur his her our their any all doing going".split()

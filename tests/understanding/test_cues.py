@@ -79,3 +79,19 @@ def test_what_goes_on_after_before_is_a_clause_and_no_pro_form(text, expected):
 )
 def test_an_instead_that_only_counts_turns_nothing(text: str, is_cue: bool) -> None:
     assert any(cue.name == "instead" for cue in find_cues(Parser().parse(text))) == is_cue
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Empty the pan if none of the lamps is on.", ["if", "not"]),
+        ("Empty the pan if neither lamp is on.", ["if", "not"]),
+        ("Empty the pan, and if nothing is in the crate, fold it.", ["if", "not"]),
+        # these name nothing, and say that the order before failed
+        ("Empty the pan, and if none of that works, fold it.", ["else"]),
+        ("Fetch the pan, and if neither is there, fold it.", ["else"]),
+    ],
+)
+def test_a_denial_that_names_its_things_opens_a_condition(text: str, expected: list[str]) -> None:
+    names = {"if", "not", "else"}
+    assert [cue.name for cue in find_cues(Parser().parse(text)) if cue.name in names] == expected

@@ -103,3 +103,19 @@ def test_what_refuses_to_do_something_does_not_do_it(check: str, is_negated: boo
 )
 def test_an_order_behind_a_statement_is_not_denied_with_it(markup: str, is_negated: bool) -> None:
     assert clauses(markup)[0].wording.is_negated == is_negated
+
+
+@pytest.mark.parametrize(
+    ("markup", "is_negated"),
+    [
+        ("[See](1:check_state) whether [the heater](1:object) isn't [on](1:state).", True),
+        ("[Find](1:check_state) out if there's no [milk](1:object) left.", True),
+        (
+            "[See](1:check_state) whether [the heater](1:object) is [on](1:state), and if not, [tell](2:informing) me.",
+            False,
+        ),
+        ("[See](1:check_state) whether [the heater](1:object) is [on](1:state) but don't touch it.", False),
+    ],
+)
+def test_what_is_found_out_may_be_denied(markup: str, is_negated: bool) -> None:
+    assert clauses(markup)[0].wording.is_negated == is_negated

@@ -473,3 +473,19 @@ def test_how_somebody_answers_what_they_are_asked_in_the_same_sentence_is_a_cond
 def test_what_an_answer_says_is_what_was_asked() -> None:
     instruction = Interpreter.load().interpret("If Nan's home, ask her if she's thirsty, and if she is, boil the milk.")
     assert instruction.task(3).value("state") == "thirsty"
+
+
+@pytest.mark.parametrize(
+    ("order", "place", "role"),
+    [
+        ("[Wash](1:change_state) [the pot](1:object)", "[in the attic](2:location)", "condition"),
+        ("[Bring](1:bringing) [Ann](1:recipient) [the pot](1:object)", "[in the attic](2:location)", "mention"),
+        ("[Take](1:bringing) [the pot](1:object) [to the attic](1:goal)", "[in the attic](2:location)", "mention"),
+        ("[Take](1:bringing) [the pot](1:object) [to the attic](1:goal)", "[there](2:location)", "mention"),
+        ("[Wash](1:change_state) [the pot](1:object)", "[there](2:location)", "mention"),
+    ],
+)
+def test_that_nobody_is_in_a_place_is_no_failure_of_what_is_done_elsewhere(order: str, place: str, role: str) -> None:
+    found = clauses(f"{order}. If nobody [is](2:check_state) {place}, [shut](3:change_state) [the gate](3:object).")
+    roles = stated_roles(found, ("condition", "mention", "task"))
+    assert roles == (("task" if role == "condition" else "condition"), role, "task")

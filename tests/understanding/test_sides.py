@@ -754,3 +754,35 @@ def test_a_condition_behind_a_comma_and_an_and_is_of_the_last_order(
     )
     sides = stated_sides(found, ("task", "task", "condition"), (attachment, ">1+", "top"))
     assert sides == (attachment if expected is None else expected, ">1+", "top")
+
+
+@pytest.mark.parametrize(
+    ("question", "opening", "expected"),
+    [
+        ("whether [the kiln](1:object) isn't [lit](1:state)", "If so, ", "<1+"),
+        ("whether [the kiln](1:object) isn't [lit](1:state)", "If that's the case, ", "<1+"),
+        ("whether [the kiln](1:object) is [lit](1:state)", "If that's the case, ", "<1+"),
+        ("whether [the kiln](1:object) is [lit](1:state)", "If that's not the case, ", "<1-"),
+    ],
+)
+def test_if_so_is_where_it_is_as_asked(question: str, opening: str, expected: str) -> None:
+    found = clauses(f"[See](1:check_state) {question}. {opening}[open](2:change_state) [the flue](2:object).")
+    assert stated_sides(found, ("condition", "task"), ("top", "<1-"))[1] == expected
+
+
+@pytest.mark.parametrize(
+    ("place", "end", "expected"),
+    [
+        ("[in the attic](2:location)", "", "top"),
+        ("[there](2:location)", "", ">1-"),
+        ("[in the attic](2:location)", " instead", ">1-"),
+    ],
+)
+def test_whether_nobody_is_in_a_place_is_not_asked_of_what_is_done_elsewhere(
+    place: str, end: str, expected: str
+) -> None:
+    found = clauses(
+        f"[Wash](1:change_state) [the pot](1:object). If nobody [is](2:check_state) {place}, "
+        f"[shut](3:change_state) [the gate](3:object){end}."
+    )
+    assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "<1+"))[0] == expected

@@ -405,6 +405,14 @@ class Clause:
         is_of_users = first.wording.state in _USED or not self.nouns.isdisjoint(first.objects)
         return self.is_check and self.is_of_nobody and is_of_thing and not is_of_users
 
+    def is_apart_from(self, order: Clause) -> bool:
+        """Whether it asks if nobody is in a place that an order has nothing to do with."""
+        known = order.nouns | order.places | order.receivers
+        is_handed = order.task.type == "bringing" and bool(order.receivers)
+        is_order = order.task.type in _LEADING | {"change_state"} and not is_handed
+        is_elsewhere = bool(self.places) and self.places.isdisjoint(known | _THERE)
+        return is_order and self.is_check and self.is_of_nobody and is_elsewhere
+
     def is_of_other_matter(self, first: Clause) -> bool:
         """Whether it has nothing to do with what the other asks: it asks about the weather, or if nobody is there, and
         that about a thing."""
@@ -478,6 +486,7 @@ _CALLED_OFF = frozenset("taking placing bringing change_state".split())
 """The types of orders that may be called off: not what is looked for, asked or waited for."""
 _HANDING = frozenset(("bringing", "informing"))
 _MISSING = frozenset(("missing", "gone", "lost"))
+_THERE = frozenset(("there", "here"))
 _NO_THINGS = frozenset("none one some any drop".split())
 _GONE = frozenset(("out", "away", "gone"))
 AROUND = frozenset("in home there here around about back".split())

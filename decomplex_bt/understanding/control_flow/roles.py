@@ -32,6 +32,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _be_able,
         _ask_openly,
         _name_other,
+        _find_nobody,
         _wish,
     ):
         for k in range(1, len(clauses)):
@@ -254,6 +255,17 @@ def _name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
     if clause.objects and named.isdisjoint(clause.objects) and _STANDING_FOR.isdisjoint(clause.objects):
         roles[k] = "condition"
+
+
+def _find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That nobody is in a place is no failure of an order that has nothing to do with it ("wash the pan. If nobody is
+    in the study, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first is None or not clauses[k].is_apart_from(clauses[first]):
+        return
+    roles[k] = "condition"
+    if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
+        roles[first] = "task"
 
 
 def _wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

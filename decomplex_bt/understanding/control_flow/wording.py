@@ -8,7 +8,7 @@ from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
 from decomplex_bt.understanding.control_flow.denials import is_answer, negations
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
-from decomplex_bt.understanding.cues import GOVERNING, OPPOSITES, normal_form
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, normal_form
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked
@@ -22,6 +22,7 @@ _ADDED = frozenset("if all already now completely just still and but or".split()
 BEING = frozenset(("be", "'s", "'re", "s"))
 REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
+_CLOSING = PUNCTUATION | {"but"}
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
@@ -53,7 +54,8 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
     tokens = observed.document.tokens
     # "if it refuses to open"
     refusing = [j for j in range(first, task.token) if tokens[j].lemma in _REFUSING and tokens[j + 1].lower == "to"]
-    is_denied = bool(negations(observed, task.token, first, last)) != bool(refusing)
+    denying = negations(observed, task.token, first, last) or _asked_of(observed, task.token, last)
+    is_denied = bool(denying) != bool(refusing)
     state = _state(observed, task, last)
     leading = {*far, *near}
     orders = [
@@ -77,6 +79,18 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         or (state == "out" and is_being_of(observed.document, task, PERSONS)),
         is_bare(observed.document, task, last, ECHOING),  # "if he is", "if it does", "when they have"
     )
+
+
+def _asked_of(observed: Observed, task: int, last: int) -> list[int]:
+    """What denies the question behind an order to find it out: "check whether it is *not* running"."""
+    tokens = observed.document.tokens
+    asking = next((cue for cue in observed.cues if cue.first == last + 1 and cue.name == "whether"), None)
+    if asking is None or tokens[task].lemma not in ASKING_LEMMAS:
+        return []
+    start = asking.last + 1
+    closing = {cue.first for cue in observed.cues if cue.name in GOVERNING}
+    ends = (j for j in range(start, len(tokens)) if tokens[j].lower in _CLOSING or j in closing)
+    return negations(observed, task, start, next(ends, len(tokens)) - 1)
 
 
 def _says_used_up(clause: Sequence[Token]) -> bool:

@@ -12,6 +12,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, T
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
+_OF_QUESTIONS = frozenset(("whether", "not", "still", "there"))
 
 
 def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -32,6 +33,18 @@ def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             if roles[j] != "task" or sides[j] != FAILS or clauses[j].sentence != clauses[k].sentence:
                 break
             sides[j] = HOLDS
+
+
+def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if so" right behind an order to find something out is done where it is as asked ("check whether it
+    isn't on. *If that's the case*, ...")."""
+    leading = (*clauses[k].far, *clauses[k].near)
+    if (roles[k - 1], roles[k]) != ("condition", "task") or "so" not in leading or not clauses[k - 1].is_asked:
+        return
+    place = leading.index("so")
+    is_plain = _OF_QUESTIONS.issuperset(leading[:place]) and TURNING.isdisjoint(leading[place + 1 :])
+    if sides[k] == FAILS and is_plain and "unless" not in clauses[k - 1].near:
+        sides[k] = HOLDS
 
 
 def turn_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

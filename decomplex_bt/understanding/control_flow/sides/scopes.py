@@ -23,6 +23,15 @@ _OBSTRUCTED = frozenset(
 """States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
 
 
+def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether nobody is in a place is not asked of the order before, which has nothing to do with it ("water the
+    ferns. If nobody is in the study, ...")."""
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and clauses[k].boundary in _PARTING
+    is_instead = k + 1 < len(clauses) and "instead" in (*clauses[k + 1].near, *clauses[k + 1].behind)
+    if is_behind and sides[k - 1][:2] == ">1" and clauses[k].is_apart_from(clauses[k - 1]) and not is_instead:
+        sides[k - 1] = "top"
+
+
 def precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "before that", in its sentence, is done in the same case ("otherwise switch it on, but before that
     plug it in"), and so is what is done with it then."""
