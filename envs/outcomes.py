@@ -192,20 +192,23 @@ def _are_there(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool
 
 
 def _presence(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
-    """Whether the objects are where the task says: seen there, or all of it inspected and not all of them there."""
+    """Whether the objects are where the task says: seen there, or all of it inspected (as a floor is by what was in view
+    a moment ago, with who was seen on it then)."""
     wheres = [where for place in task.places for where in candidates(place, bindings)]
 
     def is_here(name: str) -> bool:
         return any(evidence.is_there(name, where) for where in wheres)
 
     is_on_map = _is_on_map(task, evidence)
+    for_person = _asks_people(task, evidence)
+    is_inspected = is_on_map or all(evidence.was_inspected(where, for_person=for_person) for where in wheres)
     is_known = is_on_map and task.type == "check_state"
+    is_known |= for_person and is_inspected
     seen = _choose(task.objects, bindings, lambda name: is_here(name) and (is_known or evidence.was_seen(name)))
     truly = _choose(task.objects, bindings, is_here)
     if seen is not None and truly is not None:
         yield Outcome(True, _narrow_places(task, truly.bindings, evidence))
-    for_person = _asks_people(task, evidence)
-    if truly is None and (is_on_map or all(evidence.was_inspected(where, for_person=for_person) for where in wheres)):
+    if truly is None and is_inspected:
         yield Outcome(False, bindings)
 
 

@@ -340,6 +340,16 @@ def test_a_search_fails_when_the_place_was_inspected_and_stays_so():
     assert episode.inspect("drawer").is_success
 
 
+@pytest.mark.parametrize(("room", "truth"), [("kitchen", True), ("study", False)])
+def test_who_was_seen_on_a_floor_looked_over_a_moment_ago_is_there(room: str, truth: bool):
+    is_in = task(1, "check_state", "anna", at=["kitchen"], state=HERE)
+    episode = Episode(HandWorld({"anna": room}), [{"if": 1, "then": [2]}], is_in, task(2, "motion", goal="study"))
+    episode.inspect("living_room_floor")
+    assert episode.truths == [(1, None, None)]
+    episode.inspect("kitchen_floor")  # she herself is out of view by now
+    assert episode.truths == [(1, truth, "then" if truth else None)]
+
+
 def test_beside_a_thing_on_the_floor_it_is_the_floor_that_is_inspected():
     search = task(1, "searching", "glasses", at=["medicine_cabinet", "bag"])
     world = HandWorld({"glasses": "nightstand", "bag": "bedroom_floor"})
