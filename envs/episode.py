@@ -124,6 +124,8 @@ class Episode:
         if is_news or is_finished or is_late or self.judge.minds_position:
             self._judged_arrangement = world.arrangement
             self.verdict = self.judge.update(world.event)
+        if is_finished:
+            self.verdict = self.judge.finish()
         self.recording.note(forward, turn, int(interaction), target)
         terminated = is_finished or self.verdict.is_over
         if terminated and self.verdict.is_success:

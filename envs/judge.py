@@ -57,6 +57,11 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.update(event)
 
+    def finish(self) -> Verdict:
+        """Takes in that the robot has finished, after the control step in which it said so."""
+        assert self._monitor is not None
+        return self._monitor.finish()
+
     @cached_property
     def _recall(self) -> Recall:
         from decomplex_bt.envs.recall import Recall

@@ -126,6 +126,13 @@ class Monitor:
         self.verdict = self._judge()
         return self.verdict
 
+    def finish(self) -> Verdict:
+        """Takes in that the robot has finished: of what it was to do, a reading in which nothing is left counts."""
+        if not self.verdict.is_over:
+            self._ended = next((reading for reading in self.readings if reading.due is None), None)
+            self.verdict = self._judge()
+        return self.verdict
+
     def take_in(self, thing: str) -> None:
         """Takes in that somebody else has moved a thing: so it is from now on, and it is not the robot's doing."""
         self._holds = self._goals_that_hold()
@@ -190,14 +197,12 @@ class Monitor:
         pending, waiting = list(self.readings), []
         while pending:
             reading = pending.pop(0)
-            if reading.due is None:
-                self._ended = self._ended or reading
-                waiting.append(reading)
-                continue
-            stays, followers = self._follow(reading)
+            stays, followers = (reading, []) if reading.due is None else self._follow(reading)
             pending.extend(followers)
             if stays is not None:
                 waiting.append(stays)
+        ended = (r for r in waiting if r.due is None and not any(_is_idler(r, other) for other in waiting))
+        self._ended = self._ended or next(ended, None)
         self.readings = tuple(_without_twins(waiting))[:MOST_READINGS]
         due = (reading.due for reading in self.readings)
         self.minds_position = any(node is not None and self._minds_position(node.task) for node in due)
@@ -393,7 +398,7 @@ class Monitor:
         )
 
     def _best(self) -> Reading:
-        return self._ended or max(self.readings, key=lambda reading: len(reading.met))
+        return self._ended or max(self.readings, key=lambda reading: (reading.due is not None, len(reading.met)))
 
     def _undecided(self, reading: Reading) -> Iterator[Branch]:
         """The condition that was reached and that nothing has decided yet."""
@@ -409,6 +414,16 @@ def _chosen_with(task: GroundTask, truth: bool) -> Iterator[Referent]:
     else:
         referents = tuple(r for r in task.objects if truth != task.is_denied or (is_of_value and not r.is_any))
     yield from (referent for referent in referents if not referent.is_all)
+
+
+def _is_idler(one: Reading, other: Reading) -> bool:
+    """Whether nothing is to be done in one reading because a condition came out otherwise than in another, in which
+    something is: "if the window is open, close it", of which one is open and one is not."""
+    if not one.branches or one.branches[-1].taken is not None or one.branches[-1].task != one.met[-1]:
+        return False
+    last = one.branches[-1]
+    is_opposed = any(branch.task == last.task and branch.truth != last.truth for branch in other.branches)
+    return is_opposed and not other.is_impossible
 
 
 def _without_twins(readings: list[Reading]) -> Iterator[Reading]:

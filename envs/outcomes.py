@@ -192,8 +192,8 @@ def _are_there(task: GroundTask, bindings: Bindings, evidence: Evidence) -> bool
 
 
 def _presence(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
-    """Whether the objects are where the task says: seen there, or all of it inspected (as a floor is by what was in view
-    a moment ago, with who was seen on it then)."""
+    """Whether the objects are where the task says: seen there, or all of it inspected (as a floor is by what was in
+    view a moment ago, with who was seen on it then)."""
     wheres = [where for place in task.places for where in candidates(place, bindings)]
 
     def is_here(name: str) -> bool:

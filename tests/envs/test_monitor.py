@@ -781,6 +781,34 @@ def test_rooms_on_the_way_or_searched_are_no_violation():
     assert episode.go("study").met == 1
 
 
+def _two_mugs() -> Episode:
+    mug = referent("mug_1", "mug_2", phrase="the mug")
+    tasks = task(1, "check_state", mug, state="clean"), task(2, "placing", mug, goal="cupboard")
+    world = HandWorld({"mug_1": "sink", "mug_2": "desk"}, {("mug_1", "cleanliness"): "clean"})
+    return Episode(world, [{"if": 1, "then": [2]}], *tasks)
+
+
+def test_what_is_begun_is_not_over_because_another_candidate_asks_for_nothing():
+    episode = _two_mugs()
+    episode.see("mug_1")
+    episode.take("mug_1")
+    assert not episode.see("mug_2").is_over
+    assert episode.put("mug_1", "cupboard").is_success
+    assert episode.truths == [(1, True, "then")]
+
+
+def test_who_has_seen_one_that_asks_for_nothing_may_finish():
+    episode = _two_mugs()
+    episode.see("mug_1", "mug_2")
+    assert not episode.verdict.is_over
+    assert episode.monitor.finish().is_success
+    assert episode.truths == [(1, False, None)]
+    begun = _two_mugs()
+    begun.see("mug_1")
+    assert not begun.monitor.finish().is_success
+    assert _two_mugs().see("mug_2").is_success
+
+
 def test_a_violation_must_be_one_in_every_reading():
     mug = referent("mug_1", "mug_2", phrase="the mug")
     tasks = (
