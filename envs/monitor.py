@@ -43,7 +43,8 @@ class Reading:
     `agenda`: what is still to come, the task due now first. `since`: the step at which that one became due, `room`
     where the robot was. `is_impossible`: the true world does not allow it. `moment`: the world as it was then, by which
     a condition is judged that finds something out. `tried`: the outcomes it was taken for in other readings.
-    `untold`: conditions that fail for what the world is, which the robot has yet to find out for itself. `chosen`:
+    `untold`: what has come out by what the world is, which the robot has yet to find out for itself: conditions that
+    fail, and what held before anything was done. `chosen`:
     phrases that a task has been done with, and that therefore mean one thing, whichever it was.
     """
 
@@ -229,7 +230,9 @@ class Monitor:
             if key in reading.tried:
                 continue
             reading = replace(reading, tried=reading.tried | {key})
-            followers.extend(self._settle(reading, node, outcome.truth, outcome.bindings))
+            held_before = task.type not in FINDING_OUT and self.record.step <= max(reading.since, 0)
+            follower = replace(reading, untold=(*reading.untold, task.number)) if held_before else reading
+            followers.extend(self._settle(follower, node, outcome.truth, outcome.bindings))
             is_settled |= outcome.is_final
         return (None if is_settled else reading), followers
 

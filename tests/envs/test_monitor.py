@@ -8,6 +8,7 @@ import pytest
 
 from decomplex_bt.envs.doubles import DOMAIN, Episode, HandWorld, referent, task
 from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.monitor import MOMENTUM
 from decomplex_bt.planning.ground_task import HERE, Referent
 
 
@@ -678,6 +679,23 @@ def test_means_to_the_task_due_are_no_violation():
     assert not episode.do(Interaction.OPEN, "fridge").is_over
     assert not episode.take("milk").is_over
     assert episode.give("milk", "user").is_success
+
+
+@pytest.mark.parametrize(("later", "is_excused"), [("living_room", True), ("study", False)])
+def test_looking_whether_it_holds_already_is_no_violation(later: str, is_excused: bool):
+    tasks = (
+        task(1, "change_state", "living_room_lamp", state="on"),
+        task(2, "motion", goal="kitchen"),
+        task(3, "motion", goal=later),
+    )
+    episode = Episode(HandWorld(states={("living_room_lamp", "power"): "on"}), [1, 2, 3], *tasks)
+    assert episode.verdict.met == 1
+    for _ in range(MOMENTUM):
+        episode.step()
+    assert bool(episode.go(later).violations) != is_excused
+    if is_excused:
+        episode.go("kitchen")
+        assert episode.go(later).is_success
 
 
 def test_opening_what_is_no_means_is_a_violation():
