@@ -29,6 +29,7 @@ from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 from decomplex_bt.understanding.doubt import THRESHOLD
 
@@ -90,7 +91,8 @@ class TreeAgent:
         self.instruction: Instruction = instruction
         self.grounded: GroundInstruction = grounded
         self._body.reset(observation)
-        self._session = Session(self._body, Belief(self._body.domain), self._planner)
+        prior = Prior.of(domain).told(grounded.named_places(), domain)
+        self._session = Session(self._body, Belief(domain, prior=prior), self._planner)
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)
         self._has_finished = self._has_concluded = False

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.percept import Percept
-from decomplex_bt.planning.prior import Prior
+from decomplex_bt.planning.prior import UNEXPECTED, Prior
 from decomplex_bt.planning.schemas import values_after
 
 LOOKS = 2
@@ -19,8 +19,6 @@ FINAL_REASONS = ("broken", "not possible", "not_possible")
 """Words in a step's reason of failure that make trying it again pointless."""
 GONE_REASONS = ("not there any more", "have lost")
 """Words in a step's reason of failure that say that whoever it is about is not where they were."""
-STRAYED = 0.01
-"""How likely a person who has gone is in a room where they are not expected."""
 NEVER = -1
 ROBOT = "robot"
 
@@ -243,7 +241,7 @@ class Belief:
         places = self.prior.places.get(name, ())
         if name in self.domain.house.people and self.seen(name) != NEVER:
             expected = {place for place, _ in places}
-            places = (*places, *((floor, STRAYED) for floor in self._floors.values() if floor not in expected))
+            places = (*places, *((floor, UNEXPECTED) for floor in self._floors.values() if floor not in expected))
         return tuple(e for e in places if self._inspected.get(e[0], NEVER) < seen)
 
     def blocked(self) -> Mapping[GroundAction, str]:

@@ -164,5 +164,14 @@ class GroundInstruction:
                 return task
         raise KeyError(number)
 
+    def named_places(self) -> dict[str, tuple[str, ...]]:
+        """Of what tasks are about, the places and rooms that one of them names for it: where it may be, or is to be."""
+        named: dict[str, dict[str, None]] = {}
+        for task in self.tasks:
+            places = (*task.places, *((task.goal,) if task.goal is not None else ()))
+            for name in (name for referent in task.objects for name in referent.candidates):
+                named.setdefault(name, {}).update(dict.fromkeys(p for place in places for p in place.candidates))
+        return {name: tuple(places) for name, places in named.items()}
+
     def __str__(self) -> str:
         return "\n".join(str(task) for task in self.tasks)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.abilities import holds_things
+
+UNEXPECTED = 0.01
+"""How likely something is where it tends not to be, though something says that it may."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,30 @@ class Prior:
             for pair in kind.states
         }
         return cls(places, values)
+
+    def told(self, named: Mapping[str, Iterable[str]], domain: Domain) -> Prior:
+        """With the places at which an instruction says that things and people may be, however unlikely they are.
+
+        `named`: thing or person to places and rooms; of a room all its places count, of people its floor.
+        """
+        places = dict(self.places)
+        for name, told in named.items():
+            if name in places:
+                expected = {place for place, _ in places[name]}
+                held = dict.fromkeys(place for where in told for place in _held_at(name, where, domain))
+                places[name] += tuple((place, UNEXPECTED) for place in held if place not in expected)
+        return replace(self, places=places)
+
+
+def _held_at(name: str, where: str, domain: Domain) -> Iterator[str]:
+    """The places that hold a thing, or a person, which is somewhere."""
+    house = domain.house
+    if name in house.people:
+        room = domain.room_of(where) if where not in house.rooms else where
+        yield from () if room is None else (house.floor_of(room),)
+    else:
+        held = (place for place in house.places() if where in (place, domain.room_of(place)))
+        yield from (place for place in held if holds_things(place, domain))
 
 
 def _places_by_name(house: House) -> dict[str, list[str]]:

@@ -153,6 +153,18 @@ def test_a_false_condition_is_no_failure_and_the_branch_is_told():
     assert info["branches"] == [{"task": 1, "truth": False, "taken": None}]
 
 
+def test_a_place_named_in_a_question_that_is_not_asked_is_searched_all_the_same():
+    asked = markup(
+        "If [the heater](1:object) [is](1:check_state) [on](1:state) or [the remote](2:object) [is](2:check_state) "
+        "[in the fridge](2:location), [fetch](3:bringing) [me](3:recipient) [the remote](3:object).",
+        [{"if": 1, "then": [3], "else": [{"if": 2, "then": [{"same": [3]}]}]}],
+    )
+    held = {"placement": {"remote": "fridge"}, "states": {"heater": "on"}, "noise": False, "broken": []}
+    agent, info, _ = run(make_env(), asked, seed=3, **held)
+    assert info["is_success"], agent.failures
+    assert info["branches"] == [{"task": 1, "truth": True, "taken": "then"}]
+
+
 def test_an_instruction_without_a_task_or_with_an_unknown_thing_is_bad_input():
     env = make_env()
     for instruction, error in (

@@ -10,6 +10,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.planning.belief import MAX_ATTEMPTS, Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.percept import Percept
+from decomplex_bt.planning.prior import Prior
 
 DOMAIN = load_domain()
 EMPTY = Percept(room="study")
@@ -30,6 +31,17 @@ def test_an_unseen_thing_may_be_where_its_kind_tends_to_be() -> None:
 def test_a_place_looked_at_in_vain_is_no_longer_likely() -> None:
     belief = look(Belief(DOMAIN), Percept(room="study", inspected=frozenset({"desk"})))
     assert "desk" not in dict(belief.likely_places("pen_1"))
+
+
+def test_what_an_instruction_names_is_looked_at_last() -> None:
+    prior = Prior.of(DOMAIN).told({"remote": ("fridge", "bathroom"), "anna": ("washing_machine",)}, DOMAIN)
+    belief = look(Belief(DOMAIN, prior=prior), EMPTY)
+    places = [place for place, _ in belief.likely_places("remote")]
+    assert places[0] == Belief(DOMAIN).likely_places("remote")[0][0]
+    assert {"fridge", "bathroom_floor", "washing_machine"} <= set(places)
+    assert "fridge" not in dict(Belief(DOMAIN).likely_places("remote"))
+    assert places.index("fridge") > places.index("coffee_table")
+    assert "bathroom_floor" in dict(belief.likely_places("anna"))
 
 
 def test_one_look_may_miss_a_thing() -> None:
