@@ -15,6 +15,7 @@ WEATHER = frozenset(
 """What "it" is where it names nothing."""
 _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
+_ANYTHING = re.compile(r"\b(nothing|anything|something)\b", re.IGNORECASE)
 _THERE = re.compile(
     r"\bthere('s|\u2019s|s| is| are| be| was| were)(n't|n\u2019t)?\b|^\W*(is|are|was|were)(n't|n\u2019t)? there (?=\w)",
     re.IGNORECASE,
@@ -32,6 +33,11 @@ def clause_around(text: str, verb: Span, verbs: Iterable[Span]) -> str:
 def is_of_nobody(clause: str) -> bool:
     """Whether it is of nobody's being there ("if nobody is in the kitchen"), so that it asks of anybody's."""
     return _NOBODY.search(clause) is not None
+
+
+def is_of_anything(clause: str) -> bool:
+    """Whether it is of something's being there that it does not name ("if there is nothing in the box")."""
+    return _ANYTHING.search(clause) is not None
 
 
 def asks_presence(clause: str) -> bool:

@@ -118,11 +118,12 @@ class GroundTask:
         return tuple(place for place in devices_for(thing, self.state or "", domain) if (thing, place) not in barred)
 
     def may_be_none(self, referent: Referent) -> bool:
-        """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows"), or nobody
-        where it says ("tell everybody in the kitchen")."""
+        """Whether nothing is to be done where nothing is as a phrase tells it ("close all the open windows", "wash any
+        cups"), or nobody where it says ("tell everybody in the kitchen")."""
         if referent in self.told_there():
             return True
-        return self.type in HANDLING and referent in self.objects and referent.is_all and bool(referent.where)
+        is_told = bool(referent.where) or referent.is_any
+        return self.type in HANDLING and referent in self.objects and referent.is_all and is_told
 
     def arguments(self) -> dict[str, tuple[Referent, ...] | str]:
         """What it has of object, location (its places), goal, recipient, state ("not here" where denied), message."""

@@ -25,6 +25,7 @@ from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
+from decomplex_bt.planning.several import Several
 from decomplex_bt.planning.sources import with_source
 from decomplex_bt.planning.state_words import read_state
 from decomplex_bt.planning.told_by_place import with_places_told
@@ -37,7 +38,7 @@ Ask = Callable[[Missing], str | None]
 
 FILL, FULL, EMPTY = "fill", "full", "empty"
 FINDING_OUT = ("searching", "check_state")
-SOMEBODY = "somebody"
+SOMEBODY, ANYTHING = "somebody", "anything"
 
 _JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
 """What joins two states into words that are none: "clean and dry", not "nice and warm"."""
@@ -79,6 +80,7 @@ class _Grounder:
             Wording(instruction, domain),
             Referents(instruction.text, instruction.flow, domain),
         )
+        self.several = Several(domain)
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
@@ -106,9 +108,12 @@ class _Grounder:
         if self.wording.is_of_nobody(task):
             others = tuple(argument for argument in task.arguments if argument.type != "object")
             task = replace(task, arguments=(*others, Argument("object", self._nobody_of(task))))
+        elif self.wording.is_of_anything(task):
+            task = replace(task, arguments=(*task.arguments, Argument("object", ANYTHING)))
         task = self._complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
+        self.several.note(grounded)
         if left_out is None:
             return grounded
         try:
@@ -408,13 +413,17 @@ class _Grounder:
         )
 
     def _with_mentions(self, task: Task) -> Task:
-        """A bare check with what later mentions say that it asks ("Check the window. If open, …", "… if any is …"), a
+        """A bare check with what later words say that it asks ("Check the window. If open, …", "… if any is …"), a
         search with where they say that it looks ("Open the drawer and look for the pen. If it is there, …")."""
         if task.type == "searching" and task.argument("location", "source") is None:
             where = self._mentioned_place(task)
             return task if where is None else replace(task, arguments=(*task.arguments, where))
         if task.type != "check_state" or not self.wording.is_bare_check(task):
             return task
+        asked, said = task.argument("state"), task.argument("object")
+        if asked is not None and said is not None and self.wording.is_of_any(asked):
+            one_of = replace(said, value=f"any of {said.value}", span=None)
+            task = replace(task, arguments=(*(a for a in task.arguments if a is not said), one_of))
         for mention in self.mentions.get(task.id, ()):
             word = Argument("state", mention.span.of(self.instruction.text)) if self.wording.is_state(mention) else None
             state = mention.argument("state") or word
@@ -536,13 +545,17 @@ class _Grounder:
         self, task: Task, fits: Callable[[str], bool], ability: str, *, rooms: Iterable[str] = ()
     ) -> tuple[tuple[Referent, ...], tuple[Referent, ...]]:
         """The referents of the object arguments that fit, and of the places inside their phrases."""
-        objects, inner = [], []
+        objects: list[Referent] = []
+        inner: list[Referent] = []
         for argument in task.arguments:
             if argument.type != "object":
                 continue
             for phrase in self.referents.phrases(argument):
                 self._refuse_anything(task, phrase)
-                objects.append(self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False))
+                one = self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False)
+                every, places = self.several.read(phrase, one, task.type)
+                objects.append(every)
+                inner.extend(places)
                 if phrase.place is not None and self.referents.may_move(objects[-1:]):
                     inner.append(self.referents.where(phrase.place))
         objects = self._joined(objects)

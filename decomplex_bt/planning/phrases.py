@@ -39,6 +39,7 @@ _POSSESSIVE = re.compile(r"\w+(?:'s|s')$")
 _AT_LEAST = re.compile(r"\b(?:at least|no fewer than|no less than)\s+")
 _MORE_THAN = re.compile(r"\bmore than (\w+)\b")
 _OF_THEM = re.compile(r"\s+of (?:them|these|those)$")
+_EACH_OF_THEM = frozenset(("them", "both", "all", "each", "them both", "them all"))
 
 
 def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
@@ -60,6 +61,8 @@ def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPh
     preposition, said = split_preposition(argument.span.of(text) if argument.span is not None else "", domain)
     if said == split_preposition(argument.value, domain)[1]:
         return phrases
+    if len(phrases) == 1 and _OF_THEM.sub("", said) in _EACH_OF_THEM:
+        phrases = phrases[0].choices or phrases  # "if the tv or the radio is on, turn both off"
     picked = picked_words(argument, text, domain)
     is_other = says_other(said.split(), domain)
     phrases = tuple(

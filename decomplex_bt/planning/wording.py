@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import re
 
-from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody, is_of_weather
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_anything, is_of_nobody, is_of_weather
 from decomplex_bt.domain.lexicon import VerbSense
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.verbs import lemmas, sense_of
-from decomplex_bt.instruction import Instruction, Task
+from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.state_words import read_state
 
 _FINDING_OUT = frozenset(("check", "verify", "test", "inspect", "look", "see"))
 _BESIDES = r"(?:but|except(?:\s+for)?|besides|apart\s+from|other\s+than)"
 _ELSE = re.compile(rf"\b(?:nobody|no[- ]?one)\s+(?:else|{_BESIDES})\b|\b{_BESIDES}\s+(?:me|us|myself)\b", re.IGNORECASE)
+_OF_ANY = re.compile(
+    r"\bany(?:\s+of\s+(?:them|these|those))?\s+(?:that|which)(?:'s|'re|\s+is|\s+are)\s+$", re.IGNORECASE
+)
 _PARTICLES = re.compile(r"[a-z']+")
 
 
@@ -43,6 +46,16 @@ class Wording:
     def is_of_nobody_else(self, task: Task) -> bool:
         """Whether a check of nobody leaves somebody out, who may be there ("nobody else", "nobody but me")."""
         return _ELSE.search(self._clause(task)) is not None
+
+    def is_of_anything(self, task: Task) -> bool:
+        """Whether a check is of anything's being at a place, or of nothing's, with its branches changed over."""
+        if task.type != "check_state" or task.value("object") is not None or task.value("location") is None:
+            return False
+        return is_of_anything(self._clause(task))
+
+    def is_of_any(self, state: Argument) -> bool:
+        """Whether a state is asked of any of several ("check the windows and close any that are *open*")."""
+        return state.span is not None and _OF_ANY.search(self._instruction.text[: state.span.start]) is not None
 
     def is_of_weather(self, task: Task) -> bool:
         """Whether a check is of the weather or the day, which no thing tells."""

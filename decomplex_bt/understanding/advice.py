@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_nobody, is_of_weather
+from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_anything, is_of_nobody, is_of_weather
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Missing, Task
@@ -46,7 +46,8 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         if task.type == "check_state":
             clause = clause_around(observed.document.text, task.span, verbs)
             is_presence = asks_presence(clause) or _asks_who(observed, task)
-            given |= {"object"} if is_of_nobody(clause) else {"state"} if is_presence else set()
+            is_said = is_of_nobody(clause) or (is_of_anything(clause) and "location" in given)
+            given |= {"object"} if is_said else {"state"} if is_presence else set()
             if is_of_weather(clause):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start

@@ -21,7 +21,7 @@ from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Option, options_of
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, unsaid_gaps
+from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
 
@@ -57,6 +57,7 @@ class ReferenceModel:
         """
         context = Context(observed, tasks, flow)
         resolved: list[Task] = []
+        parts: dict[str, str] = {}  # "one of them" to "one of the plates"
         for task in tasks:
             arguments: list[Argument] = []
             for argument in task.arguments:
@@ -64,7 +65,8 @@ class ReferenceModel:
                 if gap is not None:
                     option, probability = self._best(context, gap, hints)
                     if option.candidate is not None:
-                        value = filled(observed.document, argument, gap, option.text)
+                        value = filled(observed.document, argument, gap, parts.get(option.text.lower(), option.text))
+                        parts.update(part_of(observed.document, argument, gap, value))
                         argument = replace(argument, value=value, confidence=argument.confidence * probability)
                         context.mention(gap, option.candidate, option.text)
                 arguments.append(argument)
@@ -73,7 +75,8 @@ class ReferenceModel:
             for gap in unsaid_gaps(observed, task, self._ontology):
                 option, probability = self._best(context, gap, hints, said)
                 if option.candidate is not None:
-                    implied.append(Argument(option.type, option.text, None, probability))
+                    value = parts.get(option.text.lower(), option.text)
+                    implied.append(Argument(option.type, value, None, probability))
                     context.mention(gap, option.candidate, option.text)
             resolved.append(replace(task, arguments=(*implied, *arguments)))
         return tuple(resolved)

@@ -37,7 +37,7 @@ def first(text: str) -> GroundTask:
         ("the pen, the book and my keys", [(PENS, False, 1), (("book_1", "book_2"), False, 1), (("keys",), False, 1)]),
         ("all the mugs", [(MUGS, True, 1)]),
         ("the mugs", [(MUGS, True, 1)]),
-        ("any mugs", [(MUGS, False, 1)]),
+        ("any mugs", [(MUGS, True, 1)]),
         ("two mugs", [(MUGS, False, 2)]),
         ("both of the mugs", [(MUGS, True, 1)]),
         ("every one of the mugs", [(MUGS, True, 1)]),

@@ -23,7 +23,7 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.affinity import options_of
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import gap_of, spellings, unsaid_gaps
+from decomplex_bt.understanding.references.gaps import gap_of, part_of, spellings, unsaid_gaps
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, noun_chunks, noun_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
@@ -174,6 +174,21 @@ def test_a_pronoun_that_is_joined_to_a_thing_is_filled_in_its_place(tmp_path):
     model = ReferenceModel(tmp_path / "r.json", ontology)
     found = model.resolve(Observed(doc, GAZETTEER), tasks, Flow.from_json([1, 2]))
     assert found[1].values("object") == ("the vase and the mop",)
+
+
+@pytest.mark.parametrize(
+    ("said", "value", "expected"),
+    [
+        (("one", "of", "them"), "the vases", {"one of them": "one of the vases"}),
+        (("one", "of", "them"), "one of the vases", {"one of them": "one of the vases"}),
+        (("it",), "the vase", {}),
+    ],
+)
+def test_what_words_for_a_part_say_goes_on_to_what_stands_for_them(said, value, expected):
+    doc = document("take/VB", *(f"{word}/{'IN' if word == 'of' else 'PRP'}" for word in said))
+    task = Task(1, "taking", doc.span(0, 0), (argument(doc, "object", 1, len(said)),))
+    gap = gap_of(doc, task, task.arguments[0])
+    assert part_of(doc, task.arguments[0], gap, value) == expected
 
 
 def test_a_glass_of_it_is_no_bottle():

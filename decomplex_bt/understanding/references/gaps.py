@@ -105,6 +105,16 @@ def filled(document: Document, argument: Argument, gap: Gap, text: str) -> str:
     )
 
 
+def part_of(document: Document, argument: Argument, gap: Gap, value: str) -> dict[str, str]:
+    """What words for a part of what is told by a pronoun ("one of them") say with its value ("one of the plates")."""
+    if gap.form != "part" or argument.span is None:
+        return {}
+    said = _text(document, stripped(document, document.indices(argument.span)))
+    number, joined, _ = said.rpartition(" of ")
+    is_whole = not joined or value.lower().startswith(f"{number.lower()} of ")
+    return {said.lower(): value if is_whole else f"{number} of {value}"}
+
+
 def _form(document: Document, tokens: range) -> str | None:
     """pronoun, one ("the red one"), own ("hers", "Ruby's"), part ("half of it"), count ("two"), or None."""
     words = [document.tokens[i].lower for i in tokens]
