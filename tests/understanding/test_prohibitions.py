@@ -22,6 +22,8 @@ def interpreter() -> Interpreter:
         ("Never boil or fry the eggs. Bring me a pen.", "boil", ["Bring"]),
         ("Without opening the fridge, bring me the juice.", "opening", ["bring"]),
         ("Don't wake Anna, but if she's already up, bring her the tea.", "wake", ["'s", "bring"]),
+        ("Don't open the hatch even if somebody rings, and shut the gate.", "open", ["shut"]),
+        ("Even when it's dark, don't light the lamp. Bring me a pen.", "light", ["Bring"]),
         ("Don't empty the bin; if it's full, tell me.", "empty", ["'s", "tell"]),
         ("Don't give the dog any cake, but if he's hungry, you may bring him a biscuit.", "give", ["'s", "bring"]),
     ],

@@ -786,3 +786,101 @@ def test_whether_nobody_is_in_a_place_is_not_asked_of_what_is_done_elsewhere(
         f"[shut](3:change_state) [the gate](3:object){end}."
     )
     assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "<1+"))[0] == expected
+
+
+@pytest.mark.parametrize(
+    ("second", "end", "expected"),
+    [
+        ("condition", ", and failing that, [tell](4:informing) [Ann](4:recipient).", ("top", "<1-", "<2", "<2-")),
+        ("task", ", and [tell](4:informing) [Ann](4:recipient).", ("top", "<1-", "<1", "top")),
+        ("task", ".", ("top", "<1-", "<1")),
+    ],
+)
+def test_a_search_if_it_is_not_there_is_for_where_the_one_before_fails(
+    second: str, end: str, expected: tuple[str, ...]
+) -> None:
+    found = clauses(
+        "[Look](1:searching) [in the bag](1:location) for [the file](1:object), then [look](2:searching) "
+        f"[in the tin](2:location) if [it](3:object)'[s](3:check_state) not [there](3:location){end}"
+    )
+    roles = ("condition", second, "mention", "task")[: len(found)]
+    assert stated_sides(found, roles, ("top", "<1+", "<1", "<1-")[: len(found)]) == expected
+
+
+@pytest.mark.parametrize(("word", "expected"), [("then ", "top"), ("", "<1+")])
+def test_an_order_hangs_on_what_is_asked_of_its_own_thing_right_behind_it(word: str, expected: str) -> None:
+    found = clauses(
+        "If [the radio](1:object) [is](1:check_state) [on](1:state), [dust](2:change_state) [it](2:object), "
+        f"{word}[shut](3:change_state) [the hatch](3:object) if [it](4:object)'[s](4:check_state) [open](4:state)."
+    )
+    roles = stated_roles(found, ("condition", "task", "task", "mention"))
+    assert roles[3] == "condition"
+    assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1"))[2:] == (">1+", expected)
+
+
+def test_the_state_that_was_asked_stays_a_mention_behind_an_order() -> None:
+    found = clauses(
+        "See if [the radio](1:object) [is](1:check_state) [on](1:state) and [shut](2:change_state) "
+        "[the hatch](2:object) if [it](3:object)'[s](3:check_state) [off](3:state)."
+    )
+    assert stated_roles(found, ("condition", "task", "mention"))[2] == "mention"
+
+
+@pytest.mark.parametrize(
+    ("joint", "expected"), [(", ", ("top", "top")), (", and ", ("<1+", "<1+")), (" and ", ("<1+", "<1+"))]
+)
+def test_what_is_listed_on_behind_an_instead_is_done_in_any_case(joint: str, expected: tuple[str, ...]) -> None:
+    found = clauses(
+        "If [the pan](1:object) [is](1:check_state) [dirty](1:state), [take](2:taking) [the pot](2:object) instead"
+        f"{joint}[lay](3:change_state) [the table](3:object) and [light](4:change_state) [the candle](4:object)."
+    )
+    sides = stated_sides(found, ("condition", "task", "task", "task"), ("top", "<1+", "<1+", "<1+"))
+    assert sides[2:] == expected
+
+
+@pytest.mark.parametrize(
+    ("denial", "step", "expected"), [("n't", "", "top"), ("", "", "<1+"), ("n't", " first", "<1+")]
+)
+def test_what_is_done_then_behind_what_makes_up_for_a_lack_is_done_in_any_case(
+    denial: str, step: str, expected: str
+) -> None:
+    found = clauses(
+        f"If [the jug](1:object) [is](1:check_state){denial} [clean](1:state), [rinse](2:change_state) [it](2:object)"
+        f"{step}, then [fill](3:change_state) [it](3:object)."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == expected
+
+
+@pytest.mark.parametrize(
+    ("denial", "answer", "last", "expected"),
+    [
+        ("n't", "", "[pour](4:placing) [it](4:object) away", ">1+"),
+        ("n't", "", "[warm](4:change_state) [it](4:object)", "top"),
+        ("", "n't", "[pour](4:placing) [it](4:object) away", "top"),
+    ],
+)
+def test_what_is_first_checked_not_to_be_so_is_asked_of_the_order_ahead(
+    denial: str, answer: str, last: str, expected: str
+) -> None:
+    found = clauses(
+        "[Serve](1:change_state) [the cream](1:object), but first [check](2:check_state) that [it](2:object) is"
+        f"{denial} [sour](2:state), and if [it](3:object) [is](3:check_state){answer}, {last}."
+    )
+    sides = stated_sides(found, ("task", "condition", "mention", "task"), ("top", "top", "<1", "<1+"))
+    assert sides[0] == expected
+
+
+@pytest.mark.parametrize(
+    ("case", "expected"),
+    [
+        ("does[n't](3:manner) [know](3:check_state)", "<1+"),
+        ("[is](3:check_state) [asleep](3:state)", ">1-"),
+    ],
+)
+def test_who_does_not_know_has_been_asked(case: str, expected: str) -> None:
+    found = clauses(
+        "If you can't [find](1:searching) [the file](1:object), [ask](2:informing) [Tom](2:recipient), and if "
+        f"[he](3:object) {case}, [call](4:informing) [me](4:recipient)."
+    )
+    sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", ">1-", "<1+", "<1+"))
+    assert sides[1] == expected

@@ -387,6 +387,16 @@ class Clause:
             return False
         return not self.objects and self.has_pronoun and are_apart(state, other)
 
+    def asks_of(self, order: Clause, first: Clause) -> bool:
+        """Whether it asks right behind an order after the state of what that is to be done with, and that is another
+        thing, and another state, than the first asks ("is the tv on? ... close the window if *it's open*")."""
+        state, other = self.wording.state, first.wording.state
+        is_behind = self.boundary == "none" and self.near[:1] == ("if",) and self.has_pronoun and not self.objects
+        if not (is_behind and self.is_check and state is not None and other is not None and are_apart(state, other)):
+            return False
+        is_own = bool(order.objects) and first.nouns.isdisjoint(order.objects)
+        return is_own and self.sentence == order.sentence and "or" not in order.near
+
     def asks_same_of_another(self, first: Clause) -> bool:
         """Whether it asks of something that it names what the other asks of something else."""
         is_same = self.verb == first.verb and self.wording.state == first.wording.state and self.places == first.places

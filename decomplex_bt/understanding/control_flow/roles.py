@@ -33,6 +33,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _ask_openly,
         _name_other,
         _find_nobody,
+        _ask_of_order,
         _wish,
     ):
         for k in range(1, len(clauses)):
@@ -266,6 +267,14 @@ def _find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     roles[k] = "condition"
     if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
         roles[first] = "task"
+
+
+def _ask_of_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order right ahead hangs on is no mention of another state of another thing ("is the tv on? Then turn it
+    off, and close the window if *it's open*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if (roles[k - 1], roles[k]) == ("task", "mention") and first is not None:
+        roles[k] = "condition" if clauses[k].asks_of(clauses[k - 1], clauses[first]) else "mention"
 
 
 def _wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -31,7 +31,7 @@ _ALLOWING = frozenset(
 """What says that something may be done after all, in the normal form of cues."""
 _BESIDE_ALLOWING = frozenset("then please by all means though however".split())
 _CONDITIONAL = frozenset(
-    "if only_if unless when until before before_that before_all after so else fail depending even_if either_way".split()
+    "if only_if unless when until before before_that before_all after so else fail depending".split()
 )
 """With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
 the flow to say."""

@@ -1,4 +1,4 @@
-"""Verbless cases: checks of which only a noun is said ("if *no bread*, ...", "unless *Sunday*, ...")."""
+"""Verbless cases: checks that say only a noun ("if *no bread*, ...", "unless *Sunday*, ...", "*any bread*?")."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from decomplex_bt.understanding.references.phrases import head_of
 from decomplex_bt.understanding.rules.fragments import Fragment
 
 _OPENING = frozenset(("if", "unless"))
+_TAKING_UP = frozenset("if otherwise else then yes no not when".split())
+"""First words behind a question that say what comes of it."""
 _UNHEEDED = frozenset("still only just ever then".split())
-_DENYING = "no"
+_DENYING, _ASKING = "no", "any"
 _PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM", "ADV", "ADP"))
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _CORRECTING = frozenset("no sorry wait i oh er um uh".split())
@@ -25,12 +27,14 @@ _NO_CASES = frozenset(
 
 
 def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragment]:
-    """The checks of nouns that stand alone between an "if" and a comma or the end of a sentence, with none of the
-    `tasks`, which are tokens, among them but the head."""
+    """The checks of nouns that stand alone between an "if" and a comma or the end of a sentence, or are asked after by
+    "any", with none of the `tasks`, which are tokens, among them but the head."""
     tokens = document.tokens
-    for first in (i + 1 for i, token in enumerate(tokens) if token.lower in _OPENING):
+    for first in _openings(document):
         stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
         if stop < len(tokens) and not _is_end(document, stop):
+            continue
+        if tokens[first].lower == _ASKING and not _is_asked(document, first, stop):
             continue
         while first < stop and tokens[first].lower in _UNHEEDED:
             first += 1
@@ -40,6 +44,22 @@ def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragm
             is_of_day = tokens[head].lower in WEATHER
             thing, state = (range(0), phrase) if is_of_day else (phrase, range(0))
             yield Fragment(range(first, stop), head, thing, range(0), state=state)
+
+
+def _openings(document: Document) -> Iterator[int]:
+    """Where a case may begin: behind an "if", or with an "any" at the beginning of a sentence."""
+    for i, token in enumerate(document.tokens):
+        if token.lower in _OPENING and i + 1 < len(document):
+            yield i + 1
+        elif token.lower == _ASKING and (i == 0 or document.tokens[i - 1].text in ENDS):
+            yield i
+
+
+def _is_asked(document: Document, first: int, stop: int) -> bool:
+    """Whether words behind an "any" are asked, name no place and are taken up behind: "any bread? If so, ..."."""
+    tokens = document.tokens
+    is_question = stop + 1 < len(tokens) and tokens[stop].text == "?" and tokens[stop + 1].lower in _TAKING_UP
+    return is_question and not any(token.pos == "ADP" for token in tokens[first:stop])
 
 
 def _head(document: Document, phrase: range) -> int | None:

@@ -103,6 +103,29 @@ def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
         sides[k - 1] = FAILS
 
 
+def search_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A search of another place "if it isn't there", said behind it, is for where the one before fails ("look in the
+    bag, then try the shelf *if it isn't there*, and failing that ask Tom")."""
+    clause, task = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or roles[k - 1] == "mention" or roles[k] != "mention":
+        return
+    is_search = clauses[first].task.type == task.task.type == "searching" and task.sentence == clause.sentence
+    is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.wording.is_negated
+    is_end = k + 1 == len(clauses) or clauses[k + 1].boundary != "none"
+    if not (is_search and is_behind and is_end and sides[k - 1][:2] == "<1" and "but" not in (*task.far, *task.near)):
+        return
+    sides[k - 1] = FAILS
+    is_gone_on = k + 1 < len(clauses) and (clauses[k + 1].near, sides[k + 1][:2]) == (("and",), "<1")
+    if is_gone_on and clauses[k + 1].sentence == clause.sentence:
+        sides[k + 1] = "top"  # "... and bring it here", wherever it was
+    if roles[k - 1] == "condition":
+        sides[k] = "<2"  # it is the search before that, and what follows is of the one behind
+        for j in range(k + 1, len(clauses)):
+            is_of_second = _falls_back(clauses[j]) or (j == k + 1 and clauses[j].near[:2] == ("and", "if"))
+            sides[j] = "<2-" if roles[j] == "task" and sides[j][:2] == "<1" and is_of_second else sides[j]
+
+
 def affirm_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if she does", right behind the condition of an order ahead of it, is done in the case of that order
     ("leave it open in case the cat comes, and *if she does*, ..."), though `arcs.flip_of` takes such a mention for the

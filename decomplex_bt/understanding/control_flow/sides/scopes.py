@@ -16,6 +16,8 @@ _MOVING = frozenset(("placing", "bringing"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _LEAVING = frozenset(("leave", "keep"))
 _FILLED = frozenset("full packed crammed overflowing".split())
+_ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
+_REMOVING = frozenset("leave pour throw tip chuck bin".split())
 _OBSTRUCTED = frozenset(
     "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
     "service order".split()
@@ -148,6 +150,76 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
             sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
     for j in later:
         sides[j] = f"<2{sides[k][2:]}" if sides[k] in (HOLDS, FAILS) else "top"
+
+
+def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Who does not know or cannot help has been asked ("ask Tom where it is, and *if he doesn't know*, ...")."""
+    clause, order = clauses[k], clauses[k - 1]
+    if k < 2 or (roles[k - 1], roles[k]) != ("task", "condition") or roles[k - 2] not in CONDITION_ROLES:
+        return
+    is_asked = order.task.type == "informing" and bool(order.receivers) and sides[k - 1][:2] == ">1"
+    is_unable = clause.verb == "be" and clause.wording.state is None and clause.wording.is_negated and not clause.places
+    if is_asked and clause.near[:2] == ("and", "if") and (clause.verb in _ANSWERING or is_unable):
+        sides[k - 1] = HOLDS
+
+
+def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is checked first not to be so is for the order ahead, which is not done where it is so and the thing is put
+    elsewhere or left ("warm the milk, but first check that it isn't sour, and if it is, pour it away")."""
+    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
+        return
+    check, echo, order = clauses[k : k + 3]
+    is_first = check.is_asked and check.wording.is_negated and bool({"before", "first"} & set(check.wording.orders))
+    is_so = echo.wording.is_echo and not echo.wording.is_negated and "if" in echo.near
+    is_removed = (order.task.type == "placing" or order.verb in _REMOVING) and order.has_pronoun and not order.objects
+    if is_first and is_so and is_removed and sides[k - 1] == "top" and sides[k + 2] == HOLDS:
+        sides[k - 1] = ">1+"
+
+
+def list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is listed on behind an "instead" is done in any case ("fetch the pan, if it's dirty take the pot instead,
+    *lay the table, light the candles*")."""
+    clause = clauses[k]
+    is_behind = "instead" in clauses[k - 1].behind and clause.sentence == clauses[k - 1].sentence
+    is_listed = clause.boundary == "," and clause.near in ((), ("then",)) and roles[k - 1] == "task"
+    if not (is_behind and is_listed) or clause.has_pronoun or not clause.objects:
+        return
+    for j in range(k, len(clauses)):
+        if sides[j] not in (HOLDS, FAILS) or clauses[j].sentence != clause.sentence:
+            return
+        if j > k and not goes_on(clauses, roles, sides, j, clause.sentence) and roles[j] != "condition":
+            return
+        sides[j] = "top"
+        if roles[j] == "condition":
+            return
+
+
+def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done ", then" behind the one thing that makes up for what is not so is done in any case ("if there isn't
+    a clean cup, wash one, *then fill it*")."""
+    clause, before = clauses[k], clauses[k - 1]
+    if k < 2 or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    is_next = (clause.boundary, clause.near) == (",", ("then",)) and clause.sentence == before.sentence
+    is_of_lack = clauses[k - 2].wording.is_negated and clauses[k - 2].sentence == clause.sentence
+    is_step = "first" in (*before.far, *before.near, *before.behind)
+    if not (is_next and is_of_lack) or is_step or sides[k] != sides[k - 1] or sides[k] not in (HOLDS, FAILS):
+        return
+    for j in range(k, len(clauses)):
+        if j > k and not (sides[j] == sides[k - 1] and goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = "top"
+
+
+def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order hangs on what is asked right behind it after its own thing, and behind a "then" that is asked whatever
+    came of another condition ("is the tv on? Turn it off, *then* close the window if *it's open*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != "<1":
+        return
+    if clauses[k].asks_of(clauses[k - 1], clauses[first]):
+        is_next = "then" in clauses[k - 1].near and clauses[k - 1].sentence == clauses[first].sentence
+        sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
 
 
 def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
