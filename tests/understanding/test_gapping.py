@@ -41,3 +41,20 @@ def test_each_thing_has_what_is_told_of_it(text: str, pairs: list[tuple[str, str
 def test_what_is_told_of_several_things_is_told_once(text: str, arguments: list[tuple[str, str]]) -> None:
     (task,) = Interpreter.load().interpret(text).tasks
     assert [(argument.type, argument.value) for argument in task.arguments] == arguments
+
+
+@pytest.mark.parametrize(
+    ("text", "objects"),
+    [
+        ("Bring me the pills from the cabinet and a glass of water.", ["the pills", "a glass of water"]),
+        ("Fetch the towels from the cupboard and the soap.", ["the towels", "the soap"]),
+        ("Take the skis to the attic, and the snowshoes.", ["the skis", "the snowshoes"]),
+        ("Bring me a pen or a pencil, whichever is nearer, and the notebook.", ["a pen or a pencil", "the notebook"]),
+        ("Fetch the cups from the table and the sideboard.", ["the cups"]),
+        ("Bring me the mug from the counter and water the plants.", ["the mug"]),
+        ("Take the letter to Anna and the guest.", ["the letter"]),
+    ],
+)
+def test_a_thing_behind_what_is_told_of_the_first_is_added(text: str, objects: list[str]) -> None:
+    found = Interpreter.load("household").interpret(text)
+    assert [a.value for a in found.tasks[0].arguments if a.type == "object"] == objects

@@ -267,3 +267,8 @@ def test_whom_one_runs_into_is_found(parser: Parser, text: str, told: str) -> No
     verb = next(token.i for token in document.tokens if token.lemma in ("run", "bump"))
     met = encountered(document, verb)
     assert (document.span(met.start, met.stop - 1).of(text) if met else "") == told
+
+
+def test_a_gander_is_a_look_and_no_thing() -> None:
+    (task,) = Interpreter.load("household").interpret("Have a gander in the shed for my rake.").tasks
+    assert (task.type, task.values("object")) == ("searching", ("for my rake",))

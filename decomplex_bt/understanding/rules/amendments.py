@@ -28,9 +28,9 @@ from decomplex_bt.understanding.rules.checks import (
     with_whole_state,
 )
 from decomplex_bt.understanding.rules.fragments import fragments
-from decomplex_bt.understanding.rules.gapping import with_gapped
+from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, served
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, is_look, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
@@ -86,7 +86,7 @@ def amended(
     kept = _of_days(document, [_whereabouts(document, tasks, a, kept) for a in kept])
     kept = [_relative(document, tasks, _entire(document, a), kept) for a in kept]
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
-    kept = [a for a in kept if not _is_of_nobody(document, a)]
+    kept = [a for a in kept if not _is_of_nobody(document, a) and not is_look(document, a.tokens)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
@@ -122,13 +122,13 @@ def amended(
     for case in verbless_cases(document, tasks):
         within = [argument for argument in kept if not set(argument.tokens).isdisjoint(case.tokens)]
         last = [document.tokens[a.tokens[-1]] for a in within if a.owner == case.carrier]
-        is_named = any(token.pos in ("NOUN", "PROPN") or token.lower in ("one", "ones") for token in last)
+        is_named = any(token.pos in ("NOUN", "PROPN", "NUM") or token.lower in ("one", "ones") for token in last)
         if case.carrier in tasks and not is_named:
             kept = [argument for argument in kept if argument not in within]
             kept += [FoundArgument(name, case.carrier, said, CERTAIN) for name, said in case.told.items()]
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
-    kept = without_places_of_others(observed, tasks, kept)
+    kept = without_places_of_others(observed, tasks, with_added(observed, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

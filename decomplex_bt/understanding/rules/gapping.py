@@ -7,7 +7,7 @@ As the guideline has it, the verb is one task, with its arguments in turn; actin
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
@@ -18,7 +18,11 @@ from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSIT
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state"))
 _PAIRED = ("goal", "recipient", "source", "location", "state")
 """What is told beside the thing, anew for each one."""
-_JOINTS = frozenset(("and", "&", ","))
+_JOINTS = frozenset(("and", "n", "&", ","))
+_PLACED = frozenset(("goal", "recipient", "source", "location"))
+_TELLING_APART = frozenset("whichever which preferably ideally".split())
+_INDEFINITE = frozenset(("a", "an", "some", "another"))
+_NOMINAL = frozenset("DT PRP$ CD JJ JJR JJS NN NNS NNP VBN VBG".split())
 _TO_WHOM = frozenset(("for", "to"))
 _DETERMINERS = frozenset(
     "the a an my your our their his her its some another that this these those any one two".split()
@@ -63,6 +67,64 @@ def with_gapped(
     return kept
 
 
+def with_added(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with the things that an "and" adds at the end of a clause, behind what is told of the first one
+    ("the pills from the drawer *and a glass of water*"): no further places, and no other argument's words."""
+    kept = list(arguments)
+    for owner, kind in sorted(tasks.items()):
+        said = {i for a in kept if a.owner == owner and a.type == "object" for i in a.tokens}
+        phrases = list(_phrases(observed, tasks, owner, said)) if kind in _ACTING else []
+        has_aside = len(phrases) == 2 and _is_aside(observed.document, phrases[0][0])
+        if not phrases or len(phrases) != 1 + has_aside or not phrases[-1][1]:
+            continue
+        phrase = phrases[-1][0]
+        own = sorted((a for a in kept if a.owner == owner and owner < a.tokens.start), key=lambda a: a.tokens.start)
+        before = [_until(observed.document, a, phrase.start) for a in own if a.tokens.start < phrase.start]
+        is_told = len(before) > 1 and before[-1].type in _PLACED and "object" in (a.type for a in before[:-1])
+        is_told |= has_aside and "object" in (a.type for a in before)
+        behind = [a for a in kept if a.tokens.stop > phrase.start and a.tokens.start < phrase.stop]
+        behind = [a for a in behind if a not in own[: len(before)]]
+        is_vague = observed.document.tokens[phrase.start].lower in _INDEFINITE
+        is_free = all((a.owner, a.tokens.start) == (owner, phrase.start) for a in behind)
+        is_free = is_free and all(a.type == "object" or is_vague for a in behind)
+        if is_told and is_free and _is_thing(observed, phrase, kind):
+            before = [replace(a, confidence=CERTAIN) if a.type == "object" else a for a in before]
+            kept = [a for a in kept if a not in (*own, *behind)] + [
+                *before,
+                FoundArgument("object", owner, phrase, CERTAIN),
+            ]
+    return kept
+
+
+def _is_aside(document: Document, phrase: range) -> bool:
+    """Whether a phrase between commas tells of the thing ahead of it which one it is: "the cup, *the small one*, and
+    ...", "a pen, *whichever is closest*, and ..."."""
+    words = document.tokens[phrase.start : phrase.stop]
+    return words[0].lower in _TELLING_APART or words[-1].lower in ("one", "ones")
+
+
+def _is_thing(observed: Observed, phrase: range, task_type: str) -> bool:
+    """Whether a phrase behind an "and" is a noun with no more than words before it, and no further place: an indefinite
+    one, one that is known to be a thing, or to change its state where that is asked, or one that a comma parts off."""
+    words = observed.document.tokens[phrase.start : phrase.stop]
+    cut = next((k for k, word in enumerate(words) if word.lower == "of"), len(words))
+    named = words[:cut]
+    if not named or named[-1].tag not in ("NN", "NNS") or named[-1].lemma in PERSON_NOUNS:
+        return False
+    if any(word.tag not in _NOMINAL for word in (*named, *words[cut + 1 :])) or any(w.pos == "DET" for w in named[1:]):
+        return False
+    category = observed.gazetteer.category(named[-1].lemma)
+    may_change = task_type == "change_state" and bool(observed.gazetteer.changeable.get(named[-1].lemma))
+    is_parted = observed.document.tokens[phrase.start - 2].text == ","
+    is_vague = words[0].lower in _INDEFINITE or words[0].tag == "CD"
+    return (
+        is_vague
+        or may_change
+        or category == "thing"
+        or (is_parted and category == "" and words[0].lower in _DETERMINERS)
+    )
+
+
 def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> Iterator[Gapped]:
     """The gapped phrases of a document, in text order. They follow, behind an "and" or in a list that ends with one,
     what the verb does first, and tell the same two things in the same way; `arguments`: as the models have them."""
@@ -96,14 +158,18 @@ def _until(document: Document, argument: FoundArgument, stop: int) -> FoundArgum
     return replace(argument, tokens=range(argument.tokens.start, last))
 
 
-def _phrases(observed: Observed, tasks: Mapping[int, str], owner: int) -> Iterator[tuple[range, bool]]:
+def _phrases(
+    observed: Observed, tasks: Mapping[int, str], owner: int, said: Container[int] = ()
+) -> Iterator[tuple[range, bool]]:
     """The phrases behind the first "and" or comma after a verb up to where its clause ends, and whether an "and" leads
-    each."""
+    each; an "or" ends it but among the tokens `said`."""
     tokens = observed.document.tokens
     opening = {cue.first for cue in observed.cues if cue.name in _OPENING}
     stop = owner + 1
     while stop < len(tokens) and tokens[stop].text not in ENDS and stop not in opening:
-        if stop in tasks or tokens[stop].lower in ("then", "but", "or", ":"):
+        if stop in tasks or tokens[stop].lower in ("then", "but", ":"):
+            break
+        if tokens[stop].lower == "or" and stop not in said:
             break
         stop += 1
     is_cut = stop < len(tokens) and stop in tasks

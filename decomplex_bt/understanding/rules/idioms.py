@@ -14,7 +14,7 @@ from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_a
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 from decomplex_bt.understanding.rules.suppositions import MAY, participle, supposed
 
-_LOOKING = frozenset("look peek glance gander peep rummage".split())
+_LOOKING = frozenset("look peek glance gander peep rummage squint nosy nose butchers hunt".split())
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))
 _SPEAKERS = frozenset(("i", "we"))
@@ -209,7 +209,7 @@ def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
     for i, token in enumerate(tokens[:-2]):
         end = i + 3 + (tokens[i + 2].pos == "ADJ")
         is_look = token.lemma == "have" and tokens[i + 1].lower in ("a", "another") and end <= len(tokens)
-        if not is_look or tokens[end - 1].lower not in _LOOKING or set(range(i, end)) & set(tasks):
+        if not is_look or tokens[end - 1].lower not in _LOOKING or set(range(i + 1, end)) & set(tasks):
             continue
         if _is_of_others(document, i) or _is_told(document, tasks, i):  # "so that I can have a look"
             continue
@@ -217,6 +217,13 @@ def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
         if after not in _ASKED:  # "have a look, is the gate open?" asks
             found.append(i)
     return found
+
+
+def is_look(document: Document, words: range) -> bool:
+    """Whether words only say that somebody has a look: the "a gander" of "have *a gander* in the shed"."""
+    said = [token.lower for token in document.tokens[words.start : words.stop]]
+    has = document.tokens[words.start - 1].lemma if words.start else ""
+    return has in ("have", "take") and len(said) in (2, 3) and said[0] in ("a", "another") and said[-1] in _LOOKING
 
 
 def is_light(document: Document, verb: int, noun: int) -> bool:
