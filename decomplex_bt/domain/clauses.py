@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from decomplex_bt.instruction import Span
 
@@ -13,6 +13,15 @@ WEATHER = frozenset(
     "thursday friday saturday sunday".split()
 )
 """What "it" is where it names nothing."""
+AIR = frozenset(
+    "hot cold warm freezing chilly cool icy stuffy airless humid muggy draughty drafty smoky quiet silent noisy loud "
+    "bright light dark gloomy".split()
+)
+"""What it may be like somewhere."""
+WHERE = frozenset("in inside out outside outdoors indoors upstairs downstairs here there".split())
+"""What begins where it is so."""
+PARTS = frozenset("middle centre center".split())
+"""Where a thing is hot or cold."""
 _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
 _ANYTHING = re.compile(r"\b(nothing|anything|something)\b", re.IGNORECASE)
@@ -46,6 +55,15 @@ def asks_presence(clause: str) -> bool:
 
 
 def is_of_weather(clause: str) -> bool:
-    """Whether it is of the weather or the day ("if it's raining", "should it snow"), so that "it" names nothing."""
+    """Whether it is of the weather or the day ("if it's raining", "should it snow"), or of what it is like somewhere
+    ("if it's stuffy in here"), so that "it" names nothing."""
     words = re.findall(r"[a-z]+", clause.lower())
-    return "it" in words and not WEATHER.isdisjoint(words)
+    if "it" not in words and "its" not in words:
+        return False
+    return not WEATHER.isdisjoint(words) or any(is_air(words[i:]) for i in range(len(words)))
+
+
+def is_air(words: Sequence[str]) -> bool:
+    """Whether words (lower case) begin by saying what it is like somewhere: "cold in here", "dark enough outside"."""
+    behind = words[2:] if words[1:2] == ["enough"] else words[1:]
+    return bool(behind) and words[0] in AIR and behind[0] in WHERE and PARTS.isdisjoint(behind[1:3])

@@ -388,7 +388,8 @@ class _Grounder:
         if self.wording.is_of_weather(task):
             said = task.value("state") or task.span.of(self.instruction.text)
             raise ImpossibleGoalError(
-                f"nothing here tells the weather or the day ({said!r}); ask about a thing or a person"
+                f"nothing here tells the weather, the day or what it is like somewhere ({said!r}); "
+                "ask about a thing or a person"
             )
         if has_state or (task.type == "check_state" and self.wording.says_state(task)):
             given.add("state")

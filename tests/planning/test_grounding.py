@@ -364,6 +364,11 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ("[Soil](1:change_state) [the plate](1:object)", ImpossibleGoalError, "dirty"),
         ("If it['s](1:check_state) [raining](1:state)", ImpossibleGoalError, "weather"),
         (
+            "If it['s](1:check_state) [cold](1:state) [in the study](1:location)",
+            ImpossibleGoalError,
+            "what it is like somewhere",
+        ),
+        (
             "[Fill](1:change_state) [the bowl](1:object) [with soup](1:manner)",
             ImpossibleGoalError,
             "nothing here fills 'the bowl' 'with soup'; what there is here to fill things with: coffee, water",

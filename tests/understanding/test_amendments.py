@@ -168,6 +168,25 @@ def test_the_it_of_cold_weather_names_nothing() -> None:
     assert naming(document("if", "it", "'s", "dark"), 2, it) == []
 
 
+@pytest.mark.parametrize(
+    ("clause", "names_nothing"),
+    [
+        ("if it 's stuffy in here", True),
+        ("if it is warm enough in the attic", True),
+        ("if it gets too loud upstairs", True),
+        ("see if it is draughty in there", True),
+        ("if it is cold in the middle", False),
+        ("if it is hot enough", False),
+        ("if it is empty in there", False),
+    ],
+)
+def test_the_it_of_what_it_is_like_somewhere_names_nothing(clause: str, names_nothing: bool) -> None:
+    words = clause.split()
+    verb = 0 if words[0] == "see" else 2
+    it = [FoundArgument("object", verb, range(words.index("it"), words.index("it") + 1), 0.9)]
+    assert naming(document(*words), verb, it) == ([] if names_nothing else it)
+
+
 @pytest.mark.parametrize(("joint", "is_denied"), [("but", True), ("and", False)])
 def test_what_is_not_meant_gives_way_to_what_is(joint: str, is_denied: bool) -> None:
     said = document(*(f"{word}/NN/dep/0" for word in f"bring it not to me {joint} to the hall".split()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.domain.clauses import AIR, WEATHER
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import MARKS, Document
@@ -38,7 +38,7 @@ _AND = frozenset(("and", "&"))
 DENYING = frozenset(("not", "n't", "n\u2019t"))
 _YET = frozenset("already yet still anymore".split())
 _BEING = frozenset(("be", "look", "seem", "feel"))
-_AIR = frozenset("hot cold warm freezing chilly cool icy stuffy humid late early noisy quiet bright light".split())
+_AIR = AIR | {"late", "early"}
 """States of the day or the room, of which "is cold" may say what it names nothing for."""
 _OPENING = frozenset(("if", "when", "unless", "and", "but", "case"))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import dropwhile
 
-from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
@@ -26,11 +26,12 @@ _DESCRIBING = frozenset(("JJ", "VBN", "JJR"))
 _JOINING = frozenset(("and", "or", "but"))
 _DEGREES = frozenset("not n't n\u2019t still too also very quite only nearly almost already fully completely".split())
 _BEFORE_WEATHER = frozenset(
-    "be been 's is are 're re s just already not n't n\u2019t finally actually really now all still it started starts "
+    "it be been 's is are 're re s just already not n't n\u2019t finally actually really now all still started starts "
     "starting getting gets turned so too very only outside a an the stopped stops begun begins begin to looks "
     "look looking like".split()
 )
 """What may stand between the verb of a check and the word for the weather or the day."""
+_WHETHER = frozenset(("whether", "if"))
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
@@ -182,12 +183,14 @@ def asked(
 
 
 def naming(document: Document, verb: int, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
-    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"); of a word
-    that tells of things as well ("if it is foggy") only where nothing is named before."""
-    words = [token.lower for token in document.tokens[verb : verb + 7]]
-    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words))
+    """The arguments of a check without the "it" of weather and time, which names nothing ("if it's raining"), nor where
+    it tells what it is like somewhere ("if it's stuffy in here"); of a word that tells of things as well ("if it is
+    foggy") only where nothing is named before."""
+    words = [token.lower for token in document.tokens[verb : verb + 9]]
+    asked = next((i + 1 for i, word in enumerate(words[:4]) if word in _WHETHER), 0)
+    said = list(dropwhile(_BEFORE_WEATHER.__contains__, words[asked:]))
     is_outside = said[:1] != [] and said[0] in _TEMPERATURES and said[1:2] != [] and said[1] in _OUTSIDE
-    if not said or not (is_outside or said[0] in WEATHER):
+    if not said or not (is_outside or said[0] in WEATHER or is_air(said)):
         return list(arguments)
     if said[0] in _OF_THINGS and any(token.pos in ("NOUN", "PROPN") for token in document.tokens[:verb]):
         return list(arguments)
