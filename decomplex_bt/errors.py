@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +24,11 @@ def among(name: object, known: Iterable[str]) -> str:
     alike = {_plainly(one): one for one in reversed(names)}
     if near := get_close_matches(_plainly(str(name)), list(alike), n=3):
         return f"; the nearest known: {', '.join(alike[one] for one in near)}"
+    return _listed(names)
+
+
+def _listed(names: Sequence[str]) -> str:
+    """What is known, of many the first; "" where nothing is."""
     listed = names if len(names) <= FEW else [*names[: FEW - 1], f"... ({len(names)} in all)"]
     return f"; known: {', '.join(listed)}" if names else ""
 
@@ -54,15 +59,23 @@ class DataFileError(InputError):
 class UnknownWordError(InputError):
     """A phrase of the instruction names nothing in the domain.
 
-    `phrase` is the phrase; `choices` are the nearest known words, best first (may be empty); `task` is the number of
-    the task it belongs to, where known.
+    `phrase` is the phrase; `choices` are the nearest known words, best first (may be empty: then the message lists some
+    of all that are `known`); `task` is the number of the task it belongs to, where known.
     """
 
-    def __init__(self, phrase: str, choices: Iterable[str] = (), *, expected: str = "a thing", task: int | None = None):
+    def __init__(
+        self,
+        phrase: str,
+        choices: Iterable[str] = (),
+        *,
+        known: Iterable[str] = (),
+        expected: str = "a thing",
+        task: int | None = None,
+    ):
         self.phrase = phrase
         self.choices = tuple(choices)
         self.task = task
-        hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else ""
+        hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else _listed(tuple(known))
         super().__init__(f"{phrase!r} names nothing in this house (expected {expected}){hint}")
 
 

@@ -60,21 +60,18 @@ class Nouns:
         return self.entities.get(phrase, ()), tuple(dict.fromkeys(plurals))
 
     def nearest(self, phrase: str, among: Iterable[str] = (), *, limit: int = 3) -> tuple[str, ...]:
-        """The known words (only those naming one of `among`, if given) that look most like the phrase, best first.
-
-        Where none looks like it at all, the least unlike ones: a stranger to the house sees what there is.
-        """
+        """The known words (only those naming one of `among`, if given) of which the phrase may be a misspelling, best
+        first."""
         # Only a word that is not known needs it.
         from rapidfuzz import fuzz, process
 
         allowed = frozenset(among)
         words = [word for word, entities in self.entities.items() if not allowed or allowed & set(entities)]
-        matches = process.extract(phrase, words, scorer=fuzz.ratio, limit=limit)
-        alike = [word for word, score, _ in matches if score >= ALIKE]
-        return tuple(alike or (word for word, _, _ in matches))
+        matches = process.extract(phrase, words, scorer=fuzz.ratio, limit=limit, score_cutoff=ALIKE)
+        return tuple(word for word, _, _ in matches)
 
 
-ALIKE = 62
+ALIKE = 72
 """The likeness [0 to 100] from which a word may be a misspelling of another."""
 
 
