@@ -152,3 +152,69 @@ def test_an_if_it_right_behind_an_order_is_of_what_that_names(
 def test_what_is_put_in_is_put() -> None:
     task = Interpreter.load().interpret("When it boils, put in the peas.").tasks[-1]
     assert (task.value("object"), task.value("goal")) == ("the peas", None)
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "kind", "meant"),
+    [
+        # whose limb or thing it is
+        ("If my brother-in-law's ankle is swollen, follow him to the car.", "follow", "object", "my brother-in-law"),
+        ("If my niece's satchel is heavy, accompany her to the bus.", "accompany", "object", "my niece"),
+        ("If my grandfather's back is stiff, bring him the stool.", "bring", "recipient", "my grandfather"),
+        # who was called "he" is not "her"
+        ("The gardener is here and he can't stand dogs, so if the collie is in the hall, take her to the attic.",
+         "take", "object", "the collie"),
+        ("The tutor is coming and she likes tea, so if the pot is full, pour her a cup.",
+         "pour", "recipient", "The tutor"),
+        # who would have got it in the other case
+        ("My uncle left me a violin. If it's in the attic, show it to the buyer; otherwise tell him to wait.",
+         "tell", "recipient", "the buyer"),
+        ("My uncle is in the garden. If the mail is here, take it to him; otherwise ask him to wait.",
+         "ask", "recipient", "My uncle"),
+    ],
+)  # fmt: skip
+def test_who_somebody_is_is_told_by_whose_things_and_by_earlier_words(
+    interpreter: Interpreter, text: str, verb: str, kind: str, meant: str
+) -> None:
+    found = interpreter.interpret(text)
+    assert [task.value(kind) for task in found.tasks if task.span.of(text).lower() == verb] == [meant]
+
+
+def test_somebodys_little_one_is_a_child(interpreter: Interpreter) -> None:
+    text = "Check whether my cousin's little one is by the swing, and if she is, walk with her to the gate."
+    found = interpreter.interpret(text)
+    assert [task.value("object") for task in found.tasks] == ["my cousin's little one"] * 3
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Rinse both jugs, put one on the tray and bring me the other.", "one jug"),
+        ("Get two vests and put one in the bag and the other on the bed.", "one vest"),
+        ("Blow up the balls and put five of them in the net.", "five of the balls"),
+        ("Get the vests and put them in the bag.", "the vests"),
+    ],
+)
+def test_one_or_some_of_several_are_not_all_of_them(text: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == "put"][:1] == [value]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Open the crate and put the hoses inside.", "the crate"),
+        ("Unlock the chest in the hall and put the masks inside.", "the chest"),
+        ("Open the crate and put the hoses in.", "the crate"),
+        ("Open the door and put the boots inside.", "inside"),
+        ("Lock the side gate and put the dog out.", "out"),
+        ("Lock the side gate and put the plates out.", None),
+        ("Lock the side gate and put the dog out on the terrace.", "on the terrace"),
+    ],
+)
+def test_inside_is_in_what_was_opened_and_out_is_outside(
+    interpreter: Interpreter, text: str, value: str | None
+) -> None:
+    found = interpreter.interpret(text)
+    assert found.tasks[-1].value("goal") == value

@@ -9,9 +9,10 @@ from itertools import pairwise
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.agreement import meant, other_place, pair_meant
-from decomplex_bt.understanding.references.certainty import containers_of, is_pointing_back, referable
+from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
+from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
 
@@ -81,8 +82,9 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
+    is_one = gap.tokens and gap.word == "one" and any(_is_halved(document, gap, c) for c in of_side["before"])
     if not options or not (
-        pair or meant(context, gap) or is_pointing_back(document, gap) or containers_of(context, gap)
+        pair or is_one or meant(context, gap) or is_pointing_back(document, gap) or containers_of(context, gap)
     ):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options
@@ -100,6 +102,10 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         red = tokens[candidate.head - 1].text if is_told else ""
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
         worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if words == {"one"} and _is_halved(observed.document, gap, candidate):
+        worded = [(text, way) for text, way in worded if way == "one"] or worded
+    if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if words == {"one"} and tokens[candidate.tokens.start].lower in _EACH:  # one of all the towels is not all of them
         worded = [(text, way) for text, way in worded if way != "same"] or worded
@@ -120,6 +126,24 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         return
     noun = next((text for text, way in worded if way == "modified.head"), worded[0][0])
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
+
+
+def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "one" is one of several things of which "the other" is told behind: "get *two* cups, put *one* here and
+    *the other* there"."""
+    tokens = document.tokens
+    if gap.type != "object" or tokens[candidate.head].tag not in ("NNS", "NNPS"):
+        return False
+    others = (t.i for t in tokens[gap.tokens.stop :] if t.lower == "other" and tokens[t.i - 1].lower == "the")
+    return any(i + 1 == len(tokens) or tokens[i + 1].pos not in ("NOUN", "PROPN") for i in others)
+
+
+def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether so and so many are taken of known things: "six of them" of "the balloons"."""
+    count, first = document.tokens[gap.tokens.start], document.tokens[candidate.tokens.start]
+    is_known = first.lower in _CERTAIN or first.tag == "PRP$"
+    is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS")
+    return count.pos == "NUM" and count.lower != "one" and is_known and is_several
 
 
 _EACH = frozenset(("all", "every", "each"))

@@ -8,6 +8,7 @@ from itertools import pairwise
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, WHOLE, Candidate
 from decomplex_bt.understanding.references.places import place_meant
@@ -55,7 +56,10 @@ def meant(context: Context, gap: Gap) -> range:
         or other_place(context, gap)
         or _removed(context, gap)
         or _lacked(context, gap)
+        or offered(context, gap)
+        or filled_meant(context, gap)
         or _somebody(context, gap)
+        or _instead(context, gap)
     )
 
 
@@ -69,6 +73,45 @@ def is_of_other_gender(document: Document, gap: Gap, candidate: Candidate) -> bo
     if is_named and any(document.tokens[i].lower == "and" for i in candidate.tokens):
         return True
     return _gender(document, candidate) not in ("", group)
+
+
+def is_called_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "her" cannot mean a candidate because that was called "he" when nobody else had been named: "*the
+    plumber* is here and *he*'s allergic to dogs, so if the terrier is in, take *her* out"."""
+    group = GROUPS.get(gap.word, "")
+    is_open = not candidate.mention and not _gender(context.observed.document, candidate)
+    if group not in ("he", "she") or not is_open or kind_of(context, candidate) not in _ANIMATE:
+        return False
+    named = [c for c in context.pool if not c.mention and kind_of(context, c) in _ANIMATE]
+    tokens = context.observed.document.tokens
+    for token in tokens[candidate.tokens.stop : gap.position]:
+        if token.lower not in ("he", "she"):
+            continue
+        is_only = all(c.head == candidate.head for c in named if c.tokens.start < token.i)
+        return is_only and token.lower != group
+    return False
+
+
+def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "her" is not a candidate since that is a thing or a limb of somebody's ("*my aunt*'s knee hurts, help
+    *her*"), or since it only tells whose son or little one somebody is, be it who is meant."""
+    if GROUPS.get(gap.word, "") not in ("he", "she") or candidate.mention:
+        return False
+    document = context.observed.document
+    tokens = document.tokens
+    if tokens[candidate.tokens.stop : candidate.tokens.stop + 1] and tokens[candidate.tokens.stop].tag == "POS":
+        return any(
+            c.tokens.start == candidate.tokens.start
+            and c.tokens.stop > candidate.tokens.stop + 1
+            and kind_of(context, c) == "person"
+            and not is_of_other_gender(document, gap, c)
+            for c in context.pool
+            if not c.mention and c.shape in ("whole", "short") and c.type == "object"
+        )
+    owner = next((i for i in candidate.tokens if tokens[i].tag == "POS"), None)
+    if owner is None or owner == candidate.tokens.stop - 1 or kind_of(context, candidate) in _ANIMATE:
+        return False
+    return any(c.tokens == range(candidate.tokens.start, owner) for c in context.pool)
 
 
 def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -154,6 +197,30 @@ def _somebody(context: Context, gap: Gap) -> range:
     ]
     told = [c for c in named if c.owner == before.id and c.type == "recipient"]
     return topics[0].tokens if topics and not told else range(0)
+
+
+def _instead(context: Context, gap: Gap) -> range:
+    """Who would have been given or told something in the other case, where nothing else is said of who it is: "my
+    brother left it to me. If it's worth a lot, give it to *the dealer*; otherwise ask *him* for a price"."""
+    group = GROUPS.get(gap.word, "")
+    if group not in ("he", "she") or gap.type != "recipient":
+        return range(0)
+    document = context.observed.document
+    own = [
+        c
+        for c in context.pool
+        if not c.mention and c.type == "recipient" and c.shape in ("whole", "long") and c.tokens.stop <= gap.position
+    ]
+    told = [c for c in own if context.relation(c.owner, gap.task.id) == "exclusive"]
+    others = {
+        c.owner
+        for c in context.pool
+        if c.owner and kind_of(context, c) in _ANIMATE and c not in told and not is_of_other_gender(document, gap, c)
+    }
+    if len(told) != 1 or others or is_of_other_gender(document, gap, told[0]):
+        return range(0)
+    is_near = document.sentences[told[0].tokens.start] >= document.sentences[gap.position] - 1
+    return told[0].tokens if is_near else range(0)
 
 
 def _is_within(tokens: range, spans: Sequence[range]) -> bool:

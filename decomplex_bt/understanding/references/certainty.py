@@ -5,10 +5,19 @@ from __future__ import annotations
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.agreement import is_no_person, is_of_other_gender, meant
+from decomplex_bt.understanding.references.agreement import (
+    is_called_otherwise,
+    is_no_person,
+    is_of_other_gender,
+    is_possessed,
+    meant,
+)
 from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.fitness import is_support, is_unwarmed
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
+from decomplex_bt.understanding.references.insides import containers_of
+from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_relatives
 from decomplex_bt.understanding.references.wholes import is_part
@@ -17,7 +26,6 @@ _ENDED = frozenset(("off", "down", "shut", "closed"))
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
-_PERSONAL = _SOMEBODY | frozenset("they you somebody someone anybody anyone everybody everyone nobody".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _ACTS = (
@@ -32,9 +40,6 @@ INSTRUMENTS = frozenset(
     "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
 )
 """What things are cleaned with."""
-_FILLING = frozenset(("fill", "fill up", "refill"))
-_PARTLY = frozenset("some any more enough no".split())
-"""What stands before what there is an amount of."""
 _TELLING = frozenset(("check_state", "change_state"))
 _COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
 _COOLING = frozenset("freezer fridge refrigerator icebox".split())
@@ -104,39 +109,6 @@ def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
     is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
     return candidate.text.split()[0].lower() in ANYBODY or (is_same and kind_of(context, candidate) in _ANIMATE)
-
-
-def containers_of(context: Context, gap: Gap) -> list[Candidate]:
-    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
-    where "there" can be nothing before, the one after.
-
-    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
-    """
-    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
-    if not is_inside or gap.type not in ("location", "source"):
-        return []
-    tokens = context.observed.document.tokens
-    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
-    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
-        return []
-    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
-    if any(kind_of(context, candidate) in _ANIMATE for candidate in own):
-        return []
-    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
-    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
-    return next(
-        (
-            found
-            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
-            if (found := [c for c in able if c.owner in tasks])
-        ),
-        [],
-    )
-
-
-def _has_inside(context: Context, candidate: Candidate) -> bool:
-    words = candidate.text.lower().split()
-    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))
 
 
 def _fronted(context: Context, gap: Gap) -> range:
@@ -212,9 +184,13 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
+    if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
+        return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
+        return True
+    if is_support(context, gap, candidate) or is_unwarmed(context, gap, candidate):
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
@@ -254,10 +230,8 @@ def _is_of(context: Context, order: int, candidate: Candidate) -> bool:
 def _is_stuff(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "it" is filled, and a candidate is what it is filled with: "take my cup, and if there's *any tea* left,
     fill it"."""
-    document = context.observed.document
-    head, first = document.tokens[candidate.head], document.tokens[candidate.tokens.start]
-    is_measured = first.lower in _PARTLY or (first.i == candidate.head and head.tag == "NN")
-    return context.lemmas[gap.task.id] in _FILLING and gap.word == "it" and is_measured and not candidate.mention
+    is_filled = context.lemmas[gap.task.id] in FILLING and gap.word == "it"
+    return is_filled and is_measured(context.observed.document, candidate) and not candidate.mention
 
 
 def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -10,7 +10,13 @@ from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, Candidate, candidates_of, predicates_of
+from decomplex_bt.understanding.references.phrases import (
+    PERSON_NOUNS,
+    Candidate,
+    candidates_of,
+    is_child,
+    predicates_of,
+)
 
 GROUPS = {
     "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
@@ -129,7 +135,7 @@ def kind_of(context: Context, candidate: Candidate) -> str:
     """person, animal, name, place, or the category of thing that the words tell."""
     token = context.observed.document.tokens[candidate.head]
     category = context.observed.gazetteer.category(token.lemma)
-    if category == "person" or token.lemma in PERSON_NOUNS:
+    if category == "person" or token.lemma in PERSON_NOUNS or is_child(context.observed.document, candidate.tokens):
         return "person"
     if token.lemma in _ANIMALS:
         return "animal"

@@ -17,6 +17,7 @@ from decomplex_bt.understanding.references.phrases import (
     bare_of,
     degree_asked,
     head_of,
+    is_child,
     is_pointing,
     noun_of,
     stripped,
@@ -35,6 +36,7 @@ _DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AND = frozenset(("and", "&"))
+_CLAUSE_ENDS = frozenset("and but or then if unless when before after until please".split())
 DENYING = frozenset(("not", "n't", "n\u2019t"))
 _YET = frozenset("already yet still anymore".split())
 _BEING = frozenset(("be", "look", "seem", "feel"))
@@ -118,7 +120,7 @@ def part_of(document: Document, argument: Argument, gap: Gap, value: str) -> dic
 def _form(document: Document, tokens: range) -> str | None:
     """pronoun, one ("the red one"), own ("hers", "Ruby's"), part ("half of it"), count ("two"), or None."""
     words = [document.tokens[i].lower for i in tokens]
-    if is_pointing(document, tokens) and words[0] not in _OWN:
+    if (is_pointing(document, tokens) and words[0] not in _OWN) or is_child(document, tokens):
         return None
     head = document.tokens[head_of(document, tokens)].lower
     last = document.tokens[tokens.stop - 1]
@@ -163,6 +165,8 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             continue  # "put the cups away", "hang up the washing"
         if group[0] == "goal" and _is_put_aside(document, position):
             continue
+        if group[0] == "goal" and document.tokens[position].lemma == "put" and last_word(document, position) == "out":
+            continue  # "lock the door and put the bins out"
         if group[0] in ("object", "goal") and not said & set(group):
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
@@ -175,6 +179,13 @@ def _is_put_aside(document: Document, verb: int) -> bool:
     """Whether something is put aside, which is nowhere in particular."""
     words = [token.lower for token in document.tokens[verb + 1 :]]
     return "aside" in words[: next((i for i, word in enumerate(words) if word in MARKS | {"and", "but"}), len(words))]
+
+
+def last_word(document: Document, verb: int) -> str:
+    """The word that ends the clause of a verb: the "out" of "put the bins out and ..."."""
+    words = [token.lower for token in document.tokens[verb + 1 :]]
+    end = next((i for i, word in enumerate(words) if word in MARKS or word in _CLAUSE_ENDS), len(words))
+    return words[end - 1] if end else ""
 
 
 def says_there_is(document: Document, task: Task) -> bool:

@@ -130,7 +130,9 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             head = head_of(document, inner)
             short = range(inner.start, head + 1)
             shape = "whole" if len(short) == len(inner) else "long"
-            if document.tokens[head].lower in _NO_NOUNS:
+            if [document.tokens[i].lower for i in inner] == ["out"]:
+                continue
+            if document.tokens[head].lower in _NO_NOUNS and not is_child(document, inner):
                 shape = "unnamed"
             found[inner.start, inner.stop] = _owned(document, inner, task, argument.type, shape)
             if shape == "long":
@@ -243,6 +245,8 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
     following = document.tokens[i + 1]
     if token.text == "-":  # of a compound: no space to either side
         return document.tokens[i - 1].end == token.start and token.end == following.start
+    if _is_within_compound(document, i):
+        return True
     return token.tag in ("VBG", "VBN") and following.pos in ("NOUN", "PROPN")
 
 
@@ -265,9 +269,35 @@ def head_of(document: Document, tokens: range) -> int:
         token = document.tokens[i]
         if (token.pos in ("NOUN", "PROPN", "PRON") and token.tag not in ("PRP$", "WDT")) or token.lower in _HEADS:
             head = i
-        elif (token.pos in ("ADP", "VERB", "AUX", "SCONJ") or token.lower in _EXCEPTING) and head is not None:
+        elif head is None or _is_within_compound(document, i):
+            continue
+        elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") or token.lower in _EXCEPTING:
             break
-    return tokens.stop - 1 if head is None else head
+    return tokens.stop - 1 if head is None else _kin(document, head)
+
+
+def _is_within_compound(document: Document, i: int) -> bool:
+    """Whether hyphens tie a word to those on both its sides: the "in" of "mother-in-law"."""
+    tokens = document.tokens
+    return (
+        0 < i < len(tokens) - 1
+        and tokens[i - 1].text == tokens[i + 1].text == "-"
+        and tokens[i - 1].end == tokens[i].start
+        and tokens[i].end == tokens[i + 1].start
+    )
+
+
+def _kin(document: Document, head: int) -> int:
+    """The head of a phrase; of "mother-in-law" the mother."""
+    is_in_law = head > 3 and document.tokens[head].lemma == "law" and _is_within_compound(document, head - 2)
+    return head - 4 if is_in_law else head
+
+
+def is_child(document: Document, tokens: range) -> bool:
+    """Whether a phrase is of somebody's "little one", which names a child."""
+    words = document.tokens[max(tokens.start, tokens.stop - 3) : tokens.stop]
+    is_little = [word.lower for word in words][1:] in (["little", "one"], ["little", "ones"], ["wee", "one"])
+    return is_little and words[0].tag in ("POS", "PRP$")
 
 
 _EXCEPTING = frozenset(("but", "except", "excepting", "excluding"))
@@ -324,7 +354,8 @@ def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
 
 def _outside(document: Document, tokens: range, shape: str) -> Candidate:
     text = document.span(tokens.start, tokens.stop - 1).of(document.text)
-    return Candidate(text, tokens, head_of(document, tokens) if shape == "of" else tokens.stop - 1, shape=shape)
+    head = head_of(document, tokens) if shape == "of" else _kin(document, tokens.stop - 1)
+    return Candidate(text, tokens, head, shape=shape)
 
 
 def _owned(document: Document, tokens: range, task: Task, argument_type: str, shape: str) -> Candidate:

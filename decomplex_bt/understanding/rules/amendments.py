@@ -29,7 +29,7 @@ from decomplex_bt.understanding.rules.checks import (
 )
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
-from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, served
+from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, is_look, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.preferences import preferences
@@ -92,7 +92,7 @@ def amended(
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
-            kept = _put_in(document, kept, token)
+            kept = put_out(document, _put_in(document, kept, token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -254,10 +254,15 @@ def _whereabouts(
 
 
 def _entire(document: Document, argument: FoundArgument) -> FoundArgument:
-    """An "upside" with the "down" behind it, and who is spoken of without the verb ("if *Ann* can't")."""
+    """An "upside" with the "down" behind it, who is spoken of without the verb ("if *Ann* can't"), and a back with
+    whose it is ("if *my father's back* is aching")."""
     start, end = argument.tokens.start, argument.tokens.stop
     last, behind = document.tokens[end - 1], document.tokens[end : end + 1]
     if last.lower == "upside" and behind and behind[0].lower == "down":
+        return replace(argument, tokens=range(start, end + 1))
+    after = document.tokens[end + 1 : end + 2]
+    is_back = last.tag == "POS" and behind and behind[0].lower == "back" and after and after[0].pos in ("AUX", "VERB")
+    if is_back and argument.owner > end:
         return replace(argument, tokens=range(start, end + 1))
     is_verb = last.lower in ("ca", "wo") and len(argument.tokens) > 1 and argument.type != "message"
     return replace(argument, tokens=range(start, end - 1)) if is_verb else argument

@@ -355,7 +355,8 @@ def _is_put_somewhere(said: Sequence[Token]) -> bool:
     """ "Put the cup" without "on", "off", "out" or "up" changes no state, it places, however little else is said."""
     words = [token.lower for token in said]
     words = words[: next((i for i, word in enumerate(words) if word in ENDS), len(words))]
-    if "out" in words and _BURNING.isdisjoint(token.lemma for token in said[: len(words)]):
+    clause = said[: next((i for i, word in enumerate(words) if word in _CLAUSE_ENDS), len(words))]
+    if "out" in words[: len(clause)] and _BURNING.isdisjoint(token.lemma for token in clause):
         return True  # "put out six plates"
     return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
 

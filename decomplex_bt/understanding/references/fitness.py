@@ -1,0 +1,88 @@
+"""Fitness: what a state or an act cannot be of, be it named ever so near: a plate on which something is put is not what
+is too hot, a counter that is wiped is not what gets warm."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.phrases import Candidate
+
+_PLACES = frozenset(("goal", "location"))
+_WASHING = frozenset("wash rinse iron fold peel taste wrap unwrap weigh slice carve".split())
+"""What is done to things that are put somewhere, seldom to where they are put."""
+_TIMES = frozenset(("before", "after"))
+_NEAR = 3
+"""So many words ahead of a verb at most tell when that is done ("before you have put")."""
+_TEMPERATURES = frozenset("hot warm cold cool lukewarm scalding".split())
+_BOILING = frozenset(("boiling", "boiled", "simmering"))
+_DONE = frozenset("cooked baked thawed ironed folded peeled ripe stale mouldy sour".split())
+_WARM = frozenset("hot warm boiling boiled heated preheated toasty ready".split())
+_WARMED = frozenset("pan pot saucepan wok skillet griddle grill barbecue bath bathtub tub pool".split())
+"""What is hot or cold itself, beside what has a switch."""
+_WHEN = frozenset("if unless when once until till".split())
+_HEATING = frozenset("heat warm boil reheat preheat cook bake fry roast toast grill brew make thaw defrost".split())
+_IDLE = frozenset("clean wipe mop sweep scrub vacuum hoover dust polish tidy clear rinse open close shut lock".split())
+"""What makes nothing warm."""
+_ON = frozenset(("on", "up"))
+
+
+def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is no place where something is put, but that thing: "before placing *the statue* on the stand, rinse
+    *it*", "don't put *the fish* on the plate unless *it*'s cold". A stove, a pan or a bath can itself be hot."""
+    if gap.word != "it" or gap.type != "object" or candidate.type not in _PLACES or candidate.mention:
+        return False
+    if candidate.task_type != "placing" or candidate.owner != gap.task.id - 1 or not _is_one_put(context, candidate):
+        return False
+    tokens = context.observed.document.tokens
+    if gap.task.type != "check_state":
+        put = next(task.span for task in context.tasks if task.id == candidate.owner)
+        start = context.observed.document.indices(put).start
+        is_timed = any(token.lower in _TIMES for token in tokens[max(0, start - _NEAR) : start])
+        verb, *particles = context.lemmas[gap.task.id].split()
+        return is_timed and verb in _WASHING and "out" not in particles
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    if tokens[gap.tokens.start - 1].lower not in _WHEN:
+        return False
+    if not words.isdisjoint(_BOILING):
+        return tokens[candidate.head].lemma not in _WARMED
+    return not words.isdisjoint(_TEMPERATURES | _DONE) and not _gets_warm(context, candidate)
+
+
+def is_unwarmed(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is nothing that was only cleaned, or only switched on to heat something else, since another thing
+    was warmed: "turn *the oven* on and wipe the counter, and once *it*'s hot enough, ..."."""
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    if gap.word != "it" or gap.task.type != "check_state" or words.isdisjoint(_WARM) or "dry" in words:
+        return False
+    last = max((task.id for task in context.tasks if task.id < gap.task.id and _warms(context, task.id)), default=0)
+    owner = candidate.owner
+    if not last or not owner or owner == last or candidate.mention or candidate.type not in {"object"} | _PLACES:
+        return False
+    is_idle = context.lemmas[owner].split()[0] in _IDLE
+    return is_idle or (owner < last and _warms(context, owner) and not _is_heated(context, owner))
+
+
+def _is_one_put(context: Context, place: Candidate) -> bool:
+    """Whether a single thing is put at a place, which "it" can mean."""
+    tokens = context.observed.document.tokens
+    things = [c for c in context.pool if (c.owner, c.type) == (place.owner, "object") and c.shape in ("whole", "long")]
+    return len(things) == 1 and tokens[things[0].head].tag in ("NN", "NNP")
+
+
+def _gets_warm(context: Context, candidate: Candidate) -> bool:
+    noun = context.observed.document.tokens[candidate.head].lemma
+    return noun in _WARMED or "power" in context.observed.gazetteer.changeable.get(noun, ())
+
+
+def _warms(context: Context, number: int) -> bool:
+    """Whether an order makes something warm: by its verb, or as it switches on what can be hot."""
+    if _is_heated(context, number):
+        return True
+    task = next(task for task in context.tasks if task.id == number)
+    things = [c for c in context.pool if (c.owner, c.type) == (number, "object") and not c.mention]
+    is_on = any(a.type == "state" and a.value.lower() in _ON for a in task.arguments)
+    return task.type == "change_state" and is_on and any(_gets_warm(context, c) for c in things)
+
+
+def _is_heated(context: Context, number: int) -> bool:
+    return context.types[number] != "check_state" and context.lemmas[number].split()[0] in _HEATING

@@ -1,0 +1,66 @@
+"""Insides: what "inside" and "in there" are the inside of."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.gaps import Gap, last_word
+from decomplex_bt.understanding.references.phrases import Candidate
+
+_PERSONAL = frozenset("he him she her they you somebody someone anybody anyone everybody everyone nobody".split())
+_ANIMATE = frozenset(("person", "animal", "name"))
+_UNCLOSING = frozenset(("open", "unlock", "unzip"))
+_WAYS_IN = frozenset("door window gate curtain blind shutter hatch lid flap skylight tap".split())
+"""What is opened and has no inside of its own."""
+
+
+def containers_of(context: Context, gap: Gap) -> list[Candidate]:
+    """What "inside" or "in there" is the inside of: what has one and is named in the same task, the one before or,
+    where "there" can be nothing before, the one after.
+
+    Empty where that is nothing, and where it is somebody who is inside: they are in the house.
+    """
+    is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
+    if gap.type == "goal":
+        is_put_in = not gap.word and last_word(context.observed.document, gap.position) == "in"
+        return _opened(context, gap) if is_inside or is_put_in else []
+    if not is_inside or gap.type not in ("location", "source"):
+        return []
+    tokens = context.observed.document.tokens
+    said = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span]
+    if any(tokens[i].lower in _PERSONAL for words in said for i in words):
+        return []
+    own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
+    if any(kind_of(context, candidate) in _ANIMATE for candidate in own):
+        return []
+    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
+    near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
+    return next(
+        (
+            found
+            for tasks in near[: 1 + (gap.word == "inside" or gap.task.id == 1)]
+            if (found := [c for c in able if c.owner in tasks])
+        ),
+        [],
+    )
+
+
+def _opened(context: Context, gap: Gap) -> list[Candidate]:
+    """What the order before opens, where something is put in: "open *the trunk* and put the bags *inside*"."""
+    before = gap.task.id - 1
+    is_opened = context.types.get(before) == "change_state" and context.lemmas[before].split()[0] in _UNCLOSING
+    if gap.task.type != "placing" or not is_opened:
+        return []
+    tokens = context.observed.document.tokens
+    return [
+        c
+        for c in context.pool
+        if (c.owner, c.type) == (before, "object")
+        and not c.shape.startswith("in.")
+        and tokens[c.head].lemma not in _WAYS_IN
+        and not (c.shape == "short" and tokens[c.tokens.stop].lower == "of")  # "the boot of the car"
+    ]
+
+
+def _has_inside(context: Context, candidate: Candidate) -> bool:
+    words = candidate.text.lower().split()
+    return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))

@@ -1,0 +1,41 @@
+"""What a state or an act cannot be of, be it named ever so near."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "verb", "value"),
+    [
+        ("Before putting the figurine on the side table, rinse it in the sink.", "rinse", "the figurine"),
+        ("Before laying the cloth on the garden table, iron it.", "iron", "the cloth"),
+        ("Don't put the roast on the guest's plate unless it isn't hot anymore.", "is", "the roast"),
+        ("Put the jam on the shelf if it is cold.", "is", "the jam"),
+        # what is hot, opened or filled itself
+        ("Put the quiche in the oven when it's hot.", "'s", "the oven"),
+        ("Before putting the tulips in the vase, fill it with water.", "fill", "the vase"),
+        ("Put the gown in the wardrobe, then close it.", "close", "the wardrobe"),
+    ],
+)
+def test_what_is_put_is_what_is_washed_or_hot(text: str, verb: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == verb] == [value]
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Turn the grill on and wipe the bench, and once it's hot call me.", "the grill"),
+        ("Switch on the hob and warm the gravy. If it's hot, serve it.", "the gravy"),
+        ("Turn the grill on and mop the floor. If it's dry, call me.", "the floor"),
+        ("Turn the lamp on and check the radiator. If it's warm, call me.", "the radiator"),
+    ],
+)
+def test_what_is_wiped_does_not_get_hot(text: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == "'s"] == [value]

@@ -1,0 +1,41 @@
+"""What a clause right ahead of an order offers, and what is filled as there is nothing in it."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "verb", "value"),
+    [
+        ("If it's windy bring me the cap, otherwise the scarf is fine, just lay it on the stool.", "lay", "the scarf"),
+        ("If the silver tray is scratched, bring it to me; otherwise the wooden tray will do, put it on the bar.",
+         "put", "the wooden tray"),
+        ("If the jam is gone, call me, otherwise the figs are okay, so put them on the table.", "put", "the figs"),
+        # nothing is offered
+        ("If the scarf is fine, lay it on the stool.", "lay", "the scarf"),
+        ("Iron the scarf, my sister is fine with that, and fold it.", "fold", "the scarf"),
+    ],
+)  # fmt: skip
+def test_what_will_do_is_what_the_order_behind_is_about(text: str, verb: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == verb] == [value]
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "verb", "value"),
+    [
+        ("See if there is any ink in the printer; if not, refill it.", "refill", "the printer"),
+        ("If there's no sand in the bucket, fill it up.", "fill", "the bucket"),
+        # a thing, no stuff
+        ("If there is a bucket in the shed, fill it.", "fill", "a bucket"),
+        ("If there is no salt in the larder, put it on the list.", "put", "salt"),
+    ],
+)
+def test_what_is_empty_is_filled(text: str, verb: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == verb] == [value]
