@@ -36,6 +36,7 @@ from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
+from decomplex_bt.understanding.rules.reports import with_reports
 from decomplex_bt.understanding.rules.statements import without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.verbless import verbless_cases
@@ -108,6 +109,8 @@ def amended(
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
+        if kind == "informing":
+            kept = with_reports(document, tasks, kept, token)
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))

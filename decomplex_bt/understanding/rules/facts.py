@@ -18,6 +18,7 @@ from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, i
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.questions import questions
+from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
@@ -68,7 +69,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     found: list[FoundTask] = []
     tasks = _with_passives(document, tasks)
     asked = {question.verb: question for question in questions(document, types_found)}
-    within_asked = {i for question in asked.values() for i in question.tokens}
+    within_others = within_reports(document, types_found).union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
         if task.token in asked:
@@ -84,7 +85,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if following is not None and is_light(document, task.token, following.token):
             task = replace(task, type=following.type)
         is_none = (
-            task.token in within_asked
+            task.token in within_others
             or _is_reported_state(document, task, found)
             or _is_tag(document, task.token, found)
             or musing(document, task.token) is not None

@@ -1,0 +1,156 @@
+"""Reports: how far goes what somebody is told or asked, where a second clause belongs to it ("tell Ann the bath is full
+*and it's too hot*", "ask Tom to get the bikes *and lock them up*", "... to feed the cat *before he leaves*")."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+
+from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import noun_chunks
+
+_TELLING = frozenset("tell say text message inform remind ask".split())
+_JOINTS = frozenset(("and", "&"))
+_CLAUSE_ENDS = MARKS | _JOINTS | frozenset("but or so then because cos".split())
+_ASKING = frozenset("if unless whether when once where who what which why how".split())
+_THEY = frozenset(("he", "she", "they"))
+_SUBJECTS = _THEY | {"i", "we", "it", "there"}
+_DEFINITE = frozenset("the this that these those".split())
+_TYPED_IS = frozenset(("its", "theres", "hes", "shes", "theyre"))
+"""What is typed for "it's" and the like."""
+_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
+_CONTRACTED = frozenset("'s 're 'm 'll 've 'd \u2019s \u2019re \u2019m \u2019ll \u2019ve \u2019d".split())
+_NEEDING = frozenset("need want like fancy".split())
+"""Verbs by which a clause is an order again: "... and I need a towel"."""
+_TIMES = frozenset(("before", "when", "while", "until", "till", "after", "once"))
+_ABLE = frozenset("could can would will might may should".split())
+_OTHERWISE_DONE = frozenset("him her them if unless when".split())
+"""What tells that a second order is not of who is asked, or leaves that open."""
+_TAKEN_UP = {"it": frozenset(("NN", "NNP")), "them": frozenset(("NNS", "NNPS"))}
+"""By the word that takes up what was named, how that is tagged."""
+
+
+def reported(document: Document, tasks: Collection[int], verb: int) -> range:
+    """The tokens by which what is told by a verb goes on behind its first clause, in which no token is among the
+    `tasks`; empty where it does not."""
+    start = _clause_end(document, verb + 1)
+    if document.tokens[verb].lemma not in _TELLING or any(i in tasks for i in range(verb + 1, start)):
+        return range(0)
+    request = _request(document, range(verb + 1, start))
+    before = next((i for i in request if document.tokens[i].lower == "before" and _is_theirs(document, i + 1)), start)
+    if before < start:
+        return range(before, start)
+    stop = start
+    while _is_joint(document, stop) and (
+        (request and stop == start and _is_of_request(document, request, stop + 1))
+        or (_states(document, range(verb + 1, start)) and _is_statement(document, stop + 1))
+    ):
+        stop = _clause_end(document, stop + 1)
+    return range(start, stop)
+
+
+def within_reports(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The tokens by which messages go on, in which nothing is a task."""
+    if document.words.isdisjoint(_JOINTS | {"before"}):
+        return frozenset()
+    telling = [verb for verb, kind in tasks.items() if kind == "informing"]
+    return frozenset(i for verb in telling for i in reported(document, tasks.keys(), verb))
+
+
+def with_reports(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument], verb: int
+) -> list[FoundArgument]:
+    """The arguments with the message of a verb of telling as a whole, to the end of a clause that it is cut off in."""
+    message = next((a for a in arguments if (a.type, a.owner) == ("message", verb) and a.tokens.start > verb), None)
+    if message is None:
+        return list(arguments)
+    start, stop = message.tokens.start, message.tokens.stop
+    cut = next((i for i in message.tokens[1:][-2:] if document.tokens[i].lower in _TIMES), stop)
+    if cut < stop and (cut + 1 == stop or document.tokens[stop - 1].lower in _SUBJECTS):  # "... before he"
+        end = _clause_end(document, stop)
+        stop = cut if any(i in tasks for i in range(cut, end)) else end
+    more = reported(document, tasks.keys(), verb)
+    if more and start < more.start <= stop + 1:
+        stop = max(stop, more.stop)
+    whole = range(start, stop)
+    if any(i in tasks for i in whole):
+        return list(arguments)
+    rest = [a for a in arguments if a is not message and set(a.tokens).isdisjoint(whole)]
+    return [*rest, replace(message, tokens=whole)]
+
+
+def _clause_end(document: Document, start: int) -> int:
+    """Where the clause that a token is in ends: at a mark or a joint."""
+    tokens, sentences = document.tokens, document.sentences
+    behind = range(start, len(tokens))
+    ends = (i for i in behind if tokens[i].lower in _CLAUSE_ENDS or sentences[i] != sentences[start])
+    return next(ends, len(tokens))
+
+
+def _is_joint(document: Document, at: int) -> bool:
+    return at + 1 < len(document) and document.tokens[at].lower in _JOINTS
+
+
+def _request(document: Document, clause: range) -> range:
+    """From where on a clause tells what somebody is asked to do ("to *feed the cat*", "if he *could feed the cat*");
+    empty where it is no request."""
+    tokens = document.tokens
+    for i in clause[1:-1]:
+        word = tokens[i].lower
+        if word == "to" and tokens[i + 1].tag in ("VB", "VBP"):
+            return range(i + 1, clause.stop)
+        if word in ("if", "whether") and i + 2 < clause.stop and tokens[i + 2].lower in _ABLE:
+            return range(i + 2, clause.stop)
+    return range(0)
+
+
+def _is_of_request(document: Document, request: range, at: int) -> bool:
+    """Whether an order takes up the thing of the request before: "to get *the bikes* and *lock them*"."""
+    tokens = document.tokens
+    particles = [token.lower for token in tokens[at + 1 : at + 2] if token.tag in ("RP", "RB")]
+    behind = tokens[at + 1 + len(particles) : at + 2 + len(particles)]
+    word = behind[0].lower if behind else ""
+    rest = {token.lower for token in tokens[at + 2 + len(particles) : _clause_end(document, at)]}
+    if word not in _TAKEN_UP or tokens[at].lower != tokens[at].lemma or rest & _OTHERWISE_DONE:
+        return False  # "... and give them to him", "... and bring it if it's dry"
+    named = [tokens[chunk.stop - 1].tag for chunk in noun_chunks(document) if set(chunk) & set(request)]
+    return any(tag in _TAKEN_UP[word] for tag in named)
+
+
+def _is_theirs(document: Document, at: int) -> bool:
+    """Whether a clause tells when those act who are spoken of: "before *he leaves*"."""
+    tokens = document.tokens
+    return at + 1 < len(tokens) and tokens[at].lower in _THEY and tokens[at + 1].tag in _FINITE
+
+
+def _states(document: Document, clause: range) -> bool:
+    """Whether a clause behind a verb of telling states something: neither a question nor a request."""
+    words = [document.tokens[i] for i in clause]
+    is_asked = any(token.lower in _ASKING for token in words)
+    is_finite = any(token.tag in _FINITE or token.lower in _CONTRACTED for token in words[1:])
+    return is_finite and not is_asked and not _request(document, clause)
+
+
+def _is_statement(document: Document, at: int) -> bool:
+    """Whether a clause has a subject of its own and says how something is, not what is needed."""
+    tokens = document.tokens
+    if at + 1 >= len(tokens):
+        return False
+    first = tokens[at]
+    if first.lower in _TYPED_IS:
+        behind, further = (*tokens[at + 1 : at + 3], first)[:2]
+        return behind.pos not in ("NOUN", "PROPN") and (behind.tag, further.pos) != ("JJ", "NOUN")
+    if first.lower in _SUBJECTS:
+        verb = at + 1
+    else:
+        chunk = next((chunk for chunk in noun_chunks(document) if chunk.start == at), range(0))
+        if not chunk or not (first.tag in ("PRP$", "NNP") or first.lower in _DEFINITE):
+            return False
+        verb = chunk.stop
+        if verb < len(tokens) and tokens[verb].tag != "MD" and tokens[verb].lower == tokens[verb].lemma:
+            return False  # "and the door shut"
+    while verb < len(tokens) and tokens[verb].tag == "RB":
+        verb += 1
+    is_finite = verb < len(tokens) and (tokens[verb].tag in _FINITE or tokens[verb].lower in _CONTRACTED)
+    return is_finite and not any(token.lemma in _NEEDING for token in tokens[verb : verb + 2])

@@ -1,0 +1,54 @@
+"""How far goes what somebody is told or asked."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        # a second clause with a subject of its own
+        ("If Dad's up, tell him the sauna is warm and the towels are in there.",
+         "the sauna is warm and the towels are in there"),
+        ("tell Rosa I'm only parking the car and I'll be in soon", "I'm only parking the car and I'll be in soon"),
+        ("if it beeps again tell nils the scanner's broken and its not urgent",
+         "the scanner's broken and its not urgent"),
+        # what takes up the thing of the request
+        ("Ask Oskar to fold the sheets and put them in the chest; if he's busy, do it yourself.",
+         "to fold the sheets and put them in the chest"),
+        ("Tell Jonas to bring the sledge in and dry it.", "to bring the sledge in and dry it"),
+        # when those do it who are asked
+        ("Ask Petra if she can water the herbs before she leaves.", "if she can water the herbs before she leaves"),
+        ("Ask the boys to tidy the loft before they go out.", "to tidy the loft before they go out"),
+    ],
+)  # fmt: skip
+def test_a_clause_that_orders_nothing_belongs_to_the_message(interpreter: Interpreter, text: str, message: str) -> None:
+    found = interpreter.interpret(text)
+    told = [task for task in found.tasks if task.type == "informing"]
+    assert [task.value("message") for task in told] == [message]
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "order"),
+    [
+        ("Tell Rosa the tea is ready and fetch the biscuits.", "the tea is ready", "fetch"),
+        ("Tell Oskar the game starts at six and switch the radio on for him.", "the game starts at six", "switch"),
+        ("Ask Petra to sit down and bring her a blanket.", "to sit down", "bring"),
+        ("Ask Jonas where the saw is and take it to the shed.", "where the saw is", "take"),
+        ("Tell Rosa it's snowing and if the door is open, shut it.", "it's snowing", "shut"),
+        ("Ask Petra if she is cold before you air the room.", "if she is cold", "air"),
+    ],
+)
+def test_an_order_behind_a_message_is_an_order(interpreter: Interpreter, text: str, message: str, order: str) -> None:
+    found = interpreter.interpret(text)
+    told = next(task for task in found.tasks if task.type == "informing")
+    assert told.value("message") == message
+    assert order in [task.span.of(text) for task in found.tasks]
