@@ -28,6 +28,7 @@ from decomplex_bt.understanding.rules.checks import (
     with_whole_state,
 )
 from decomplex_bt.understanding.rules.fragments import fragments
+from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, is_look, predicated, troubled
@@ -131,7 +132,8 @@ def amended(
             kept += [FoundArgument(name, case.carrier, said, CERTAIN) for name, said in case.told.items()]
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
-    kept = without_places_of_others(observed, tasks, with_added(observed, tasks, kept))
+    kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
+    kept = without_places_of_others(observed, tasks, kept)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_t
 from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.fragments import fragments
+from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
@@ -128,6 +129,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
     idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
+    idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {_place(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     for wish in preferences(document, found):
         behind.update(wish.words)
