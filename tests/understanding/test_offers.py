@@ -31,6 +31,8 @@ def test_what_will_do_is_what_the_order_behind_is_about(text: str, verb: str, va
     [
         ("See if there is any ink in the printer; if not, refill it.", "refill", "the printer"),
         ("If there's no sand in the bucket, fill it up.", "fill", "the bucket"),
+        ("See if there's any juice in the jug on the shelf; if not, fill it.", "fill", "the jug"),
+        ("check if theres any seed left in the budgies bowl, if not fill it up", "fill", "the budgies bowl"),
         # a thing, no stuff
         ("If there is a bucket in the shed, fill it.", "fill", "a bucket"),
         ("If there is no salt in the larder, put it on the list.", "put", "salt"),

@@ -70,7 +70,11 @@ def filled_meant(context: Context, gap: Gap) -> range:
     is_handled = any(c.type == "object" and check < c.owner < gap.task.id and not c.mention for c in context.pool)
     if not is_asked or is_handled:
         return range(0)
-    return range(asked["location"].tokens.start, asked["location"].head + 1)
+    place = asked["location"]
+    is_further = any(
+        context.observed.document.tokens[i].pos == "ADP" for i in place.tokens[1:]
+    )  # "the jug on the shelf"
+    return range(place.tokens.start, place.head + 1) if is_further else place.tokens
 
 
 def is_measured(document: Document, candidate: Candidate) -> bool:
