@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.control_flow.arcs import Wording
-from decomplex_bt.understanding.cues import OPPOSITES, WISHING, are_apart
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, OPPOSITES, WISHING, are_apart
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +113,10 @@ class Clause:
     ability: str = ""
     """Whether it is "asked" if its verb can be done ("if you can find it"), or "denied" that what was asked of can be
     ("if you can't, ...")."""
+    is_unwilling: bool = False
+    """Whether it says that somebody won't do something: "if he won't come"."""
+    is_only_then: bool = False
+    """Whether it is to be done "only then"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 
@@ -280,15 +284,28 @@ class Clause:
         return self.is_check and self.wording.state in _ANSWERS
 
     @property
+    def says_reply(self) -> bool:
+        """Whether it says how somebody takes what they are asked to do: "if he refuses", "if she won't do it"."""
+        is_reply = self.verb in _REPLYING or self.is_unwilling or self.says_answer
+        return self.is_check and self.is_of_somebody and not self.is_trailing and is_reply
+
+    @property
+    def is_put_to_somebody(self) -> bool:
+        """Whether it orders to ask, tell or offer somebody something, to which there may be a reply."""
+        is_put = self.task.type == "informing" or (self.task.type == "bringing" and self.verb == "offer")
+        return is_put and not self.is_forbidden and any(kind == "recipient" for kind, _ in self.task.arguments)
+
+    @property
     def may_be_of_person(self) -> bool:
         """Whether it names somebody, or something that may be a person's name."""
         return not self.number and any(kind == "object" for kind, _ in self.task.arguments)
 
     def repeats(self, before: Clause) -> bool:
-        """Whether it only says again what is ordered before, to put something ahead of it: "before you bring it"."""
+        """Whether it only says again what is ordered before, to put something ahead of it or behind it: "before you
+        bring it", "when you've brought it"."""
         is_same = self.verb == before.verb and self.task.type == before.task.type
         is_of_it = self.is_of_it or (bool(self.objects) and self.names_same(before))
-        return is_same and is_of_it and "before" in self.near
+        return is_same and is_of_it and ("before" in self.near or self.is_had_done)
 
     def forbids_same(self, before: Clause) -> bool:
         """Whether one of both forbids what the other orders, with the same verb: "don't open it if it's windy,
@@ -321,6 +338,13 @@ class Clause:
         return self.boundary == "none" and self.ends_sentence
 
     @property
+    def is_first_anyway(self) -> bool:
+        """Whether it is to be done first in any case: "but whatever you do, fill it first"."""
+        words = {*self.far, *self.near}
+        is_first = "first" in (*self.near, *self.behind)
+        return "either_way" in words and is_first and {"if", "unless", "else", "when"}.isdisjoint(words)
+
+    @property
     def is_of_whereabouts(self) -> bool:
         """Whether it asks where somebody or something is."""
         is_located = any(kind == "location" for kind, _ in self.task.arguments)
@@ -334,10 +358,32 @@ class Clause:
         says_absent = after.says_absent or (after.says_named_absent and after.names_same(self))
         return says_absent and is_thing and is_place and bool(self.places) and self.task.type in _FINDING
 
+    def may_fail_as(self, after: Clause) -> bool:
+        """Whether it is a search of which a later clause tells that it failed: "find my keys. ... If you can't see
+        them"."""
+        are_searches = self.task.type == after.task.type == "searching"
+        is_same = after.names_same(self) or (after.has_pronoun and not after.objects)
+        return are_searches and is_same and after.wording.is_negated and "if" in after.near
+
+    def needs_found(self, check: Clause) -> bool:
+        """Whether it fetches what an order to check asks for, so that there must be such a thing: "see if there's any
+        milk *and bring me some*"."""
+        is_asked = check.task.type == "check_state" and check.is_asked and "whether" in check.behind
+        is_of_place = check.wording.state is None or check.wording.state in _PRESENT | _ARRIVED
+        is_joined = self.boundary == "none" and self.near[-1:] == ("and",) and {"if", "so"}.isdisjoint(self.near)
+        is_of_it = self.has_pronoun and not self.objects and self.task.type in ("bringing", "taking", "placing")
+        is_plain = not self.is_forbidden and not check.wording.is_negated and bool(check.thing)
+        return is_asked and is_of_place and is_joined and is_of_it and is_plain
+
     @property
     def is_check(self) -> bool:
         """Whether it states what is to be checked ("it is wet"), and is neither an order to check nor a question."""
         return self.task.type == "check_state" and not self.is_asked
+
+    @property
+    def is_question(self) -> bool:
+        """Whether it asks ("is it on?", "lamp on?"), and is no order to check."""
+        return self.is_asked and "whether" not in self.behind and self.verb not in ASKING_LEMMAS
 
     @property
     def is_wish(self) -> bool:
@@ -477,6 +523,7 @@ _NEEDED = {
 }  # fmt: skip
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _ANSWERS = frozenset(("yes", "no"))
+_REPLYING = frozenset("refuse decline agree accept consent object comply oblige".split())
 _IFS = frozenset(("if", "unless", "only_if"))
 _BEING = frozenset(("be", "'s", "\u2019s", "s"))
 _CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
@@ -501,6 +548,7 @@ _NO_THINGS = frozenset("none one some any drop".split())
 _GONE = frozenset(("out", "away", "gone"))
 AROUND = frozenset("in home there here around about back".split())
 """Words for where somebody is who is here, or home."""
+_ARRIVED = frozenset("left come arrived delivered".split())
 _FINDING = frozenset(("searching", "bringing", "taking"))
 FINDING_OUT = frozenset(("searching", "check_state"))
 _PRESENT = frozenset(

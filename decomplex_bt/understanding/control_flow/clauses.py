@@ -177,6 +177,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         said_state=_said_state(document, task),
         asks_open=task.type in FINDING_OUT and asks_open(document, token),
         ability=ability(document, ahead, token),
+        is_only_then=any(cue.name == "then" and document.tokens[cue.first].lower == "only" for cue in ahead),
+        is_unwilling=_is_unwilling(observed, task, first, own_last),
         turns=turns(document, ahead, token),
     )
 
@@ -281,6 +283,13 @@ def _says_undone(
     if not WILLING.isdisjoint(words):
         return lemma not in _FITTING
     return not _DOING.isdisjoint(words) and lemma in _HAPPENING
+
+
+def _is_unwilling(observed: Observed, task: MarkedTask, first: int, last: int) -> bool:
+    tokens = observed.document.tokens
+    is_willed = any(token.lower in WILLING for token in tokens[first : task.token])
+    is_check = task.type == "check_state" and is_of_somebody(observed.document, task, PERSONS)
+    return is_check and is_willed and bool(negations(observed, task.token, first, last))
 
 
 def _question(document: Document, task: MarkedTask) -> frozenset[str]:

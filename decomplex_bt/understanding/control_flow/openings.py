@@ -139,8 +139,9 @@ def is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
     """Whether the verb at token `i` tells what the listener has done by then ("after you have mopped it", "once you've
     swept and *mopped* it", "after mopping it"), where a "when" takes a perfect."""
     verb = document.tokens[i]
-    if verb.dep == "conj" and verb.tag in ("VBD", "VBN", "VBG") and verb.head < i:
-        return is_had_done(document, cues, verb.head)
+    is_joined = verb.dep == "conj" and verb.tag in ("VBD", "VBN", "VBG") and verb.head < i
+    if is_joined and is_had_done(document, cues, verb.head):
+        return True
     opening = max((cue for cue in cues if cue.first < i and cue.name in _ONCE), key=lambda cue: cue.last, default=None)
     if opening is None or opening.last >= i:
         return False

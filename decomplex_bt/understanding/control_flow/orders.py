@@ -18,6 +18,8 @@ def stated_orders(
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
+        _come_first(clauses, roles, sides, stated, k)
+        _surround(clauses, roles, sides, stated, k)
     return tuple(stated)
 
 
@@ -84,6 +86,43 @@ def _clear_way(
     things = set(clauses[k].objects)
     if not clauses[ahead[0]].needed.isdisjoint(things) and clauses[k - 1].nouns.isdisjoint(things):
         orders[k] = "first"
+
+
+def _come_first(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What is to be done "first" in any case goes ahead of the cases told just before."""
+    is_behind = any(roles[j] != "task" and clauses[j].sentence == clauses[k].sentence for j in range(k))
+    if not (is_behind and clauses[k].is_first_anyway and roles[k] == "task" and sides[k] == "top"):
+        return
+    orders[k] = "before" if orders[k] in ("keep", "last", "after") else orders[k]
+    for j in range(k):  # the "first" is not theirs
+        if roles[j] != "task" and orders[j] in ("before", "first") and not clauses[j].wording.orders:
+            orders[j] = "keep"
+
+
+def _surround(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
+    """An order that is said again behind what comes ahead of it stands between that and what follows ("wash the pan.
+    Before you wash it, *take the lid off*, and when you've washed it, *dry it*")."""
+    if roles[k] != "again" or not clauses[k].is_had_done:
+        return
+    ahead = next((j for j in range(k - 1, 0, -1) if _leads_back(clauses, roles, j)), k)
+    first, between = ahead - 1, range(ahead + (roles[ahead] == "again"), k)
+    are_plain = ahead < k and all(roles[j] == "task" and sides[j] == sides[first] for j in (first, *between))
+    is_same = are_plain and all(clauses[j].repeats(clauses[first]) for j in (ahead, k) if roles[j] == "again")
+    if not is_same or len({clauses[j].sentence for j in range(ahead, k + 1)}) > 1:
+        return
+    orders[first] = "keep"
+    for j in between:
+        orders[j] = "before"
+    if k + 1 < len(clauses) and orders[k + 1] not in ("first", "last") and not clauses[k + 1].wording.orders:
+        orders[k + 1] = "keep"
+
+
+def _leads_back(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether it says what comes ahead of the order before: "before you wash it", "before that"."""
+    is_again = roles[k] == "again" and "before" in clauses[k].near
+    return is_again or (roles[k] == "task" and "before_that" in (*clauses[k].far, *clauses[k].near))
 
 
 def _is_first(clause: Clause) -> bool:

@@ -19,6 +19,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
     stated = list(roles)
     for rule in (
         _join,
+        _ask_twice,
         _take_up,
         _find_out,
         _part,
@@ -31,6 +32,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _turn_back,
         _be_able,
         _ask_openly,
+        _find_first,
         _name_other,
         _find_nobody,
         _ask_of_order,
@@ -60,6 +62,15 @@ def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "or"
     if roles[k] == "condition" and roles[:k] == ["condition", *["task"] * (k - 1)] and clauses[k].is_added_to_otherwise:
         roles[k] = "or"
+
+
+def _ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A question with its opposite is one condition ("is it in the shed *or isn't it*?")."""
+    clause, before = clauses[k], clauses[k - 1]
+    is_echo = clause.says_only_whether and clause.near[:1] == ("or",) and {"or", "not"}.issuperset(clause.near)
+    is_turned = clause.wording.is_negated != before.wording.is_negated and clause.sentence == before.sentence
+    if is_echo and is_turned and before.is_question and roles[k - 1] in CONDITION_ROLES:
+        roles[k] = "mention"
 
 
 def _find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -122,13 +133,40 @@ def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What tells how somebody answered is no mention of a condition before the question; and "if he says no" none of
-    the question."""
+    """What tells how somebody answered is no mention of a condition before the question; and "if he says no" or "if he
+    refuses" none of the question."""
+    order = replied_to(clauses, roles, k)
+    if roles[k] == "mention" and order is not None:
+        is_offer = clauses[order].task.type == "bringing"  # "offer her the tea, and if she refuses": not given then
+        if roles[order] == "task" or not is_offer:
+            roles[order], roles[k] = "task", "condition"
+    if roles[k] == "condition" and _is_other_reply(clauses, roles, k):
+        roles[k] = "mention"
     if clauses[k].says_answer and clauses[k - 1].question and roles[k - 1 : k + 1] == ["condition", "mention"]:
         roles[k - 1 : k + 1] = "task", "condition"
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     if roles[k] == "mention" and others and clauses[k].is_answer_to(clauses[k - 1], others):
         roles[k] = "condition"
+
+
+def replied_to(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The order that clause `k` tells somebody's reply to ("if she's in, *ask her to come*, ... If she refuses, ..."):
+    the last one to ask, tell or offer something, without a condition between; else None."""
+    if not clauses[k].says_reply:
+        return None
+    order = k - 1
+    while order > 0 and roles[order] == "task" and not clauses[order].is_put_to_somebody:
+        order -= 1
+    is_near = clauses[k].sentence - clauses[order].sentence <= 1 and roles[order] in ("task", "condition")
+    return order if order >= 0 and is_near and clauses[order].is_put_to_somebody else None
+
+
+def _is_other_reply(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether it tells the other of two replies: "if he agrees, ...; *if he refuses*, ..."."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), k)
+    one, other = clauses[first].wording, clauses[k].wording
+    are_replies = clauses[k].says_reply and clauses[first].says_reply and first < k
+    return are_replies and (one.is_contrary != one.is_negated) != (other.is_contrary != other.is_negated)
 
 
 def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -202,6 +240,12 @@ def _ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if clauses[k - 1].asks_open and roles[k - 1] == "condition":
         roles[k - 1] = "task"
         roles[k] = "condition" if roles[k] in CONDITION_ROLES else roles[k]
+
+
+def _find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
+    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].needs_found(clauses[k - 1]):
+        roles[k - 1] = "condition"
 
 
 def _be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

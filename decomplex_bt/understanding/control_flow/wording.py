@@ -24,7 +24,7 @@ REFERRING = frozenset("it them that this those these one ones there he she her h
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 _CLOSING = PUNCTUATION | {"but"}
 _REFUSING = frozenset(("refuse", "fail"))
-_CONTRARY = frozenset("fail refuse stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
+_CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
 _ADVERBIAL = {
     "before_that": ("before", "first"),
@@ -118,9 +118,12 @@ def is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[st
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     """The word for the state that a clause tests: the end of its state argument, else a word with an opposite."""
     tokens = observed.document.tokens
-    said = next((indices[-1] for kind, indices in task.arguments if kind == "state" and len(indices)), None)
+    said = next((indices for kind, indices in task.arguments if kind == "state" and len(indices)), None)
     if said is not None:
-        return tokens[said].lower
+        words = [tokens[j].lower for j in said]
+        first = words[words.index("or") - 1] if "or" in words[1:] else words[-1]
+        is_choice = words[-1] in (OPPOSITES.get(first), first) or OPPOSITES.get(words[-1]) == first
+        return first if is_choice else words[-1]  # "is it open or shut?" asks whether it is open
     if task.type != "check_state" or degree_asked(observed.document, task.token):
         return None
     if task.token < last and is_answer(observed.document, task.token + 1):

@@ -11,6 +11,8 @@ HOLDS, FAILS = "<1+", "<1-"
 OPENING = frozenset(("if", "only_if", "unless", "when"))
 TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 
+MOVING = frozenset(("placing", "bringing"))
+
 
 def hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
     """Whether an order of this sentence hangs on the condition behind it."""

@@ -8,7 +8,7 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
-from decomplex_bt.understanding.control_flow.roles import taken_up
+from decomplex_bt.understanding.control_flow.roles import replied_to, taken_up
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
 
@@ -22,14 +22,16 @@ def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     if orders and not clauses[k].may_repeat(clauses[orders[min(meant, len(orders) - 1)]]):
         fitting = (rank for rank, j in enumerate(orders, start=1) if clauses[k].may_repeat(clauses[j]))
         sides[k] = f"<{min(9, next(fitting, 1))}"
-    if "before" not in clauses[k].near:
-        return
     rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
 
 
 def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """How somebody answers is asked where the question is."""
+    """How somebody answers is asked where the question is, and how they take what they are told where that is."""
+    order = replied_to(clauses, roles, k)
+    is_told = order is not None and (roles[order], roles[k]) == ("task", "condition")
+    if order is not None and is_told and sides[order] in ("top", HOLDS, FAILS):
+        sides[k] = sides[order]
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     if roles[k] == "condition" and others and clauses[k].is_answer_to(clauses[k - 1], others):
         sides[k] = sides[k - 1]
@@ -67,6 +69,17 @@ def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int
     return builder.group_of
 
 
+def pass_reply(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """ "If it isn't" behind how somebody takes what they are asked is of the condition before that ("if the gate is
+    locked, ask Tom for the key; if he refuses, call me. *If it isn't*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
+    if first is None or roles[k] != "mention" or not (clauses[k].is_of_it and clauses[k].says_only_whether):
+        return
+    is_earlier = "condition" in roles[:first]
+    if clauses[first].says_reply and is_earlier and sides[k] == "<1":
+        sides[k] = "<2"
+
+
 def join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
     makes the side on which it is asked."""
@@ -85,11 +98,22 @@ def cover(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 def depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with a thing depends on its being found, where that is then said to fail ("get it from the box and
-    hang it up. If it isn't there, ...")."""
-    is_finding = k > 1 and (roles[k - 2], roles[k - 1], roles[k]) == ("condition", "task", "mention")
-    if is_finding and sides[k - 1] == "top" and clauses[k].boundary != "none" and not clauses[k - 1].wording.orders:
-        is_of_it = clauses[k - 2].finds_out(clauses[k]) and clauses[k - 1].has_pronoun
-        sides[k - 1] = HOLDS if is_of_it else sides[k - 1]
+    hang it up. If it isn't there, ...", "find my glasses. Bring them here, and if you can't see them, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), k)
+    if roles[k] != "mention" or first >= k - 1 or roles[first] != "condition" or clauses[k].boundary == "none":
+        return
+    is_sought = clauses[first].may_fail_as(clauses[k])
+    if not is_sought and (first < k - 2 or not clauses[first].finds_out(clauses[k])):
+        return
+    for j in range(first + 1, k):
+        if sides[j] == "top" and clauses[j].has_pronoun and not clauses[j].objects and not clauses[j].wording.orders:
+            sides[j] = HOLDS
+
+
+def find_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched of what was checked to be there is fetched where it is."""
+    if (roles[k - 1], roles[k]) == ("condition", "task") and clauses[k].needs_found(clauses[k - 1]):
+        sides[k] = HOLDS if sides[k] == "top" else sides[k]
 
 
 def ask_openly(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

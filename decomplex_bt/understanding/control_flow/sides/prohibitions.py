@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, hangs_ahead
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on, hangs_ahead
 
 
 def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -30,6 +30,30 @@ def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
             return
         if sides[j] in (">1-", "<1-") and not clauses[j].is_forbidden:
             sides[j] = f"{sides[j][:2]}+"
+
+
+def replace_order(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What "in which case" or, without a mark, "then" opens behind "..., unless ..." is done where that keeps from the
+    order ahead of it; and what is moved elsewhere then is the thing of that order alone ("sweep up and give him the
+    bill unless my wife's back then give it to her")."""
+    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "task"):
+        return
+    order, check, clause = clauses[k - 2 : k + 1]
+    is_restricted = "unless" in check.near and sides[k - 2] == ">1+" and not order.is_forbidden
+    is_moved = clause.task.type in MOVING and order.task.type in MOVING and clause.is_of_it
+    is_opened = clause.near == ("so",) or (is_moved and clause.boundary == "none" and clause.near == ("then",))
+    if not (is_restricted and is_opened) or clause.sentence != check.sentence or sides[k] not in (HOLDS, FAILS):
+        return
+    side = sides[k]
+    for j in range(k, len(clauses)):
+        if sides[j] != side or not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)):
+            break
+        sides[j] = FAILS
+    for j in range(k - 3, -1, -1):
+        is_ahead = hangs_ahead(clauses, roles, sides, j, clause.sentence)
+        if not (is_moved and is_ahead) or not clauses[j].nouns.isdisjoint(order.objects) or order.has_pronoun:
+            return
+        sides[j] = sides[k - 1] if sides[k - 1] in (HOLDS, FAILS) else "top"
 
 
 def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

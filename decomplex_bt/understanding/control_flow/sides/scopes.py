@@ -7,15 +7,24 @@ from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, goes_on, hangs_ahead
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    FAILS,
+    HOLDS,
+    MOVING,
+    OPENING,
+    TURNING,
+    goes_on,
+    hangs_ahead,
+)
 
 _IFS = frozenset(("if", "when"))
+_ENDING = frozenset((".", "?", "!"))
 _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
-_MOVING = frozenset(("placing", "bringing"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _LEAVING = frozenset(("leave", "keep"))
 _FILLED = frozenset("full packed crammed overflowing".split())
+_TELLING = frozenset(("informing", "check_state"))
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
 _OBSTRUCTED = frozenset(
@@ -88,7 +97,7 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if k + 1 >= len(clauses) or roles[k] != "condition" or roles[k - 1] != roles[k + 1] or roles[k - 1] != "task":
         return
     before, clause, after = clauses[k - 1 : k + 2]
-    are_moves = before.task.type in _MOVING and after.task.type in _MOVING
+    are_moves = before.task.type in MOVING and after.task.type in MOVING
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
     is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
@@ -112,7 +121,7 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     before, clause, after = clauses[k - 1 : k + 2]
-    is_left = before.task.type in _MOVING and after.task.type == "placing" and after.verb in _LEAVING
+    is_left = before.task.type in MOVING and after.task.type == "placing" and after.verb in _LEAVING
     is_next = after.sentence == clause.sentence and after.boundary == "," and "if" in clause.near
     is_led = clause.boundary in _PARTING and not {*clause.near, *after.near} & TURNING
     if not (is_left and is_next and is_led and before.verb not in _LEAVING and sides[k - 1] in ("top", ">1-")):
@@ -176,6 +185,31 @@ def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
         sides[k - 1] = ">1+"
 
 
+def ask_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A question of its own about another thing, behind what was done in a case, is asked in any case ("Window open?
+    Close it. *Baby awake?* Feed her")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k][:2] != "<1":
+        return
+    is_plain = clause.is_question and not (clause.far or clause.near) and clause.boundary in _ENDING
+    known = {word for before in clauses[first:k] for word in (*before.nouns, *before.thing)}
+    is_of_other = bool(clause.thing) and not clause.has_pronoun and known.isdisjoint(clause.thing)
+    if is_plain and is_of_other and clauses[first].is_question:
+        sides[k] = "top"
+
+
+def come_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be done "first", "whatever you do" or "either way", hangs on none of the cases told just before
+    ("bring the tray if it's ready or if Gran is awake, but *whatever you do, fill her bottle first*")."""
+    clause = clauses[k]
+    if roles[k] != "task" or not clause.is_first_anyway or sides[k] == "top":
+        return
+    told = [j for j in range(k) if roles[j] in ("condition", "mention") and clauses[j].sentence == clause.sentence]
+    if told and all(sides[j] == "top" or roles[j] == "mention" for j in told):
+        sides[k] = "top"
+
+
 def list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is listed on behind an "instead" is done in any case ("fetch the pan, if it's dirty take the pot instead,
     *lay the table, light the candles*")."""
@@ -209,6 +243,48 @@ def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         if j > k and not (sides[j] == sides[k - 1] and goes_on(clauses, roles, sides, j, clause.sentence)):
             return
         sides[j] = "top"
+
+
+def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" leads on to, with another thing, behind the one order that undoes what was found to be so is done
+    in any case ("if the iron is still on, turn it off, *and then bring me the basket*"), but not a report of it."""
+    clause, order = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] not in ("task", "mention")), None) if k > 1 else None
+    if first is None or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    is_alone = "task" not in roles[first : k - 1] and roles[first] == "condition" and sides[first] == "top"
+    check, last = clauses[first], clauses[k - 2]  # "is the gate open? *If it is*, close it, then ..."
+    is_alone = is_alone and (last.is_question or not OPENING.isdisjoint(last.near))
+    state = last.wording.state or check.wording.state
+    is_undone = is_alone and state in (order.effects if last.wording.is_negated else order.needs)
+    is_of_it = order.names_same(check) or (order.is_of_it and not order.objects)
+    known = {word for before in (check, order) for word in (*before.nouns, *before.thing)}
+    is_new = not clause.has_pronoun and bool(clause.nouns) and known.isdisjoint(clause.nouns)
+    is_next = "then" in clause.near and {"and", "then", "please"}.issuperset(clause.near) and not clause.is_only_then
+    is_plain = is_next and clause.boundary in (",", "none") and "first" not in order.behind
+    if not (is_undone and is_of_it and is_new and is_plain) or clause.task.type in _TELLING:
+        return
+    if last.sentence != clause.sentence or sides[k - 1] not in (HOLDS, FAILS):
+        return
+    for j in range(k, len(clauses)):
+        if sides[j] != sides[k - 1] or not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = "top"
+
+
+def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" does, behind both cases, with that into which something was put in either is done in any case ("if
+    there's milk, pour it into the jug, if not, put water in it, *and then bring the jug*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or "then" not in clause.near or (roles[k], sides[k], sides[k - 1]) != ("task", FAILS, FAILS):
+        return
+    filled = [clauses[j].receivers - set(clauses[j].objects) for j in range(first + 1, k) if sides[j] == HOLDS]
+    is_filled = bool(clause.objects) and any(goals.issuperset(clause.objects) for goals in filled)
+    is_in_both = order.has_pronoun or not order.receivers.isdisjoint(clause.objects)
+    is_turned = {"else", "fail"} & {*order.far, *order.near}
+    if is_filled and is_in_both and is_turned and sides[first] == "top" and roles[first] == "condition":
+        sides[k] = "top"
 
 
 def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -1,0 +1,287 @@
+"""How far a case reaches: replies, questions in a row, what replaces an order, what goes on in any case."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from annotated import clauses
+
+from decomplex_bt.understanding.control_flow.orders import stated_orders
+from decomplex_bt.understanding.control_flow.roles import stated_roles
+from decomplex_bt.understanding.control_flow.sides import stated_sides
+
+ASK_LEA = (
+    "If [Lea](1:object) [is](1:check_state) [in the attic](1:location), [ask](2:informing) [her](2:recipient) "
+    "[to sing](2:message). "
+)
+TELL_ANN = ", [tell](4:informing) [Ann](4:recipient)."
+
+
+@pytest.mark.parametrize(
+    ("reply", "role", "side"),
+    [
+        ("If [she](3:object) [refuses](3:check_state)", "condition", "<1+"),
+        ("Should [she](3:object) [decline](3:check_state)", "condition", "<1+"),
+        ("If [she](3:object) [agrees](3:check_state)", "condition", "<1+"),
+        ("If [she](3:object) won't [sing](3:check_state)", "condition", "<1+"),
+        ("If [she](3:object) [is](3:check_state)n't", "mention", "<1"),
+        ("If [Lea](3:object) [is](3:check_state) [out](3:state)", "mention", "<1"),
+        ("If [it](3:object) won't [open](3:check_state)", "mention", "<1"),
+    ],
+)
+def test_how_somebody_replies_is_asked_where_they_are_asked(reply: str, role: str, side: str) -> None:
+    found = clauses(ASK_LEA + reply + TELL_ANN)
+    roles = stated_roles(found, ("condition", "task", "mention", "task"))
+    assert roles == ("condition", "task", role, "task")
+    predicted = "top" if role == "condition" else "<1"
+    assert stated_sides(found, roles, ("top", "<1+", predicted, "<1+"))[2] == side
+
+
+def test_a_reply_is_no_failure_of_the_question() -> None:
+    found = clauses(
+        "[Ask](1:informing) [Lea](1:recipient) [to sing](1:message). If [she](2:object) [refuses](2:check_state), "
+        "[tell](3:informing) [Ann](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task")) == ("task", "condition", "task")
+
+
+def test_who_refuses_what_is_offered_does_not_get_it() -> None:
+    found = clauses(
+        "[Offer](1:bringing) [Lea](1:recipient) [the pear](1:object), and if [she](2:object) [refuses](2:check_state), "
+        "[tell](3:informing) [Ann](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task")) == ("condition", "mention", "task")
+
+
+def test_the_other_reply_is_of_the_same_condition() -> None:
+    found = clauses(
+        "[Ask](1:informing) [Lea](1:recipient) [to sing](1:message). If [she](2:object) [agrees](2:check_state), "
+        "[bring](3:bringing) [her](3:recipient) [the harp](3:object); if [she](4:object) [refuses](4:check_state), "
+        "[tell](5:informing) [Ann](5:recipient)."
+    )
+    assert stated_roles(found, ("task", "condition", "task", "condition", "task"))[3] == "mention"
+
+
+@pytest.mark.parametrize(("subject", "side"), [("it", "<2"), ("she", "<1")])
+def test_an_echo_of_a_thing_passes_a_reply(subject: str, side: str) -> None:
+    found = clauses(
+        "If [the attic](1:object) [is](1:check_state) [locked](1:state), [ask](2:informing) [Lea](2:recipient) "
+        f"[for the key](2:message); if [she](3:object) [refuses](3:check_state), [call](4:informing) "
+        f"[Ann](4:recipient). If [{subject}](5:object) [is](5:check_state)n't, [go](6:motion) [in](6:goal)."
+    )
+    roles = ("condition", "task", "condition", "task", "mention", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+", "<1", "<1+"))[4] == side
+
+
+@pytest.mark.parametrize(
+    ("case", "predicted", "expected"),
+    [
+        ("then [give](4:bringing) [it](4:object) [to Ann](4:recipient)", "<1+", ("top", ">1+", "<1-")),
+        (
+            "in which case [give](4:bringing) [it](4:object) [to Ann](4:recipient)",
+            "<1-",
+            ("top", ">1+", "<1-"),
+        ),
+        # another order in its place: what the "unless" keeps from is left open
+        (
+            ", in which case [close](4:change_state) [the hatch](4:object)",
+            "<1+",
+            (">1+", ">1+", "<1-"),
+        ),
+        # a further step
+        (", then [close](4:change_state) [the hatch](4:object)", "top", (">1+", ">1+", "top")),
+        ("or [close](4:change_state) [the hatch](4:object)", "<1+", (">1+", ">1+", "<1+")),
+    ],
+)
+def test_what_an_unless_is_followed_by_is_done_instead(case: str, predicted: str, expected: tuple[str, ...]) -> None:
+    found = clauses(
+        "[sweep](1:change_state) [the loft](1:object) and [give](2:bringing) [Leo](2:recipient) [the bill](2:object) "
+        f"unless [Tim](3:object)['s](3:check_state) [asleep](3:state) {case}"
+    )
+    roles = ("task", "task", "condition", "task")
+    sides = stated_sides(found, roles, (">1+", ">1+", "top", predicted))
+    assert (*sides[:2], sides[3]) == expected
+
+
+@pytest.mark.parametrize(
+    ("first", "side", "order"),
+    [
+        ("but whatever you do, [fill](4:change_state) [the jug](4:object) first", "top", "before"),
+        ("but in any case first [fill](4:change_state) [the jug](4:object)", "top", "before"),
+        ("but [fill](4:change_state) [the jug](4:object) first", "<1+", "keep"),
+        ("but whatever you do, [fill](4:change_state) [the jug](4:object)", "<1+", "keep"),
+    ],
+)
+def test_what_is_done_first_in_any_case_hangs_on_no_case(first: str, side: str, order: str) -> None:
+    found = clauses(
+        "[Bring](1:bringing) [the tray](1:object) if [Leo](2:object)['s](2:check_state) [awake](2:state) or if "
+        f"[Ann](3:object) [is](3:check_state) [in](3:state), {first}."
+    )
+    roles = ("task", "condition", "or", "task")
+    sides = stated_sides(found, roles, (">1+", "top", "<1+", "<1+"))
+    assert sides[3] == side
+    assert stated_orders(found, roles, sides, ("keep",) * 4)[3] == order
+
+
+@pytest.mark.parametrize(
+    ("before", "behind", "expected"),
+    [
+        (
+            "before you [wax](2:change_state) [it](2:object), [move](3:bringing) [the chairs](3:object)",
+            "once you've [waxed](4:change_state) [it](4:object), [dry](5:change_state) [it](5:object)",
+            ("keep", "keep", "before", "keep", "keep"),
+        ),
+        # without the second mention the models are asked
+        (
+            "before you [wax](2:change_state) [it](2:object), [move](3:bringing) [the chairs](3:object)",
+            "then [wax](4:change_state) [the hall](4:object), and [dry](5:change_state) [it](5:object)",
+            ("after", "keep", "keep", "keep", "after"),
+        ),
+    ],
+)
+def test_an_order_stands_between_what_its_mentions_tell(before: str, behind: str, expected: tuple[str, ...]) -> None:
+    found = clauses(f"[Wax](1:change_state) [the floor](1:object), but {before}, and {behind}.")
+    roles = ("task", "again", "task", "again" if "once" in behind else "task", "task")
+    sides = ("top", "<1", "top", "<2" if roles[3] == "again" else "top", "top")
+    assert stated_orders(found, roles, sides, ("after", "keep", "keep", "keep", "after")) == expected
+
+
+@pytest.mark.parametrize(
+    ("order", "role"),
+    [
+        ("you've [waxed](2:change_state) [it](2:object)", "again"),
+        ("you've [waxed](2:change_state) [the hall](2:object)", "task"),
+        ("you've [dried](2:change_state) [it](2:object)", "task"),
+    ],
+)
+def test_an_order_that_is_said_to_be_done_by_then_is_said_again(order: str, role: str) -> None:
+    found = clauses(
+        f"[Wax](1:change_state) [the floor](1:object). When {order}, [open](3:change_state) [the hatch](3:object)."
+    )
+    assert stated_roles(found, ("task", "task", "task"))[1] == role
+
+
+@pytest.mark.parametrize("predicted", ["<1+", "<1-"])
+@pytest.mark.parametrize(
+    ("question", "is_apart"),
+    [
+        ("[Bulb](3:object) [out](3:check_state)?", True),
+        ("[Is](3:check_state) [the dog](3:object) [in](3:state)?", True),
+        ("[Is](3:check_state) [it](3:object) [torn](3:state)?", False),
+        ("[Hatch](3:object) [stuck](3:check_state)?", False),
+        ("If [the dog](3:object) [is](3:check_state) [in](3:state),", False),
+    ],
+)
+def test_a_question_about_another_thing_is_asked_in_any_case(question: str, is_apart: bool, predicted: str) -> None:
+    found = clauses(
+        f"[Hatch](1:object) [open](1:check_state)? [Close](2:change_state) [it](2:object). {question} "
+        "[call](4:informing) [Ann](4:recipient)."
+    )
+    sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", "<1+", predicted, "<1+"))
+    assert sides[2] == ("top" if is_apart else predicted)
+
+
+@pytest.mark.parametrize(
+    ("question", "role"),
+    [
+        ("or [is](2:check_state)n't [it](2:object)?", "mention"),
+        ("or [is](2:check_state) [it](2:object) [torn](2:state)?", "or"),
+    ],
+)
+def test_a_question_with_its_opposite_is_one_condition(question: str, role: str) -> None:
+    found = clauses(
+        f"[Is](1:check_state) [the kite](1:object) [in the loft](1:location) {question} If [it](3:object) "
+        "[is](3:check_state), [bring](4:bringing) [it](4:object)."
+    )
+    assert stated_roles(found, ("condition", "or", "mention", "task"))[1] == role
+
+
+@pytest.mark.parametrize(
+    ("state", "expected"), [("locked or unlocked", "locked"), ("locked or stuck", "stuck"), ("locked", "locked")]
+)
+def test_of_two_opposites_the_first_is_asked(state: str, expected: str) -> None:
+    (check,) = clauses(f"[Is](1:check_state) [the loft](1:object) [{state}](1:state)?")
+    assert check.wording.state == expected
+
+
+@pytest.mark.parametrize(
+    ("order", "expected"),
+    [
+        ("then [bring](3:bringing) [me](3:recipient) [the basket](3:object)", "top"),
+        ("and then [go](3:motion) [to the attic](3:goal)", "top"),
+        ("then [fold](3:change_state) [it](3:object)", "<1+"),  # whatever it is done to may need it
+        ("and only then [go](3:motion) [to the attic](3:goal)", "<1+"),
+        ("and then [tell](3:informing) [Ann](3:recipient)", "<1+"),
+        ("and [bring](3:bringing) [me](3:recipient) [the basket](3:object)", "<1+"),
+    ],
+)
+@pytest.mark.parametrize(("state", "switch"), [("on", "off"), ("off", "on")])
+def test_a_then_leads_on_from_what_undoes_what_was_found(state: str, switch: str, order: str, expected: str) -> None:
+    found = clauses(
+        f"If [the iron](1:object) [is](1:check_state) [{state}](1:state), [turn](2:change_state) [it](2:object) "
+        f"[{switch}](2:state), {order}."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == expected
+
+
+def test_a_then_stays_in_the_case_behind_what_undoes_nothing() -> None:
+    found = clauses(
+        "If [the iron](1:object) [is](1:check_state) [on](1:state), [bring](2:bringing) [me](2:recipient) "
+        "[it](2:object), then [close](3:change_state) [the hatch](3:object)."
+    )
+    assert stated_sides(found, ("condition", "task", "task"), ("top", "<1+", "<1+"))[2] == "<1+"
+
+
+@pytest.mark.parametrize(
+    ("order", "expected"),
+    [
+        ("then [bring](4:bringing) [the jug](4:object)", "top"),
+        ("then [bring](4:bringing) [the cups](4:object)", "<1-"),
+        ("[bring](4:bringing) [the jug](4:object)", "<1-"),
+    ],
+)
+def test_what_was_filled_in_both_cases_is_brought_in_any(order: str, expected: str) -> None:
+    found = clauses(
+        "If [there](1:object) [is](1:check_state) tea, [put](2:placing) [it](2:object) [in the jug](2:goal), if not, "
+        f"[put](3:placing) [water](3:object) [in it](3:goal) and {order}."
+    )
+    sides = stated_sides(found, ("condition", "task", "task", "task"), ("top", "<1+", "<1-", "<1-"))
+    assert sides[3] == expected
+
+
+@pytest.mark.parametrize(
+    ("mention", "expected"),
+    [
+        ("if you can't [see](3:searching) [it](3:object)", "<1+"),
+        ("if you can't [find](3:searching) [the harp](3:object)", "<1+"),
+        ("if you can't [find](3:searching) [Lea](3:object)", "top"),
+    ],
+)
+def test_what_is_done_with_what_is_sought_depends_on_its_being_found(mention: str, expected: str) -> None:
+    found = clauses(
+        "[Find](1:searching) [the harp](1:object). [Bring](2:bringing) [it](2:object) [here](2:goal), and "
+        f"{mention}, [tell](4:informing) [Ann](4:recipient)."
+    )
+    sides = stated_sides(found, ("condition", "task", "mention", "task"), ("top", "top", "<1", "<1+"))
+    assert sides[1] == expected
+
+
+@pytest.mark.parametrize(
+    ("check", "order", "role"),
+    [
+        ("if there are any pears left", "[bring](2:bringing) [me](2:recipient) [some](2:object)", "condition"),
+        ("whether the post has come", "[put](2:placing) [it](2:object) [on the shelf](2:goal)", "condition"),
+        ("if the soup is [hot](1:state)", "[bring](2:bringing) [it](2:object)", "task"),
+        ("if there are any pears left", "[tell](2:informing) [me](2:recipient)", "task"),
+        ("if there are any pears left", "[bring](2:bringing) [me](2:recipient) [the bowl](2:object)", "task"),
+    ],
+)
+def test_what_is_fetched_of_what_is_checked_to_be_there_hangs_on_that(check: str, order: str, role: str) -> None:
+    named = check.replace("any pears", "[any pears](1:object)").replace("the post", "[the post](1:object)")
+    named = named.replace("the soup", "[the soup](1:object)")
+    found = clauses(f"[See](1:check_state) {named} and {order}.")
+    assert stated_roles(found, ("task", "task"))[0] == role
