@@ -39,7 +39,8 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
 from decomplex_bt.understanding.rules.prohibitions import is_forbidden
 
-_DENYING = frozenset(("not", "n't", "n\u2019t"))
+_DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
+_CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
 _COVERING = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
@@ -155,7 +156,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         says_named_absent=not is_excluded and _says_absent(observed, task, first, own_last, is_named=True),
         says_undone=_says_undone(observed, task, previous, own_last, near),
         says_named_undone=_says_undone(observed, task, previous, own_last, near, is_named=True),
-        says_only_whether=is_bare(document, task, own_last, ECHOING | _DENYING),
+        says_only_whether=_says_only_whether(document, task, own_last),
         question=_question(document, task),
         is_of_it=is_of_somebody(document, task, ITS),
         says_there_is=task.type == "check_state" and token > 0 and document.tokens[token - 1].lower == "there",
@@ -181,6 +182,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_unwilling=_is_unwilling(observed, task, first, own_last),
         turns=turns(document, ahead, token),
     )
+
+
+def _says_only_whether(document: Document, task: MarkedTask, last: int) -> bool:
+    is_denied = task.token < last and document.tokens[task.token + 1].lower in _DENYING
+    return is_bare(document, task, last, ECHOING | _DENYING | (_CONTRACTED if is_denied else frozenset()))
 
 
 def _is_of_weather(document: Document, task: MarkedTask, first: int, last: int) -> bool:

@@ -27,6 +27,7 @@ from decomplex_bt.understanding.rules.checks import (
     with_told,
     with_whole_state,
 )
+from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
@@ -91,6 +92,8 @@ def amended(
     kept = [a for a in kept if not _is_of_nobody(document, a) and not is_look(document, a.tokens)]
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
+    for telling, echo in echoes(document, tasks).items():
+        kept = [a for a in kept if (a.owner, a.type) != (telling, "message") or not set(a.tokens) & set(echo.tokens)]
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":

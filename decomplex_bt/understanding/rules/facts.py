@@ -13,6 +13,7 @@ from decomplex_bt.understanding.rules.asides import concession, means, musing, r
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.conditions import untold
+from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
@@ -130,6 +131,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
         idioms[fragment.carrier] = fragment.type
     idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
+    idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
     idioms |= {_place(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     for wish in preferences(document, found):
         behind.update(wish.words)

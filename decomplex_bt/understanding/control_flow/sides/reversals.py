@@ -89,17 +89,20 @@ def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if it isn't", said behind it at the end of a sentence, is done where what was asked before proves
-    false ("see whether it's shut, and shut it *if it isn't*")."""
+    false ("see whether it's shut, and shut it *if it isn't*"), and what is done "if it is" where that was denied
+    ("shut it if it isn't shut, and tell me *if it is*")."""
     clause, task = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
     is_failing = clause.near == ("fail",)  # "if it doesn't"
-    is_denied = clause.says_only_whether and (clause.wording.is_negated or is_failing)
-    is_denied = is_denied and not clauses[first].wording.is_negated
-    is_behind = clause.is_trailing and clause.sentence == task.sentence and (is_failing or clause.near[:1] == ("if",))
+    is_other = (clause.wording.is_negated or is_failing) != clauses[first].wording.is_negated
+    opener = ("whether",) if task.task.type == "informing" else ("if",)  # "tell me if it isn't"
+    is_opened = is_failing or clause.near[:1] in (("if",), opener)
+    is_behind = clause.is_trailing and clause.sentence == task.sentence and is_opened
     is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
-    if is_denied and is_behind and not is_turned and sides[k - 1] == HOLDS and clauses[first].ability == "":
+    is_plain = clause.says_only_whether and not is_turned and clauses[first].ability == ""
+    if is_other and is_behind and is_plain and sides[k - 1] == HOLDS:
         sides[k - 1] = FAILS
 
 

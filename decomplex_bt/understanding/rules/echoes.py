@@ -1,0 +1,72 @@
+"""Echoes: cases behind a verb of telling that only take up the one before, and are no message ("bring it in if it has
+come and tell me *if it hasn't*", "close it if you can and let me know *if you can't*")."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from decomplex_bt.understanding.document import MARKS, Document
+
+_SUBJECTS = frozenset("it he she they we there you i that those these".split())
+_TYPED = frozenset("isnt arent wasnt hasnt havent doesnt dont didnt cant couldnt".split())
+_DENYING = frozenset("not n't n’t nt".split())
+_ABLE = frozenset("ca can cannot could cant couldnt".split())
+_BETWEEN = frozenset("me us him her them know".split())
+_NAMING = frozenset(("DET", "NOUN", "PROPN"))
+_ENDS = MARKS | {"and", "but", "then", "or"}
+_OPENING = frozenset("if unless when whether".split())
+_ASKING = frozenset(("check_state", "searching"))
+
+
+class Echo(NamedTuple):
+    """Its words behind the "if", and its verb; `asks`: whether that is a check, not whether the listener is able."""
+
+    tokens: range
+    verb: int
+    asks: bool
+
+
+def echoes(document: Document, tasks: Mapping[int, str]) -> dict[int, Echo]:
+    """By the verb of telling the case behind it that takes up an earlier one; `tasks`: tokens with types."""
+    tokens = document.tokens
+    found: dict[int, Echo] = {}
+    if document.words.isdisjoint(_OPENING):
+        return found
+    for i, token in enumerate(tokens[:-2]):
+        echo = _echo(document, i) if token.lower == "if" else None
+        telling = _telling(document, tasks, i)
+        if echo is None or telling is None:
+            continue
+        first = next((t.i for t in tokens[:telling] if t.lower in _OPENING and _is_near(document, t.i, i)), telling)
+        is_asked = any(tasks.get(j) in _ASKING for j in range(telling)) or not echo.asks
+        if first < telling and is_asked:
+            found[telling] = echo
+    return found
+
+
+def _is_near(document: Document, one: int, other: int) -> bool:
+    return document.sentences[other] - document.sentences[one] in (0, 1)
+
+
+def _echo(document: Document, opening: int) -> Echo | None:
+    """The case that an "if" opens, where it is no more than a pronoun and "isn't", "has", "can't" or the like."""
+    tokens, end = document.tokens, opening + 1
+    while end < len(tokens) and tokens[end].lower not in _ENDS and end - opening < 5:
+        end += 1
+    words = [token.lower for token in tokens[opening + 1 : end]]
+    if len(words) not in (2, 3) or words[0] not in _SUBJECTS or (len(words) == 3 and words[2] not in _DENYING):
+        return None
+    verb = tokens[opening + 2]
+    is_auxiliary = verb.lemma in ("be", "have", "do", "'s", "can", "could") or verb.lower in _ABLE | _TYPED
+    if not is_auxiliary or (words[0] in ("you", "i") and verb.lower not in _ABLE | {"do", "dont"}):
+        return None
+    return Echo(range(opening, end), opening + 2, verb.lower not in _ABLE and words[0] != "you")
+
+
+def _telling(document: Document, tasks: Mapping[int, str], opening: int) -> int | None:
+    """The verb of telling right ahead of an "if", with nobody but the one who is told in between."""
+    i = opening - 1
+    while i >= 0 and i not in tasks and (document.tokens[i].lower in _BETWEEN or document.tokens[i].pos in _NAMING):
+        i -= 1
+    return i if i >= 0 and tasks.get(i) == "informing" else None

@@ -1,0 +1,34 @@
+"""Cases behind a verb of telling that only take up the one before."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+INTERPRETER = Interpreter.load(encoder=False)
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Bring the post in if it's come and tell me if it hasn't.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Turn the fan on if it's off and let me know if it isn't.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Give Lea the cake if she's in and text me if she's not.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Open the window if you can and tell Max if you can't.", [{"if": 1, "else": [2]}]),
+        ("Tell me if it's chipped.", [1]),
+        ("Check the oven and tell me if it's on.", [1, 2]),
+        ("Ask Max if he's hungry and tell me if he is.", [1, 2]),
+    ],
+)
+def test_a_case_that_takes_up_the_one_before_is_no_message(text: str, flow: list[object]) -> None:
+    assert INTERPRETER.interpret(text).flow.to_json() == flow
+
+
+@pytest.mark.parametrize(
+    "text", ["Shut the gate if you can and tell me if you can't.", "Bring it if it's dry and text us if it isn't."]
+)
+def test_what_is_told_is_not_the_case(text: str) -> None:
+    instruction = INTERPRETER.interpret(text)
+    telling = next(task for task in instruction.tasks if task.type == "informing")
+    assert telling.value("message") is None
