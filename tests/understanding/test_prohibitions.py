@@ -126,3 +126,17 @@ def test_another_order_in_a_case_lifts_no_prohibition(interpreter: Interpreter, 
     found = interpreter.interpret(text)
     assert "wash" not in [task.span.of(text) for task in found.tasks]
     assert any("'wash" in warning for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Lift the crate. If it's too heavy, leave it.", [{"if": 2, "else": [1]}]),
+        ("Take the bench outside, and if it's wet, leave it.", [{"if": 2, "else": [1]}]),
+        ("Open the hatch and if it is stuck, leave it.", [{"if": 2, "else": [1]}]),
+        ("Lift the crate. If it's too heavy, leave it by the door.", [1, {"if": 2, "then": [3]}]),
+        ("Take the cake to the porch and leave it there.", [1, 2]),
+    ],
+)
+def test_what_is_left_in_a_case_is_not_done_in_it(interpreter: Interpreter, text: str, flow: list[object]) -> None:
+    assert interpreter.interpret(text).flow.to_json() == flow

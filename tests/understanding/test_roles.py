@@ -489,3 +489,27 @@ def test_that_nobody_is_in_a_place_is_no_failure_of_what_is_done_elsewhere(order
     found = clauses(f"{order}. If nobody [is](2:check_state) {place}, [shut](3:change_state) [the gate](3:object).")
     roles = stated_roles(found, ("condition", "mention", "task"))
     assert roles == (("task" if role == "condition" else "condition"), role, "task")
+
+
+@pytest.mark.parametrize(
+    ("markup", "role"),
+    [
+        (
+            "If [the modem](1:object) [is](1:check_state) [red](1:state), [restart](2:change_state) [it](2:object), "
+            "and if [it](3:object)['s](3:check_state) still [red](3:state), [call](4:informing) [Tom](4:recipient).",
+            "condition",
+        ),
+        (
+            "If [the tea](1:object) [is](1:check_state) [hot](1:state), [bring](2:bringing) [it](2:object). If "
+            "[it](3:object)['s](3:check_state) still [cold](3:state), [warm](4:change_state) [it](4:object).",
+            "mention",
+        ),
+        (
+            "If [the tea](1:object) [is](1:check_state) [hot](1:state), [bring](2:bringing) [it](2:object). If "
+            "[it](3:object)['s](3:check_state) [hot](3:state), [tell](4:informing) [me](4:recipient).",
+            "mention",
+        ),
+    ],
+)
+def test_whether_something_is_still_so_once_something_was_done_is_asked_anew(markup: str, role: str) -> None:
+    assert stated_roles(clauses(markup), ("condition", "task", "mention", "task"))[2] == role

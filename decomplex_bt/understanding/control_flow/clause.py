@@ -117,6 +117,8 @@ class Clause:
     """Whether it says that somebody won't do something: "if he won't come"."""
     is_only_then: bool = False
     """Whether it is to be done "only then"."""
+    says_still: bool = False
+    """Whether it asks if something is "still" so."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 
@@ -125,6 +127,13 @@ class Clause:
         small box" and "the big box"."""
         is_head = bool(self.objects) and self.objects[-1:] == other.objects[-1:]
         return is_head and (self.thing <= other.thing or other.thing <= self.thing)
+
+    def is_asked_again_after(self, first: Clause) -> bool:
+        """Whether it asks if something is *still* as the condition before has it, in the same words, when something was
+        done about it: "if it's red, restart it. Still red?", not "if it's dry, fold it. If it's still damp, ..."."""
+        is_same = (self.wording.state or self.verb) == (first.wording.state or first.verb)
+        is_check = self.task.type == "check_state"
+        return is_check and self.says_still and is_same and self.wording.is_negated == first.wording.is_negated
 
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:

@@ -180,6 +180,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ability=ability(document, ahead, token),
         is_only_then=any(cue.name == "then" and document.tokens[cue.first].lower == "only" for cue in ahead),
         is_unwilling=_is_unwilling(observed, task, first, own_last),
+        says_still="still" in near or any(t.lower == "still" for t in document.tokens[first : own_last + 1]),
         turns=turns(document, ahead, token),
     )
 

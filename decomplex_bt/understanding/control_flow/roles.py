@@ -12,6 +12,7 @@ from decomplex_bt.understanding.cues import WISHING
 
 _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
 """What there is that may be what was named, or an answer to it, in other words."""
+_DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 
 def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, ...]:
@@ -20,6 +21,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
     for rule in (
         _join,
         _ask_twice,
+        _ask_again,
         _take_up,
         _find_out,
         _part,
@@ -71,6 +73,17 @@ def _ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_turned = clause.wording.is_negated != before.wording.is_negated and clause.sentence == before.sentence
     if is_echo and is_turned and before.is_question and roles[k - 1] in CONDITION_ROLES:
         roles[k] = "mention"
+
+
+def _ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether something is still so, once something was done about it, is asked anew ("if it's red, restart it, and if
+    it's *still red*, call Tom")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), None)
+    if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
+        return
+    is_done = any(clauses[j].task.type in _DOING for j in range(first + 1, k))
+    if clauses[first].is_check and is_done and clauses[k].is_asked_again_after(clauses[first]):
+        roles[k] = "condition"
 
 
 def _find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
+from decomplex_bt.understanding.rules.prohibitions import is_left_alone
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.telegraph import telegraphed
@@ -61,6 +62,7 @@ _CAN = frozenset("ca can could".split())
 _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
 """What may stand ahead of a "can't find", beside a mark."""
 _CASES = frozenset("if unless when only_if until before after".split())
+_LOOKS = frozenset(("check_state", "searching"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 
 
@@ -97,6 +99,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
+            or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
             or _is_joined_state(document, task.token, types_found)
             or _is_name(observed, task.token)
             or (not found and following is not None and _is_missed(observed, task))

@@ -30,6 +30,8 @@ _ALLOWING = frozenset(
 )  # fmt: skip
 """What says that something may be done after all, in the normal form of cues."""
 _BESIDE_ALLOWING = frozenset("then please by all means though however".split())
+_LEFT = frozenset("it them that this 'em".split())
+_CASES = frozenset("if when unless otherwise else".split())
 _CONDITIONAL = frozenset(
     "if only_if unless when until before before_that before_all after so else fail depending".split()
 )
@@ -70,6 +72,18 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         if is_named and _is_bare(document, verb) and not _has_subject(document, verb):
             found += [verb, *_joined(document, verb)]
     return tuple(sorted(set(found)))
+
+
+def is_left_alone(document: Document, verb: int, tasks: Collection[int]) -> bool:
+    """Whether a verb only says of a case that nothing is done in it: "if it's too heavy, *leave it*"; `tasks`: the
+    tokens of those that are no checks."""
+    tokens = document.tokens
+    after = tokens[verb + 2] if verb + 2 < len(tokens) else None
+    is_end = after is None or after.text in MARKS or after.lower in ("and", "but")
+    is_left = tokens[verb].lower == "leave" and verb + 1 < len(tokens) and tokens[verb + 1].lower in _LEFT and is_end
+    sentence = [t.i for t in tokens[:verb] if document.sentences[t.i] == document.sentences[verb]]
+    case = max((i for i in sentence if tokens[i].lower in _CASES), default=None)
+    return is_left and case is not None and not any(case < i < verb for i in tasks)
 
 
 def _may_govern(document: Document, cue: int, negation: int) -> bool:

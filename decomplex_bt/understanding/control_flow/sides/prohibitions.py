@@ -134,8 +134,12 @@ def stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
 
 def call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is called off in a case is done in the other ("mow the lawn, but if it's wet, leave it"), and so are the
-    orders that are joined to it."""
-    if roles[k] != "condition" or roles[k - 1] != "task" or not clauses[k].is_case_against(clauses[k - 1]):
+    orders that are joined to it; never in that case, be it one that comes through the order ("open it, and if it's
+    stuck, leave it")."""
+    if roles[k] != "condition" or roles[k - 1] != "task":
+        return
+    is_inverted = clauses[k].calls_off and sides[k - 1] == ">1+" and {*clauses[k].near} <= {"if", "and", "but"}
+    if not is_inverted and not clauses[k].is_case_against(clauses[k - 1]):
         return
     if sides[k - 1] not in ("top", ">1+", ">1-") or sides[k] not in ("top", HOLDS):
         return
