@@ -2,33 +2,40 @@
 
 `pymunk.Space.step` spends most of its time on what may be added or removed meanwhile, and a property of a body on
 making vectors. Nothing is added within a control step here, so that only the first substep after a body or shape was
-added or removed goes through pymunk, and all others straight to the Chipmunk function that pymunk itself calls. Where a
-version of pymunk does not have it in the same place, pymunk's own calls are made: the numbers are the same.
+added or removed goes through pymunk, and all others straight to the Chipmunk function that pymunk itself calls. A body
+is read at one go, by the function with which `pymunk.batch` reads each of all bodies. Where a version of pymunk does
+not have them in the same place, pymunk's own calls are made: the numbers are the same.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable
+from itertools import repeat, starmap
+from struct import Struct
 from typing import Any, Protocol
 
 import pymunk
 
 try:
+    from pymunk._chipmunk_cffi import ffi as _ffi
     from pymunk._chipmunk_cffi import lib as _chipmunk
 
     _FUNCTIONS: tuple[Any, ...] = (
         _chipmunk.cpSpaceStep,
         _chipmunk.cpBodySetVelocity,
         _chipmunk.cpBodySetAngularVelocity,
-        _chipmunk.cpBodyGetPosition,
-        _chipmunk.cpBodyGetVelocity,
-        _chipmunk.cpBodyGetAngle,
-        _chipmunk.cpBodyGetAngularVelocity,
+        _chipmunk.pmSpaceBodyGetIteratorFuncBatched,
         _chipmunk.cpBodyIsSleeping,
     )
+    _READ: int = _chipmunk.POSITION | _chipmunk.ANGLE | _chipmunk.VELOCITY | _chipmunk.ANGULAR_VELOCITY
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
     _FUNCTIONS = ()
 
+_ROOM = 16
+"""Numbers that there is room for where a body is read into: more than are read, for what is full is made anew."""
+_STATE = Struct("6d")
+_exhaust = deque[Any](maxlen=0).extend
 State = tuple[float, float, float, float, float, float]
 """x, y [m], angle [rad], velocity along x and y [m/s], angular velocity [rad/s]."""
 
@@ -93,26 +100,28 @@ class DirectMotor:
         self._pymunk_space: Any = space
         self._space: Any = space._space
         self._owner, self._body = body, body._body
-        self._step, self._set_velocity, self._set_turn_rate = _FUNCTIONS[:3]
-        self._position, self._velocity, self._angle, self._turn_rate, self._sleeps = _FUNCTIONS[3:]
+        self._step, self._set_velocity, self._set_turn_rate, self._get, self._sleeps = _FUNCTIONS
         self._others: tuple[Any, ...] = ()
+        numbers = _ffi.new("cpFloat[]", _ROOM)
+        self._taken = _ffi.new("pmFloatArray *", {"arr": numbers, "max": _ROOM})
+        self._batch = _ffi.new("pmBatchedData *", {"fields": _READ, "floatArray": self._taken})
+        self._numbers = _ffi.buffer(numbers)
 
     def push(self, vx: float, vy: float, turn_rate: float) -> None:
         self._set_velocity(self._body, (vx, vy))
         self._set_turn_rate(self._body, turn_rate)
 
     def run(self, substep: float, substeps: int) -> None:
-        step, space, owner = self._step, self._space, self._pymunk_space
+        owner = self._pymunk_space
         if substeps > 0 and (owner._bodies_to_check or owner._removed_shapes):
             owner.step(substep)
             substeps -= 1
-        for _ in range(substeps):
-            step(space, substep)
+        _exhaust(starmap(self._step, repeat((self._space, substep), substeps)))
 
     def read(self) -> State:
-        body = self._body
-        position, velocity = self._position(body), self._velocity(body)
-        return position.x, position.y, self._angle(body), velocity.x, velocity.y, self._turn_rate(body)
+        self._taken.num = 0
+        self._get(self._body, self._batch)
+        return _STATE.unpack_from(self._numbers)
 
     def watch(self, others: Iterable[Any]) -> None:
         self._others = tuple(body._body for body in others)
