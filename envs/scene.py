@@ -7,9 +7,10 @@ change with where the eye is: from how far a point can be seen and looked over, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from math import ceil, cos, pi, sin
+from struct import Struct
 from typing import NamedTuple
 
 import numpy as np
@@ -49,12 +50,8 @@ class Block(NamedTuple):
     far: Floats
 
 
-class RoomSamples(NamedTuple):
-    """The points of the fixed places of one room: of what nothing lies on or in, of what something may, of the floor.
-    `doors`: of each of the first that is a door its number there and its row, and the room that it leads to."""
-
-    blocks: tuple[Block, Block, Block]
-    doors: tuple[tuple[int, int, int], ...]
+RoomSamples = tuple[Block, Block, Block]
+"""The points of the fixed places of one room: of what nothing lies on or in, of what something may, of the floor."""
 
 
 class Samples:
@@ -62,7 +59,7 @@ class Samples:
 
     `limit`: from how far what lies at each place can be seen, the last one for what lies at none; `is_floor` likewise.
     `place_at`: of each row the place, that last one for rows that are none.
-    `floor_starts`: where each floor begins among all points of floors. `numbers`: as many as there may be points.
+    `floor_starts`: where each floor begins among all points of floors.
     `never_seen`: of points of floors or of rows the time at which it was seen, to be copied.
     """
 
@@ -73,8 +70,6 @@ class Samples:
         is_floor = np.isin(np.arange(geometry.place_count), geometry.floor_row)
         self.is_floor = np.append(is_floor, False)
         self.place_at = np.minimum(np.arange(len(geometry.names)), geometry.place_count)
-        sides = {geometry.row[leaf]: geometry.house.doorways[leaf].rooms for leaf in geometry.leaves}
-        leads = {row: [geometry.room_index[room] for room in rooms] for row, rooms in sides.items()}
         of_room: list[list[tuple[int, list[tuple[float, float]]]]] = [[] for _ in geometry.rooms]
         for place in range(geometry.place_count):
             for room, points in _points(geometry, place):
@@ -82,15 +77,12 @@ class Samples:
         full = [
             (inside_reach if kind.inside else reach) ** 2 if kind.surface or kind.inside else NEVER for kind in kinds
         ]
-        self.rooms = tuple(
-            self._lay_out(room, segments, np.array(full), leads) for room, segments in enumerate(of_room)
-        )
+        self.rooms = tuple(self._lay_out(segments, np.array(full)) for segments in of_room)
         self._layouts: dict[tuple[int, ...], Layout] = {}
-        sizes = [room.blocks[-1].points.shape[1] for room in self.rooms]
+        sizes = [floor.points.shape[1] for *_, floor in self.rooms]
         self.floor_starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
         self.floor_count = sum(sizes)
-        most = sum(block.points.shape[1] for room in self.rooms for block in room.blocks)
-        self.numbers = np.arange(most + len(geometry.names))
+        self.floor_numbers = np.arange(self.floor_count)
         self.never_seen = np.full(max(self.floor_count, len(geometry.names)), -np.inf)
         self.floors = [
             slice(start, start + size) for start, size in zip(self.floor_starts.tolist(), sizes, strict=True)
@@ -107,14 +99,15 @@ class Samples:
 
     def _together(self, ways: tuple[int, ...]) -> Layout:
         rooms = tuple(dict.fromkeys(ways))
-        kinds = list(zip(*(self.rooms[room].blocks for room in rooms), strict=True))
+        kinds = list(zip(*(self.rooms[room] for room in rooms), strict=True))
         blocks = [block for kind in kinds for block in kind]
-        sizes = np.concatenate([block.sizes for block in blocks])
-        rows = np.concatenate([block.rows for block in blocks])
-        starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int64)
+        rows = np.concatenate([np.repeat(block.rows, block.sizes) for block in blocks])
         first_holding, first_floor = (
-            sum(len(block.rows) for kind in kinds[:count] for block in kind) for count in (1, 2)
+            sum(block.points.shape[1] for kind in kinds[:count] for block in kind) for count in (1, 2)
         )
+        holding = slice(first_holding, first_floor)
+        is_holding = np.zeros(len(self.is_floor) - 1, dtype=np.bool_)
+        is_holding[rows[holding]] = True
         room_of = np.repeat(rooms * len(kinds), [block.points.shape[1] for block in blocks])
         thresholds = np.full((WEDGES + 2 * (len(ways) - 1), len(room_of)), SLACK)
         thresholds[NEARNESS] -= np.concatenate([block.near for block in blocks])
@@ -124,7 +117,6 @@ class Samples:
             thresholds[right : right + 2] -= np.where(room_of == room, 0.0, ANYWAY)
         is_in_sight = np.zeros(len(self.rooms), dtype=np.bool_)
         is_in_sight[list(rooms)] = True
-        before = np.cumsum([0, *(len(block.rows) for block in kinds[0])]).tolist()
         return Layout(
             rooms=rooms,
             is_in_sight=is_in_sight,
@@ -132,27 +124,14 @@ class Samples:
             points=np.hstack([block.points for block in blocks]),
             thresholds=thresholds,
             rows=rows,
-            starts=starts,
-            twins=[
-                (before[index] + number, row)
-                for index, room in enumerate(rooms)
-                for number, row, to in self.rooms[room].doors
-                if to in rooms[index + 1 :]
-            ],
-            holding_rows=rows[first_holding:],
-            holding_starts=starts[first_holding:] - starts[first_holding],
-            holding_points=slice(int(starts[first_holding]), len(room_of)),
-            floor_points=slice(int(starts[first_floor]), len(room_of)),
-            floor_numbers=np.concatenate([self.numbers[self.floors[room]] for room in rooms]),
+            is_holding=is_holding,
+            holding_points=holding,
+            holding_rows=rows[holding],
+            floor_points=slice(first_floor, len(room_of)),
+            floor_numbers=np.concatenate([self.floor_numbers[self.floors[room]] for room in rooms]),
         )
 
-    def _lay_out(
-        self,
-        room: int,
-        segments: Sequence[tuple[int, list[tuple[float, float]]]],
-        full: Floats,
-        leads: Mapping[int, Sequence[int]],
-    ) -> RoomSamples:
+    def _lay_out(self, segments: Sequence[tuple[int, list[tuple[float, float]]]], full: Floats) -> RoomSamples:
         def block(segments: Sequence[tuple[int, list[tuple[float, float]]]]) -> Block:
             rows = np.array([place for place, _ in segments], dtype=np.int64)
             sizes = np.array([len(points) for _, points in segments], dtype=np.int64)
@@ -161,26 +140,21 @@ class Samples:
             square = points[PLACE_X] ** 2 + points[PLACE_Y] ** 2
             return Block(rows, sizes, points, np.repeat(full[rows], sizes) - square, self.reach**2 - square)
 
-        bare = [segment for segment in segments if full[segment[0]] < 0]
-        doors = [(number, row) for number, (row, _) in enumerate(bare) if row in leads]
-        return RoomSamples(
-            blocks=(
-                block(bare),
-                block([s for s in segments if full[s[0]] >= 0 and not self.is_floor[s[0]]]),
-                block([segment for segment in segments if self.is_floor[segment[0]]]),
-            ),
-            doors=tuple((number, row, sum(leads[row]) - room) for number, row in doors),
+        return (
+            block([segment for segment in segments if full[segment[0]] < 0]),
+            block([s for s in segments if full[s[0]] >= 0 and not self.is_floor[s[0]]]),
+            block([segment for segment in segments if self.is_floor[segment[0]]]),
         )
 
 
 class Layout(NamedTuple):
     """The fixed places of some rooms, the robot's own first. `is_in_sight`: `(rooms,)` of the house, which are among
     them. `elsewhere` `(2 * wedges, rooms)`: by how much less is asked of what is in a room by each edge of a wedge,
-    which is nothing less in the room that the wedge leads into. `points` `(3, n)`. Segment `i` is the entity `rows[i]`,
-    its points begin at `starts[i]`. `thresholds`: of each question and each point what the answer must not be below.
-    `twins`: segments of what stands in two of the rooms, a door, besides its last one, with its row. `holding_rows`:
-    of what can be looked over; it has the `holding_points`, among which each begins at `holding_starts`.
-    `floor_points`: those of floors, `floor_numbers`: which of all floors' points they are."""
+    which is nothing less in the room that the wedge leads into. `points` `(3, n)` stand for the places `rows` `(n,)`:
+    a place is seen where any of its points is in view, and looked over where all of them are from near enough.
+    `thresholds`: of each question and each point what the answer must not be below. `is_holding`: `(places,)` which can
+    be looked over, floors apart; they have the `holding_points`, which stand for `holding_rows`. `floor_points`: those
+    of floors, `floor_numbers`: which of all floors' points they are."""
 
     rooms: tuple[int, ...]
     is_in_sight: Bools
@@ -188,11 +162,9 @@ class Layout(NamedTuple):
     points: Floats
     thresholds: Floats
     rows: Rows
-    starts: Rows
-    twins: list[tuple[int, int]]
-    holding_rows: Rows
-    holding_starts: Rows
+    is_holding: Bools
     holding_points: slice
+    holding_rows: Rows
     floor_points: slice
     floor_numbers: Rows
 
@@ -201,9 +173,9 @@ class Scene:
     """What is in the rooms in sight: fixed places, then the things and people there now.
 
     `ways`: the robot's room, then the rooms that wedges lead into, one twice where two do. `layout` has the fixed
-    places; `rows`, `starts` and `points` go on with the things and people (`movable`, their rows), a point each, in
-    `room` of each; `limits` are the distances from which each can be seen [m]. `moved_at` is the caller's note of when
-    they were brought in line last.
+    places; `rows` and `points` go on with the things and people (`movable`, their rows), a point each, in `room` of
+    each; `limits` are the distances from which each can be seen [m]. `moved_at` is the caller's note of when they were
+    brought in line last.
     """
 
     def __init__(
@@ -215,11 +187,13 @@ class Scene:
         self.rows = np.concatenate((layout.rows, movable))
         fixed = layout.points.shape[1]
         count = fixed + len(movable)
-        self.starts = np.concatenate((layout.starts, samples.numbers[fixed:count]))
         self.points = np.empty((3, count))
         self.points[:, :fixed] = layout.points
         self.points[ONE, fixed:] = 1.0
         self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
+        self._asked = np.empty((len(thresholds), 3))
+        self._questions = self._asked.data
+        self._put_down = Struct(f"{self._asked.size}d").pack_into
         thresholds[:, :fixed] = layout.thresholds
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
         np.subtract(SLACK, layout.elsewhere[:, room], out=thresholds[WEDGES:, fixed:])
@@ -237,7 +211,7 @@ class Scene:
     def view(
         self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
     ) -> tuple[Bools, Bools]:
-        """For each point whether it is in view; of those that can be looked over, also whether from near enough.
+        """For each point whether it is in view; of the `holding_points`, also whether from near enough to look over.
 
         `half_angle` [rad]: half of the field of view. `beyond`: the wedges into the other rooms.
         """
@@ -249,7 +223,7 @@ class Scene:
         for _, (right, left) in beyond:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
-        self._asked = np.fromiter(asked, np.float64, len(asked)).reshape(-1, 3)
+        self._put_down(self._questions, 0, *asked)
         self._half_angle, self._beyond = half_angle, beyond
         is_within = self._asked.dot(self.points) >= self._thresholds
         in_view = self._all(is_within)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import deque
 from functools import lru_cache
 from math import radians
+from struct import Struct
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,7 @@ Table = NDArray[np.float32]
 MOST_SCENES = 32
 """Scenes kept at once."""
 _NONE = np.empty(0, dtype=np.int64)
+_pack = Struct("3f").pack_into
 _ROW = np.dtype((np.void, np.dtype(np.float32).itemsize * len(COLUMNS)))
 
 
@@ -60,13 +62,13 @@ class Sensor:
         self._known, self._shown = known.copy(), shown.copy()
         self._now = shown[self._movable].copy()
         self.table = known.copy()
-        self._robot = self.table[-1]
+        self._robot_pose = self.table[-1, X : HEADING + 1].data
         self._known_rows, self._shown_rows, self._now_rows, self._table_rows = map(
             _as_rows, (self._known, self._shown, self._now, self.table)
         )
         self._on_floors = self._floors_at = self._astray = np.empty(0, dtype=np.int64)
         self._version = self._deeds = self._arrangement = self._stirs = -1
-        self._looked_at = -config.every
+        self._due = 0
         self._scenes: dict[tuple[int, ...], Scene] = {}
         self._rooms = np.empty(0, dtype=np.int64)
         self._last_seen = b"", b""
@@ -81,7 +83,7 @@ class Sensor:
         What others change does not make it look: when it looks would tell of what it cannot see.
         """
         world = self.world
-        if world.steps - self._looked_at < self.config.every and world.deeds == self._deeds:
+        if world.steps < self._due and world.deeds == self._deeds:
             return False
         is_changed = world.version != self._version
         if is_changed:
@@ -92,7 +94,7 @@ class Sensor:
         is_moved = is_rearranged or world.stirs != self._stirs
         self._version, self._deeds = world.version, world.deeds
         self._arrangement, self._stirs = world.arrangement, world.stirs
-        self._looked_at = world.steps
+        self._due = world.steps + self.config.every
         if is_moved:
             self._take_motion()
         scene = self._look_round()
@@ -137,19 +139,16 @@ class Sensor:
     def _look_round(self) -> Scene:
         """What is in view, which places are so with their whole contents, and which floors were within the memory."""
         world, now = self.world, self.world.seconds
-        eye, room = complex(*world.robot), world.robot_room
+        x, y = world.robot
+        eye, room = complex(x, y), world.robot_room
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
         scene = self._scene_of((room, *[other for other, _ in beyond]))
         layout = scene.layout
         in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
         visible = self.visible = self._robot_alone.copy()
-        visible[scene.rows] = seen = np.logical_or.reduceat(in_view, scene.starts)
-        for segment, row in layout.twins:
-            if seen[segment]:
-                visible[row] = True
-        is_full = self._none_full.copy()
-        is_full[layout.holding_rows] = np.logical_and.reduceat(is_near, layout.holding_starts)
-        is_full &= self._is_open
+        visible[scene.rows[in_view]] = True
+        is_full = layout.is_holding & self._is_open
+        is_full[layout.holding_rows[~is_near]] = False
         inspected = is_full
         for before in self._full_before:
             inspected = inspected & before
@@ -251,9 +250,7 @@ class Sensor:
             self._table_rows[...] = self._known_rows
             np.copyto(self._table_rows, self._shown_rows, where=self.visible)
             self.table[: self._places, INSPECTED] = self.inspected
-        robot = self._robot
-        robot[X], robot[Y] = world.robot
-        robot[HEADING] = world.robot_heading
+        _pack(self._robot_pose, 0, *world.robot, world.robot_heading)
 
 
 def _as_rows(table: Table) -> NDArray[np.void]:
