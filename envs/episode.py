@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import hypot
+from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.hands import interact
-from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.interface import ROBOT_FIELDS, Interaction, Result
 from decomplex_bt.envs.meddling import Meddler, Move
 from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, Sensor
 from decomplex_bt.envs.spaces import MAX_SPEED, MAX_TURN_RATE, encode, read_action, shown
@@ -32,6 +33,7 @@ UNKNOWN_LENGTH = -1.0
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Observation = dict[str, Any]
 _FINISH = Interaction.FINISH
+_pack = Struct("6f").pack_into
 _TOLD = ("seconds", "path_length", "shortest_length", "events", "moved_by_others", "result")
 """The keys of an info besides those of the judge and those that are constant."""
 
@@ -82,6 +84,8 @@ class Episode:
         self._meddler = self._make_meddler(options.meddling, generators)
         self._move: Move | None = None
         self._held_version = -1
+        numbers = np.zeros(len(ROBOT_FIELDS) + 1, dtype=np.float32)
+        self._numbers, self._pose, self._clock = numbers.data, numbers[:-1], numbers[-1:]
         self._is_table_full = len(self.sensor.table) == self._rows
         self._constant_info = {"instruction": text, **judge.feasibility()}
         self.is_over = False
@@ -115,7 +119,8 @@ class Episode:
             advance(world)
         x, y = world.robot
         world.drive(forward, turn)
-        self._path_length += hypot(world.robot[0] - x, world.robot[1] - y)
+        x_now, y_now = world.robot
+        self._path_length += hypot(x_now - x, y_now - y)
         has_looked = self.sensor.look()
         is_finished = interaction is _FINISH
         is_late = world.seconds >= self._max_seconds - 1e-9
@@ -126,7 +131,7 @@ class Episode:
             self.verdict = self.judge.update(world.event)
         if is_finished:
             self.verdict = self.judge.finish()
-        self.recording.note(forward, turn, int(interaction), target)
+        self.recording.note(forward, turn, interaction, target)
         terminated = is_finished or self.verdict.is_over
         if terminated and self.verdict.is_success:
             self._shortest_length = self._measure_shortest_path()
@@ -171,18 +176,18 @@ class Episode:
         speed, turn_rate = world.speed, world.turn_rate
         if not (-MAX_SPEED <= speed <= MAX_SPEED and -MAX_TURN_RATE <= turn_rate <= MAX_TURN_RATE):
             speed, turn_rate = _clip(speed, MAX_SPEED), _clip(turn_rate, MAX_TURN_RATE)
-        numbers = np.fromiter((x, y, world.robot_heading, speed, turn_rate, world.seconds), np.float32, 6)
+        _pack(self._numbers, 0, x, y, world.robot_heading, speed, turn_rate, world.seconds)
         if world.version != self._held_version:
             self._held_version = world.version
             self._held = np.array((world.held, *world.tray), dtype=np.int16)
         return {
             "instruction": self._shown_text,
             "instruction_codes": self._codes.copy(),
-            "robot": numbers[:5],
+            "robot": self._pose.copy(),
             "held": self._held.copy(),
             "entities": self.sensor.table.copy() if self._is_table_full else self._table(),
             "result": int(self._result),
-            "seconds": numbers[5:],
+            "seconds": self._clock.copy(),
         }
 
     def _table(self) -> NDArray[np.float32]:
@@ -200,8 +205,10 @@ class Episode:
         info["seconds"] = world.seconds
         info["path_length"] = self._path_length
         info["shortest_length"] = self._shortest_length
-        has_event = world.event is not None or self._move is not None
-        info["events"] = [str(event) for event in (self._move, world.event) if event is not None] if has_event else []
+        move, event = self._move, world.event
+        info["events"] = events = [] if move is None else [str(move)]
+        if event is not None:
+            events.append(str(event))
         info["moved_by_others"] = 0 if self._meddler is None else self._meddler.moves
         info["result"] = RESULT_NAMES[self._result]
         return info

@@ -25,6 +25,7 @@ Point = tuple[float, float]
 # asking an enum takes ten times as long
 _NONE, _FINISH, _PICKING, _SAYING = Interaction.NONE, Interaction.FINISH, Interaction.PICK, Interaction.SAY
 _NO_RESULT = Result.NONE
+_NOBODY = Lead()
 
 
 def interact(world: World, interaction: Interaction, target: int) -> Result:
@@ -36,23 +37,29 @@ def interact(world: World, interaction: Interaction, target: int) -> Result:
         return Result.OK
     if target > world.geometry.robot_row:  # a row that stands for nothing in this house
         return Result.NOT_THERE
-    hand, holder, version = world.held, int(world.place[target]), world.version
-    led = Lead()
-    if interaction is _SAYING and not is_person(world, target):
+    people, hand, version = world.geometry.people_rows, world.held, world.version
+    is_addressed, is_picking = target in people, interaction is _PICKING
+    holder = int(world.place[target]) if is_picking else NOTHING
+    led = _NOBODY
+    if interaction is _SAYING and not is_addressed:
         led = ask_to_lead(world, target)
         result = led.result
     else:
-        result = _ACTS[interaction](world, target)
-    world.deeds += world.version != version
-    person = target if is_person(world, target) else holder if interaction is _PICKING else led.person
+        act = _ACT_OF[interaction]
+        assert act is not None
+        result = act(world, target)
+    if world.version != version:
+        world.deeds += 1
     names = world.geometry.names
+    thing = target if is_picking else hand
+    person = target if is_addressed else holder if is_picking else led.person
     world.event = Event(
         interaction,
         names[target],
         result,
-        thing=names[target] if interaction is _PICKING else names[hand] if hand != NOTHING else None,
-        person=names[person] if is_person(world, person) else None,
-        goal=names[led.goal] if led.goal != NOTHING else None,
+        names[thing] if thing != NOTHING else None,
+        names[person] if person in people else None,
+        names[led.goal] if led.goal != NOTHING else None,
     )
     return result
 
@@ -309,3 +316,5 @@ _ACTS: dict[Interaction, Callable[[World, int], Result]] = {
     Interaction.HAND_OVER: _hand_over,
     Interaction.SAY: _say,
 }
+_ACT_OF = tuple(_ACTS.get(interaction) for interaction in Interaction)
+"""The same by number, for hashing an enum is slow, too; None for what is no act of the hands."""

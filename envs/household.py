@@ -224,7 +224,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._tell_bodies()
         if self._camera is not None or self.render_mode is not None:
             self._film()
-        return self._observe(episode), reward, terminated, truncated, self._inform(episode)
+        return self._observe(episode), reward, terminated, truncated, episode.inform()
 
     def observe(self) -> Observation:
         """The observation of this moment: what `reset` or the last `step` returned, also of an episode that was loaded,

@@ -117,7 +117,7 @@ class Judge:
                 **dict.fromkeys(("branches", "violations", *others)),
             }
         report = self._report.copy()
-        report["branches"] = [branch.copy() for branch in self._branches]
+        report["branches"] = [branch.copy() for branch in self._branches] if self._branches else []
         report["violations"] = [violation.reason for violation in verdict.violations] if verdict.violations else []
         return report
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.chance import Start
     from decomplex_bt.envs.config import HouseholdConfig
     from decomplex_bt.envs.geometry import Floats
+    from decomplex_bt.envs.interface import Interaction
     from decomplex_bt.envs.world import World
 
 FORMAT = 2
@@ -34,15 +35,16 @@ class Recording:
 
     def __init__(self, generator: Mapping[str, Any], request: Request, options: Options) -> None:
         self.generator, self.request, self.options = generator, request, options
-        self.actions: list[tuple[float, float, int, int]] = []
+        self.actions: list[tuple[float, float, Interaction, int]] = []
 
     def begin(self, world: World, start: Start) -> None:
         self._world, self._start = world, start
         self._checksums: list[int] = []
 
-    def note(self, forward: float, turn: float, interaction: int, target: int) -> None:
-        self.actions.append((forward, turn, interaction, target))
-        if len(self.actions) % CHECK_EVERY == 0:
+    def note(self, forward: float, turn: float, interaction: Interaction, target: int) -> None:
+        actions = self.actions
+        actions.append((forward, turn, interaction, target))
+        if not len(actions) % CHECK_EVERY:
             self._checksums.append(checksum(self._world))
 
     @property
@@ -60,7 +62,7 @@ class Recording:
             "instruction": self.request.text,
             "gold": None if gold is None else asdict(gold),
             "options": self.options.given(),
-            "actions": [list(action) for action in self.actions],
+            "actions": [[forward, turn, int(deed), target] for forward, turn, deed, target in self.actions],
             "checksums": self.checksums,
         }
 

@@ -7,11 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
-from functools import lru_cache
 from math import cos, pi, sin
 from operator import itemgetter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pymunk
@@ -30,12 +28,15 @@ from decomplex_bt.envs.stage import Collision, Mover, Stage, clear, put, shaped
 if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
 
+TURN = 2 * pi  # [rad]
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
+_INTERACTIONS, _RESULTS = (
+    tuple(member.name.lower().replace("_", " ") for member in members) for members in (Interaction, Result)
+)
 
 
-@dataclass(frozen=True, slots=True)
-class Event:
+class Event(NamedTuple):
     """An interaction that was tried in the last step, by names: with what in the hand (before it) and what came of it.
 
     `person`: who was spoken to, who got or gave the thing. `goal`: where somebody who leads the way is going.
@@ -51,7 +52,7 @@ class Event:
     def __str__(self) -> str:
         target = self.target if self.goal is None else f"lead to {self.goal}"
         thing = f" with {self.thing}" if self.thing not in (None, self.target) else ""
-        return f"{_say(self.interaction)} {target}{thing}: {_say(self.result)}"
+        return f"{_INTERACTIONS[self.interaction]} {target}{thing}: {_RESULTS[self.result]}"
 
 
 class World:
@@ -87,7 +88,8 @@ class World:
         self.place = start.place.copy()
         self._position = start.position.copy()
         self._is_stale = False
-        self._step_seconds = step = config.step_seconds
+        self._substep, self._substeps, self._step_seconds = config.substep, config.substeps, config.step_seconds
+        step = config.step_seconds
         self._max_speed, self._max_turn_rate = config.max_speed, config.max_turn_rate
         self._most_gained, self._most_turned = config.max_acceleration * step, config.max_turn_acceleration * step
         self.heading = np.zeros(len(geometry.names))
@@ -117,8 +119,7 @@ class World:
     def drive(self, forward: float, turn: float) -> None:
         """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate."""
         self._push(forward, turn)
-        config = self.config
-        self._motor.run(config.substep, config.substeps)
+        self._motor.run(self._substep, self._substeps)
         self.steps += 1
         self.seconds = self.steps * self._step_seconds
         self._read()
@@ -156,7 +157,7 @@ class World:
         if thing in self._bodies:
             self._drop_body(thing)
         self.place[thing] = holder
-        self._carried = self._carried_rows()
+        self._note_carried()
         self._is_stale = True
         self.version += 1
 
@@ -167,7 +168,7 @@ class World:
         self.room[thing] = self.geometry.place_room[place]
         if place in self._floors:
             self._add_thing(thing)
-        self._carried = self._carried_rows()
+        self._note_carried()
         self.version += 1
 
     def shift(self, thing: int, place: int, spot: tuple[float, float]) -> None:
@@ -248,7 +249,7 @@ class World:
             if places[thing] in self._floors:
                 self._add_thing(thing)
         self._add_robot(robot)
-        self._carried = self._carried_rows()
+        self._note_carried()
 
     def _add_robot(self, robot: Mover) -> None:
         row, body = self.geometry.robot_row, robot.body
@@ -309,15 +310,17 @@ class World:
         speed, turn_rate = self.speed, self.turn_rate
         if forward == 0.0 and turn == 0.0 and abs(speed) < 1e-3 and abs(turn_rate) < 1e-3:
             return
-        speed += _within(forward * self._max_speed - speed, self._most_gained)
-        turn_rate += _within(turn * self._max_turn_rate - turn_rate, self._most_turned)
+        gain, most = forward * self._max_speed - speed, self._most_gained
+        speed += most if gain > most else -most if gain < -most else gain
+        gain, most = turn * self._max_turn_rate - turn_rate, self._most_turned
+        turn_rate += most if gain > most else -most if gain < -most else gain
         middle = self.robot_heading + turn_rate * self._step_seconds / 2
         self._motor.push(speed * cos(middle), speed * sin(middle), turn_rate)
 
     def _read(self) -> None:
         """Reads where the robot is; the others are read when somebody asks."""
         x, y, angle, vx, vy, turn_rate = self._motor.read()
-        angle = (angle + pi) % (2 * pi) - pi
+        angle = (angle + pi) % TURN - pi
         self.robot = (x, y)
         self.heading[-1] = self.robot_heading = angle
         self.speed = vx * cos(angle) + vy * sin(angle)
@@ -335,9 +338,9 @@ class World:
                 position[row] = body.position
                 self._moved.add(row)
                 (self._awake.add if is_awake else self._awake.discard)(row)
-        if self._moved or self._carried.size:
+        if self._moved or self._is_carrying:
             self.stirs += 1
-        if self._carried.size:
+        if self._is_carrying:
             position[self._carried] = position[self.place[self._carried]]
 
     def locate(self) -> None:
@@ -348,7 +351,7 @@ class World:
         if here != before:
             room[-1] = here
             self.arrangement += 1
-        is_carrying = self._carried.size > 0
+        is_carrying = self._is_carrying
         if self._is_stale and (is_carrying or self._awake or self._motor.is_stirring()):
             self._read_all()
         if self._moved:
@@ -380,19 +383,10 @@ class World:
         for person, (x, y) in zip(people.tolist(), self._position[people].tolist(), strict=True):
             self.room[person] = geometry.room_at(x, y)
         self.robot_room = self.room[-1] = geometry.room_at(*self.robot)
-        if self._carried.size:
+        if self._is_carrying:
             self.locate()
 
-    def _carried_rows(self) -> NDArray[np.int64]:
-        rows: NDArray[np.int64] = (self.place >= self.geometry.user_row).nonzero()[0]
-        return rows
-
-
-def _within(value: float, most: float) -> float:
-    """The value, brought within `most` of 0."""
-    return most if value > most else -most if value < -most else value
-
-
-@lru_cache(maxsize=None, typed=True)  # the two enums have the same numbers
-def _say(member: Interaction | Result) -> str:
-    return member.name.lower().replace("_", " ")
+    def _note_carried(self) -> None:
+        """Notes which things somebody carries, the robot or a person."""
+        (self._carried,) = (self.place >= self.geometry.user_row).nonzero()
+        self._is_carrying = self._carried.size > 0
