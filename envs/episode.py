@@ -32,7 +32,7 @@ UNKNOWN_LENGTH = -1.0
 """What `shortest_length` is until there is one: a number that equals itself, or infos could not be compared."""
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Observation = dict[str, Any]
-_FINISH = Interaction.FINISH
+_FINISH, _OK = Interaction.FINISH, Result.OK
 _pack = Struct("6f").pack_into
 _TOLD = ("seconds", "path_length", "shortest_length", "events", "moved_by_others", "result")
 """The keys of an info besides those of the judge and those that are constant."""
@@ -125,10 +125,12 @@ class Episode:
         is_finished = interaction is _FINISH
         is_late = world.seconds >= self._max_seconds - 1e-9
         before = self.verdict
-        is_news = has_looked or world.event is not None or world.arrangement != self._judged_arrangement
+        event = world.event
+        is_deed = event is not None and (event.result is _OK or self.judge.minds_attempts)
+        is_news = has_looked or is_deed or world.arrangement != self._judged_arrangement
         if is_news or is_finished or is_late or self.judge.minds_position:
             self._judged_arrangement = world.arrangement
-            self.verdict = self.judge.update(world.event)
+            self.verdict = self.judge.update(event)
         if is_finished:
             self.verdict = self.judge.finish()
         self.recording.note(forward, turn, interaction, target)

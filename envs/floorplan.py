@@ -43,6 +43,8 @@ ENTRY = 0.6
 """[m] So far off a free cell the robot may be to drive from there."""
 ENTRY_SLACK = 0.12
 """[m] Free cells that much farther off than the nearest are as good for setting out."""
+_FARTHEST = 1e9
+"""[m] Longer than any way, and shorter than an edge that is not free."""
 _FIELDS_KEPT = 256
 _COUNTED = np.arange(2000, dtype=float)
 
@@ -301,18 +303,28 @@ class Floorplan:
     def _solve(self, goal: Cells, free: Mask) -> tuple[NDArray, NDArray]:
         """Distance to the goal and the next cell on the way to it (-9999: none), for every cell."""
         graph = self._graph if free is self.free else self._graph_of(free)
-        distance, previous, _ = dijkstra(graph, directed=False, indices=goal, min_only=True, return_predecessors=True)
+        distance, previous, _ = dijkstra(
+            graph, directed=False, indices=goal, min_only=True, return_predecessors=True, limit=_FARTHEST
+        )
         return distance.astype(np.float32), previous.astype(np.int32)
 
     @cached_property
     def _graph(self) -> csr_matrix:
-        return self._graph_of(self.free)
+        first, second, cost = self._edges
+        size = self.rows * self.columns
+        return csr_matrix((cost, (first, second)), shape=(size, size))
+
+    @cached_property
+    def _ends(self) -> tuple[NDArray, NDArray]:
+        """The cells that each edge of the graph joins, in its order."""
+        graph = self._graph
+        return np.repeat(np.arange(graph.shape[0]), np.diff(graph.indptr)), graph.indices
 
     def _graph_of(self, free: Mask) -> csr_matrix:
-        first, second, cost = self._edges
-        drivable = free[first] & free[second]
-        size = self.rows * self.columns
-        return csr_matrix((cost[drivable], (first[drivable], second[drivable])), shape=(size, size))
+        """The graph with the edges of what is not free endless: to make one without them takes much longer."""
+        graph, (first, second) = self._graph, self._ends
+        cost = np.where(free[first] & free[second], graph.data, math.inf)
+        return csr_matrix((cost, graph.indices, graph.indptr), shape=graph.shape)
 
     def _pull(self, points: list[Point], free: Mask) -> list[Point]:
         """The polyline drawn tight: corners only where the straight line is not free."""
