@@ -36,6 +36,7 @@ from decomplex_bt.understanding.rules.assurances import with_denied
 from decomplex_bt.understanding.rules.checks import naming
 from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
+from decomplex_bt.understanding.rules.second_thoughts import set_off
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -130,6 +131,9 @@ class Interpreter:
     def _understand(self, document: Document) -> Instruction:
         left = document
         places: Sequence[int] = range(len(document.text))
+        marked = set_off(document)
+        if marked is not None:
+            left, places = self._parser.parse(marked.text, self._spelling), marked.places
         for _ in range(MOST_REPAIRS):
             cut = repaired(left)
             if not cut:

@@ -53,6 +53,16 @@ def left(parser: Parser, text: str) -> str:
         ("If Dan's in, no, he's at work. If Eva's in, tell her.", "If Eva's in, tell her."),
         ("tell you what go to the shed", "go to the shed"),
         ("I'll tell you what, if it's wet, dry it.", "if it's wet, dry it."),
+        ("if any are ripe put them put two of them in a jar", "if any are ripe put two of them in a jar"),
+        ("put the forks put the spoons in the drawer", "put the spoons in the drawer"),
+        ("if it's loud um if it is tell bea", "if it's loud if it is tell bea"),
+        ("lay the er cloth on the uh bench", "lay the cloth on the bench"),
+        ("hand me the you know round tray", "hand me the round tray"),
+        ("see if it's wide uh you know tell leo", "see if it's wide tell leo"),
+        (
+            "Put the vase here, no, if it's cracked put it outside.",
+            "Put the vase here, if it's cracked put it outside.",
+        ),
     ],
 )
 def test_what_is_said_over_again_counts_once(parser: Parser, text: str, meant: str) -> None:
@@ -100,6 +110,11 @@ def test_an_order_in_place_of_another_is_the_only_one(parser: Parser, text: str,
     "text",
     [
         "If the oven is open, open it further.",
+        "put them away put the kettle on",
+        "put that there put this here",
+        "do you know if the gate is open",
+        "tell leo you know the way",
+        "Switch the heater up, no, switch it off.",
         "Please, please close the door.",
         "Bring me the mug, actually it's dirty, so wash it first.",
         "Put the vase where it looks better, then wipe the shelf.",

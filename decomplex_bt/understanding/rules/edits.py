@@ -40,16 +40,16 @@ _SET_OFF = frozenset(("actually", "better"))
 """What puts something right behind a mark: "on the table, *better* on the shelf"."""
 TURNING = frozenset(("wait", "hang", "hold"))
 """What takes something back where words are said over again."""
-_NO_EDITS_BEFORE = frozenset(
+NO_EDITS_BEFORE = frozenset(
     "is are am 's s 'm m was be feel so very there got have has had with find see say says said if when or but and "
     "still by want yes a in answer answers".split()
 )
 """Before a "no" that no comma sets off, or a "sorry": what makes it part of what is said."""
-_AFTER_NO = frozenset(
+AFTER_NO = frozenset(
     "one more longer matter doubt wonder thank thanks problem worries need rush hurry luck use idea way chance".split()
 )
 _AFTER_SORRY = frozenset("about for if that to but i it he she they".split())
-_TELLING = frozenset("tell tells told say says said answer answers".split())
+TELLING = frozenset("tell tells told say says said answer answers".split())
 _YES = frozenset(("yes", "yeah", "yep"))
 UNFINISHED = frozenset("the a an my your our their".split())
 """Words after which nothing ends."""
@@ -130,10 +130,10 @@ class Said:
             said -= DENYING if is_number else set()  # "room no 7"
         if after is not None and words[-1] == "sorry" and after.lower in _AFTER_SORRY:
             said.discard("sorry")
-        if after is not None and after.lower in _AFTER_NO:
+        if after is not None and after.lower in AFTER_NO:
             said -= DENYING
         before = self.words[max(0, run.start - 2) : run.start]
-        is_part = not before or before[-1] in _NO_EDITS_BEFORE or not _TELLING.isdisjoint(before)
+        is_part = not before or before[-1] in NO_EDITS_BEFORE or not TELLING.isdisjoint(before)
         if words[0] in _STRONG and is_part:
             return False
         if not _YES.isdisjoint(self.words[: run.start]) and said <= DENYING:
@@ -172,5 +172,6 @@ def is_order_at(document: Document, i: int) -> bool:
     subjects = {token.lower for token in near if token.dep in _SUBJECTS}
     is_first = i == 0 or document.tokens[i - 1].text in ENDS
     kinds = ("NN", "NNP", "JJ") if is_first else ("NN",)
-    is_verb = token.pos == "VERB" or (token.tag in kinds and bool(following) and following[0].tag in ("DT", "PRP$"))
+    is_named = bool(following) and following[0].tag in ("DT", "PRP$") and following[0].lower not in DENYING
+    is_verb = token.pos == "VERB" or (token.tag in kinds and is_named)
     return is_verb and token.lower == token.lemma and subjects <= {"you"}

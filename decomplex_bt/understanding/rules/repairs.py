@@ -10,7 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import Document
-from decomplex_bt.understanding.rules.edits import EDITING, INTERJECTIONS, MARKS, STATING, Said, is_order_at
+from decomplex_bt.understanding.rules.edits import (
+    EDITING,
+    HESITATING,
+    INTERJECTIONS,
+    MARKS,
+    STATING,
+    UNFINISHED,
+    Said,
+    is_order_at,
+)
 from decomplex_bt.understanding.rules.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.restarts import said_over
 
@@ -27,6 +36,7 @@ def repaired(document: Document) -> frozenset[int]:
     said = Said.of(document)
     cut = {i for stretch in said_over(said) for i in stretch}
     cut.update(i for opener in _openers(said) for i in opener)
+    cut.update(i for sound in _hesitations(said) for i in sound)
     for run in said.runs:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
@@ -50,6 +60,32 @@ def _openers(said: Said) -> Iterator[range]:
         is_order = tokens[stop].pos == "VERB" and words[stop] == tokens[stop].lemma
         if is_marked or is_order or words[stop] in _OPENING_ORDERS:
             yield range(start, stop)
+
+
+def _hesitations(said: Said) -> Iterator[range]:
+    """Every "um" that no mark sets off ("on the *uh* table", "if it's big *um* tell Dad"), with a "you know" beside it,
+    and a "you know" right behind an article; it says nothing, and parts what belongs together."""
+    words, i = said.words, 0
+    while i < len(words):
+        stop = i
+        while stop < len(words) and (length := _hesitation(said, i, stop)):
+            stop += length
+        if (
+            stop > i
+            and stop - i < len(words)
+            and MARKS.isdisjoint((*words[max(0, i - 1) : i], *words[stop : stop + 1]))
+        ):
+            yield range(i, stop)
+        i = max(stop, i + 1)
+
+
+def _hesitation(said: Said, start: int, at: int) -> int:
+    """How many words of hesitation stand at a token, where those from `start` up to it are such."""
+    words = said.words
+    if words[at] in HESITATING:
+        return 1
+    is_beside = at > start or (words[at - 1 : at] != [] and words[at - 1] in UNFINISHED)
+    return 2 if is_beside and words[at : at + 2] == ["you", "know"] else 0
 
 
 def replaced_orders(document: Document) -> Iterator[range]:

@@ -96,6 +96,8 @@ def put_otherwise(said: Said, run: range) -> Collection[int]:
         return range(0)
     if words[right] == "not":
         return _denied(said, run)
+    if words[right] in ("if", "when") and _is_case_of_order(said, run):
+        return range(run.start + (words[run.start] in MARKS), right)
     if words[right] in OPENERS:
         same = (i for i in range(left, -1, -1) if words[i] == words[right] and said.are_together(i, right))
         first = next(same, None)
@@ -103,6 +105,18 @@ def put_otherwise(said: Said, run: range) -> Collection[int]:
         is_again = first is not None and said.begins_clause(first) and not is_added
         return range(first, right) if first is not None and is_again else range(0)
     return _phrase_before(said, run)
+
+
+def _is_case_of_order(said: Said, run: range) -> bool:
+    """Whether an order before a run stands but in the case told behind it, where another is given of what that names:
+    "put the cup on the table, no, if it's dirty put it in the sink"."""
+    words, right = said.words, run.stop
+    again = next((i for i in range(right + 2, len(words)) if is_order_at(said.document, i)), len(words))
+    if again == len(words) or not said.are_together(run.start, again):
+        return False
+    first = next((i for i in range(run.start - 1, -1, -1) if is_order_at(said.document, i)), -1)
+    is_plain = first >= 0 and said.may_begin(first) and _ASKING.isdisjoint(words[first : run.start])
+    return is_plain and takes_up(said, range(first, again), run)
 
 
 def _denied(said: Said, run: range) -> range:

@@ -13,17 +13,21 @@ from decomplex_bt.understanding.rules.edits import (
     LONGEST,
     MARKS,
     OPENERS,
+    TELLING,
     TURNING,
     UNFINISHED,
     Said,
     is_order_at,
 )
+from decomplex_bt.understanding.rules.replacements import takes_up
 
 FARTHEST = 16
 """The most tokens between words and their being said over again where something is taken back between."""
 _ON_TOP = frozenset("too also well another again back".split())
 _PLACING = frozenset(("behind", "inside", "under", "underneath", "beneath"))
 """Prepositions that are adverbs to the tagger where nothing follows."""
+_PLACED = frozenset(("put", "place"))
+_THINGS = frozenset("it them that those these this".split())
 _UNENDING = frozenset(("AUX", "ADP", "SCONJ", "PART", "PRON", "DET", "CCONJ"))
 """Parts of speech that end no phrase."""
 
@@ -55,10 +59,21 @@ def said_over(said: Said) -> Iterator[range]:
                 over = again
                 yield range(first, again)
             continue
-        begun = _begun_over(said, first, again)
+        begun = range(first, again) if _is_unplaced(said, first, again) else _begun_over(said, first, again)
         if begun:
             over = again
             yield begun
+
+
+def _is_unplaced(said: Said, first: int, again: int) -> bool:
+    """Whether nothing but a thing is said between a "put" and its being said over again, and not where to: "put them
+    put six of them on the table"; "put them away put the kettle on" are two orders."""
+    words, named = said.words, said.document.tokens[first + 1 : again]
+    if words[first] not in _PLACED or not named or words[again + 1 : again + 2] == []:
+        return False
+    is_pronoun = len(named) == 1 and named[0].lower in _THINGS
+    is_phrase = named[0].tag in ("DT", "PRP$") and all(token.pos in ("NOUN", "ADJ", "PROPN") for token in named[1:])
+    return is_pronoun or (is_phrase and len(named) > 1)
 
 
 def _begun_over(said: Said, first: int, again: int) -> range:
@@ -72,6 +87,9 @@ def _begun_over(said: Said, first: int, again: int) -> range:
         count += 1
     inner = [run for run in said.runs if run.start >= first + count and run.stop <= again]
     is_close = again - (first + count) <= FARTHEST
+    is_of_it = words[again + 1 : again + 2] != [] and words[again + 1] in _THINGS and words[again] not in TELLING
+    if inner and is_of_it and is_order_at(said.document, again) and takes_up(said, range(first, again), inner[-1]):
+        return range(0)  # "turn the heating up, no, turn it off"
     if count > 2 and inner and inner[0].start == first + count and _is_moved(said, inner[0], again):
         return range(first, inner[0].stop)
     is_opening = words[first] in OPENERS
