@@ -161,6 +161,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             length, names = 1, ("before",)
         if PRO_FORMS.intersection(names) and _goes_on(document, words, position, position + length):
             length, names = 1, _TABLE.get((words[position],), ())  # "if no cup is clean"
+        if {"fail", "so"}.intersection(names) and _is_of_thing(document, words, position, position + length):
+            length, names = 1, _TABLE.get((words[position],), ())  # "bring me the torch. If it doesn't work, ..."
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
@@ -168,7 +170,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             names = ()
         if names == ("instead",) and _counts(document, position):
             names = ()
-        if names == ("before",) and _is_forbidden_before(document, words, position):
+        is_before = names == ("before",)
+        if is_before and (_is_forbidden_before(document, words, position) or _forbids_first(words, position)):
             names = ("until",)
         for name in names:
             cues.append(Cue(_disambiguated(name, document, position), position, position + length - 1))
@@ -264,6 +267,45 @@ def _is_forbidden_before(document: Document, words: Sequence[str], position: int
     return words[0] == "never" and position > 1
 
 
+def _is_of_thing(document: Document, words: Sequence[str], position: int, end: int) -> bool:
+    """Whether an "if it does not work" or "if it works" is of the thing that was fetched or put somewhere right before,
+    and not of what was tried."""
+    if tuple(words[position : position + 2]) != ("if", "it") or words[end - 1] not in ("work", "works"):
+        return False
+    sentence = document.sentences[position]
+    before = [t for t in document.tokens[:position] if sentence - 1 <= document.sentences[t.i] <= sentence]
+    verbs = [t for t in before if t.pos == "VERB" or (t.i == 0 and t.lemma in _FETCHING | _PUTTING)]
+    if not verbs or not _TRYING.isdisjoint(words[max(0, verbs[0].i - 1) : position]):
+        return False
+    last = verbs[-1]
+    object_ = next((t for t in before if t.i > last.i and t.tag in ("NN", "NNS", "PRP", "NNP")), None)
+    is_fetched = any(t.lemma in _FETCHING for t in verbs)
+    is_put = last.lemma in _PUTTING and object_ is not None and (object_.tag != "PRP" or is_fetched)
+    is_handled = last.lemma in _FETCHING or is_put
+    particles = (t.lower for t in before if t.i > last.i and (t.tag == "RP" or t.dep == "prt"))
+    return is_handled and _LOOSENING.isdisjoint(particles)
+
+
+_FETCHING = frozenset("bring get fetch grab take hand give pass carry pick collect borrow buy lend".split())
+_PUTTING = frozenset("put place set stand".split())
+_TRYING = frozenset("try see attempt manage".split())
+_LOOSENING = frozenset("off out apart open loose back on".split())
+
+
+def _forbids_first(words: Sequence[str], position: int) -> bool:
+    """Whether a "before" that opens a sentence says until when something is forbidden behind it: "before it is dry,
+    don't touch it"; not "before you go, don't wake him", where it says when."""
+    if position and words[position - 1] not in MARKS:
+        return False
+    stop = next((i for i in range(position, len(words)) if words[i] in MARKS - {","}), len(words))
+    clause = words[position:stop]
+    denied = next((i for i in range(3, len(clause)) if clause[i] == "not" and clause[i - 1] in ("do", "must")), 0)
+    denied = denied or next((i for i in range(3, len(clause)) if clause[i] == "never"), 0)
+    is_so = not _BEING.isdisjoint(clause[:denied])
+    return is_so and denied + 1 < len(clause) and clause[denied + 1] not in ("forget", "hesitate", "fail")
+
+
+_BEING = frozenset(("is", "have", "has", "m", "'m"))
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
 _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())
 _BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))

@@ -34,6 +34,7 @@ from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.assurances import with_denied
 from decomplex_bt.understanding.rules.checks import naming
+from decomplex_bt.understanding.rules.pro_verbs import with_doings
 from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
 from decomplex_bt.understanding.rules.second_thoughts import set_off
@@ -181,7 +182,7 @@ class Interpreter:
         tasks = self._references.resolve(
             observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
         )
-        tasks = self._settled(document, tasks, reading.flow)
+        tasks = self._settled(document, with_doings(observed, tasks), reading.flow)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,

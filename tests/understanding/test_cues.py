@@ -61,6 +61,9 @@ def test_a_phrase_is_its_class(text, expected):
         ("Before that meeting starts, bring me a coffee.", ["before"]),
         ("If it is not before noon, close the door.", ["not", "before"]),
         ("Turn off the light, but not before you have closed the door.", ["until"]),
+        ("Before it is dry, don't touch the wall.", ["until", "not"]),
+        ("Before you go, don't wake the baby.", ["before", "not"]),
+        ("Before you go, don't forget the milk.", ["before", "not"]),
         ("Put the box on shelf B4 and close the door.", []),
     ],
 )
@@ -95,3 +98,19 @@ def test_an_instead_that_only_counts_turns_nothing(text: str, is_cue: bool) -> N
 def test_a_denial_that_names_its_things_opens_a_condition(text: str, expected: list[str]) -> None:
     names = {"if", "not", "else"}
     assert [cue.name for cue in find_cues(Parser().parse(text)) if cue.name in names] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Fetch the torch. If it doesn't work, tell me.", "if"),
+        ("Get the lamp from the den and put it here. If it doesn't work, tell me.", "if"),
+        ("Turn on the torch. If it doesn't work, tell me.", "fail"),
+        ("Take the lid off. If it doesn't work, tell me.", "fail"),
+        ("Try to get the jar open. If it doesn't work, tell me.", "fail"),
+        ("Fetch the torch. If that doesn't work, tell me.", "fail"),
+    ],
+)
+def test_it_does_not_work_is_of_what_was_fetched_or_a_failure_of_what_was_tried(text: str, expected: str) -> None:
+    names = {cue.name for cue in find_cues(Parser().parse(text))}
+    assert names & {"if", "fail"} == {expected}

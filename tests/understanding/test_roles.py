@@ -513,3 +513,24 @@ def test_that_nobody_is_in_a_place_is_no_failure_of_what_is_done_elsewhere(order
 )
 def test_whether_something_is_still_so_once_something_was_done_is_asked_anew(markup: str, role: str) -> None:
     assert stated_roles(clauses(markup), ("condition", "task", "mention", "task"))[2] == role
+
+
+@pytest.mark.parametrize(
+    ("order", "check", "roles"),
+    [
+        ("[Bring](1:bringing) [the torch](1:object)", "[it](2:object) doesn't [work](2:check_state)", "apart"),
+        ("[Take](1:taking) [the key](1:object)", "[it](2:object) doesn't [fit](2:check_state)", "apart"),
+        (
+            "[Put](1:placing) [the fan](1:object) [there](1:goal)",
+            "[it](2:object) doesn't [run](2:check_state)",
+            "apart",
+        ),
+        ("[Turn](1:change_state) [the tv](1:object) on", "[it](2:object) doesn't [work](2:check_state)", "mention"),
+        ("[Lift](1:taking) [the sofa](1:object)", "[it](2:object) doesn't [work](2:check_state)", "mention"),
+        ("[Put](1:placing) [it](1:object) [there](1:goal)", "[it](2:object) doesn't [fit](2:check_state)", "mention"),
+    ],
+)
+def test_whether_what_was_fetched_works_is_no_mention_of_the_fetching(order: str, check: str, roles: str) -> None:
+    found = clauses(f"{order}. If {check}, [call](3:informing) [Ann](3:recipient).")
+    expected = ("task", "condition", "task") if roles == "apart" else ("condition", "mention", "task")
+    assert stated_roles(found, ("condition", "mention", "task")) == expected

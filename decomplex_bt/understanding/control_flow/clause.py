@@ -158,6 +158,21 @@ class Clause:
         is_of_it = self.says_undone or (self.says_named_undone and self.names_same(named))
         return is_change and is_of_it and "unless" not in self.near
 
+    def tries_out(self, before: Clause) -> bool:
+        """Whether it asks if what was handled before works; of what was moved with an effort ("lift it") "it doesn't
+        work" says that the effort failed."""
+        is_handled = before.task.type in _MOVED and before.verb not in _STRAINING
+        is_kept_out = self.verb == "fit" and before.task.type == "placing"
+        is_of_thing = (
+            self.is_check
+            and self.verb in _FUNCTIONING
+            and not is_kept_out
+            and not self.is_of_person
+            and bool(before.objects)
+        )
+        is_it = self.has_pronoun and not self.objects and "fail" not in self.near
+        return is_handled and is_of_thing and (is_it or self.names_same(before))
+
     def is_guard_of(self, before: Clause) -> bool:
         """Whether it asks no more than whether the change before it is needed: "wash it if it's dirty", "fill it unless
         it's full", "turn the tv off if it's on"."""
@@ -551,6 +566,10 @@ _USED = frozenset("free busy empty available occupied taken use unused vacant un
 _CALLED_OFF = frozenset("taking placing bringing change_state".split())
 """The types of orders that may be called off: not what is looked for, asked or waited for."""
 _HANDING = frozenset(("bringing", "informing"))
+_MOVED = frozenset(("taking", "placing", "bringing"))
+_STRAINING = frozenset("lift pull push drag move shift heave pry remove peel hide fish squeeze stuff".split())
+_FUNCTIONING = frozenset("work function write run fit light start ring".split())
+"""What a thing does that is as it should be."""
 _MISSING = frozenset(("missing", "gone", "lost"))
 _THERE = frozenset(("there", "here"))
 _NO_THINGS = frozenset("none one some any drop".split())

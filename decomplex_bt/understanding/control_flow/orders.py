@@ -34,12 +34,16 @@ def _stay(clauses: Sequence[Clause], orders: list[str], k: int) -> None:
 
 
 def _await(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
-    """What something is not to be done before is done first ("don't go before you have locked up")."""
+    """What something is not to be done before is done first ("don't go before you have locked up", "before you have
+    locked up, don't go")."""
     before, clause = clauses[k - 1 : k + 1]
     is_next = roles[k - 1] == roles[k] == "task" and sides[k - 1] == sides[k]
     is_awaited = before.is_forbidden and clause.boundary == "none" and clause.near[-1:] == ("until",)
     if is_next and is_awaited and orders[k - 1 : k + 1] == ["keep", "keep"]:
         orders[k] = "before"
+    is_ahead = clause.is_forbidden and before.near[-1:] == ("until",) and before.sentence == clause.sentence
+    if is_next and is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
+        orders[k - 1] = orders[k] = "keep"
 
 
 def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:

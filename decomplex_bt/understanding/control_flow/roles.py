@@ -25,6 +25,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _take_up,
         _find_out,
         _part,
+        _try_out,
         _oppose,
         _answer,
         _repeat,
@@ -135,6 +136,16 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1 : k + 1] = "task", "condition"
     elif roles[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
         roles[k] = "condition"
+
+
+def _try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether what was fetched or put somewhere does what it is for is no mention of the fetching ("bring me the torch.
+    If *it doesn't work*, take the lamp")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first != k - 1 or roles[first] != "condition" or "mention" in roles[k + 1 :]:
+        return
+    if clauses[k].tries_out(clauses[first]):
+        roles[first : k + 1] = "task", "condition"
 
 
 def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -10,6 +10,7 @@ from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
+from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import (
     PERSON_NOUNS,
     Candidate,
@@ -43,7 +44,9 @@ class Context:
     types: dict[int, str] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.pool = candidates_of(self.observed, self.tasks)
+        document = self.observed.document
+        told_by = {i for look in (*looks(document), *shouts(document)) for i in look.words}
+        self.pool = [c for c in candidates_of(self.observed, self.tasks) if c.tokens.start not in told_by]
         for candidate in self.pool:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())

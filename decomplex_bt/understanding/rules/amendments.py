@@ -11,6 +11,7 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundAr
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
+from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
 from decomplex_bt.understanding.references.phrases import (
     is_pronoun,
     nobody,
@@ -27,25 +28,30 @@ from decomplex_bt.understanding.rules.checks import (
     with_told,
     with_whole_state,
 )
+from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, is_look, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
+from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
 from decomplex_bt.understanding.rules.reports import with_reports
+from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.verbless import verbless_cases
+from decomplex_bt.understanding.rules.waits import forgone, kept_from
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
 _PLACES = frozenset(("source", "location"))
+_WHERE_TO = _PLACES | {"goal"}
 _TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}
 """By what the argument of a type is taken up that was said before its verb."""
 _IT_IS = tuple(
@@ -76,11 +82,13 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
-    idle |= due(document)
+    idle |= due(document) | forgone(document)
     idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]
+    meant = plans(document, tasks)
+    kept = [a for a in kept if a.tokens.start not in meant or _is_place_of_order(tasks, a)]
     how = means_of(document, tasks)
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
@@ -89,7 +97,7 @@ def amended(
     kept = _of_days(document, [_whereabouts(document, tasks, a, kept) for a in kept])
     kept = [_relative(document, tasks, _entire(document, a), kept) for a in kept]
     kept = [a for a in kept if not _is_said_again(document, a, kept) and not _is_of_wish(tasks, a)]
-    kept = [a for a in kept if not _is_of_nobody(document, a) and not is_look(document, a.tokens)]
+    kept = _of_looks(document, tasks, [a for a in kept if not _is_of_nobody(document, a)])
     for phrase in withdrawals.corrections:
         kept = _corrected(observed, kept, phrase)
     for telling, echo in echoes(document, tasks).items():
@@ -109,6 +117,7 @@ def amended(
             kept = with_whole_state(document, that_there_is(document, kept, token), token)
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
+            kept = _of_now(document, kept, token)
             kept = with_told(kept, token, predicated(document, token))
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
@@ -118,14 +127,31 @@ def amended(
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
+        if not any(a.owner == token and len(a.tokens) > 1 for a in kept):
+            kept = with_told(kept, token, kept_from(document, tasks, token))
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
             kept = with_told(kept, token, _taken_up_behind(document, token))
         if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (token, "object") for a in kept):
             kept = with_told(kept, token, in_need(observed, token) or _telegraphed(document, token))
+    for report in reports(document, tasks):
+        if report.message:
+            kept = [a for a in kept if a.tokens.start not in report.message]
+            kept.append(FoundArgument("message", report.verb, report.message, CERTAIN))
     for fragment in fragments(document):
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
+    for case in second_cases(document):
+        if case.carrier in tasks:
+            ahead = range(case.tokens.start)
+            kept = [
+                replace(a, tokens=range(a.tokens.start, min(a.tokens.stop, ahead.stop)))
+                if a.tokens.start in ahead
+                else a
+                for a in kept
+            ]
+            kept = [a for a in kept if a.tokens.start not in case.tokens]
+            kept += [FoundArgument(name, case.carrier, said, CERTAIN) for name, said in case.told.items()]
     for case in verbless_cases(document, tasks):
         within = [argument for argument in kept if not set(argument.tokens).isdisjoint(case.tokens)]
         last = [document.tokens[a.tokens[-1]] for a in within if a.owner == case.carrier]
@@ -202,6 +228,38 @@ def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
     """Whether it is who wishes for what is then only picked up: nobody is given what is taken."""
     is_ahead = argument.tokens.start < argument.owner
     return is_ahead and argument.type == "recipient" and tasks.get(argument.owner) == "taking"
+
+
+def _is_place_of_order(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
+    """Whether it tells where something is done that is ordered."""
+    return argument.type in _WHERE_TO and tasks.get(argument.owner) != "check_state"
+
+
+def _of_now(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments, none of which goes on from what is spoken of to what is to come: "*Tom*'s gonna be late"."""
+    coming = foreseen(document, check)
+    if not coming:
+        return list(arguments)
+    kept = [a for a in arguments if a.type == "state" or a.tokens.start not in coming]
+    return [
+        replace(a, tokens=range(a.tokens.start, check)) if a.tokens.start < check < a.tokens.stop else a for a in kept
+    ]
+
+
+def _of_looks(document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments without looks, which are no things, and with what is given one as its place: "give *the shed* a
+    quick scan"."""
+    kept = list(arguments)
+    for look in (*looks(document), *shouts(document)):
+        kept = [a for a in kept if a.tokens.start not in look.words]
+        is_whole = tasks.get(look.verb) != "searching" or any(a.owner == look.verb and a.type == "object" for a in kept)
+        if not is_whole and (sought := sought_by(document, look)):
+            kept = [a for a in kept if set(a.tokens).isdisjoint(sought)]
+            kept.append(FoundArgument("object", look.verb, sought, CERTAIN))
+        if look.place and tasks.get(look.verb) == "searching":
+            kept = [a for a in kept if set(a.tokens).isdisjoint(look.place)]
+            kept.append(FoundArgument("location", look.verb, look.place, CERTAIN))
+    return kept
 
 
 def _is_of_nobody(document: Document, argument: FoundArgument) -> bool:

@@ -8,22 +8,28 @@ from itertools import pairwise, zip_longest
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.conditions import untold
+from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.needs import needed
+from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
+from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_left_alone
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
+from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.verbless import verbless_cases
+from decomplex_bt.understanding.rules.waits import forgone, postponed
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -61,6 +67,8 @@ _NOT = frozenset("not n't n\u2019t nt".split())
 _CAN = frozenset("ca can could".split())
 _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
 """What may stand ahead of a "can't find", beside a mark."""
+_GIVING = frozenset(("give", "gimme"))
+_PAUSES = frozenset("minute min second sec moment mo tick".split())
 _CASES = frozenset("if unless when only_if until before after".split())
 _LOOKS = frozenset(("check_state", "searching"))
 _AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
@@ -71,8 +79,13 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     document = observed.document
     types_found = {task.token: task.type for task in tasks}
     found: list[FoundTask] = []
-    tasks = _with_passives(document, tasks)
+    called = {shout.verb for shout in shouts(document)}
+    looked = {look.verb: look.words for look in looks(document)}
+    tasks = [
+        task for task in _with_passives(document, tasks) if not _is_genitive(document, looked.values(), task.token)
+    ]
     asked = {question.verb: question for question in questions(document, types_found)}
+    idle = forgone(document)
     within_others = within_reports(document, types_found).union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
@@ -86,6 +99,10 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         token = _place(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
+        if task.type in _HANDLING and task.token in (*looked, *called):
+            task = replace(task, type="searching" if task.token in looked else "informing")
+        if (be := prospect_of(document, task.token)) is not None:
+            task = replace(task, token=be, type="check_state")
         if following is not None and is_light(document, task.token, following.token):
             task = replace(task, type=following.type)
         is_none = (
@@ -100,6 +117,10 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
             or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
+            or is_planned(document, task.token, types_found)
+            or task.token in idle
+            or (bool(found) and found[-1].token >= task.token)
+            or _is_pause(document, task.token)
             or _is_joined_state(document, task.token, types_found)
             or _is_name(observed, task.token)
             or (not found and following is not None and _is_missed(observed, task))
@@ -107,6 +128,19 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if not is_none:
             found.append(task)
     return _with_idioms(observed, found, types)
+
+
+def _is_pause(document: Document, at: int) -> bool:
+    """Whether somebody is only asked to wait: "gimme a sec", "give us a minute"."""
+    words = [token for token in document.tokens[at : at + 5] if token.lower not in ("me", "us", "just")]
+    if len(words) < 3 or words[0].lower not in _GIVING or words[1].lower not in ("a", "one"):
+        return False
+    return words[2].lower in _PAUSES and (len(words) == 3 or words[3].pos not in ("NOUN", "ADJ"))
+
+
+def _is_genitive(document: Document, looked: Collection[range], at: int) -> bool:
+    """Whether a "'s" is none of a check: "have a butcher's"."""
+    return document.tokens[at].lower in _IS_OR_HAS and any(at in words for words in looked)
 
 
 def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
@@ -126,12 +160,19 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     """The tasks with those that are idioms, needs, telegraphed or fragments, and without other words of these ("might
     be *switched*")."""
     document, found = observed.document, {task.token: task.type for task in tasks}
-    told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, found)}
+    later = postponed(observed, found)
+    told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, {**found, **later})}
+    told |= {report.verb: "informing" for report in reports(document, found)}
+    told |= {i: "informing" for i, *_ in shouts(document) if document.tokens[i].lower == "gimme" and i not in found}
+    told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
     for fragment in fragments(document):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
+    for case in second_cases(document):
+        behind.update(case.tokens)
+        idioms[case.carrier] = case.type
     idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}

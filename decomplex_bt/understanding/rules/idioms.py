@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import takewhile
-from typing import NamedTuple
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
+from decomplex_bt.understanding.references.looks import looks
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
-from decomplex_bt.understanding.rules.prohibitions import is_forbidden
-from decomplex_bt.understanding.rules.suppositions import MAY, participle, supposed
+from decomplex_bt.understanding.rules.suppositions import MAY, supposed
+from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
 
-_LOOKING = frozenset("look peek glance gander peep rummage squint nosy nose butchers hunt".split())
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))
 _SPEAKERS = frozenset(("i", "we"))
@@ -41,10 +40,8 @@ _NO_TERSE_STATES = frozenset("able possible necessary sure".split())
 _COMING = frozenset("going gon about supposed due bound set".split())
 _IS = frozenset("is are 's 're \u2019s \u2019re am 'm".split())
 _NOT = frozenset(("not", "n't", "n\u2019t", "just", "still", "really"))
+_SO_COMING = ("RB", "RP", "JJ", "VBN")
 _ITS = frozenset(("it", "them"))
-_AWAITING = frozenset(("before", "until", "till"))
-_HAVE = frozenset(("has", "have"))
-_BE_OR_HAVE = _HAVE | {"is", "are", "'s", "\u2019s", "'re"}
 _OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
 _NOBODY = (
     ("nobody", "else"), ("no", "one", "else"), ("nobody",), ("no", "one"), ("no", "-", "one"),
@@ -64,7 +61,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     checks = (
         supposed(document, tasks) | _weather(document, tasks) | _absences(document, tasks) | _terse(document, tasks)
     )
-    checks |= {i for i, told in _awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
+    checks |= {i for i, told in awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     checks |= _identities(document, tasks) | _prospects(document, tasks)
     orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
     return {
@@ -112,7 +109,29 @@ def _coming(document: Document, be: int) -> range:
         start += 1
     words = tokens[start : start + 3]
     is_coming = len(words) == 3 and words[0].lower in _COMING and words[1].lower in ("to", "na")
-    return range(start, start + 3) if is_coming and words[2].tag in ("VB", "VBP", "NN") else range(0)
+    if not is_coming or words[2].tag not in ("VB", "VBP", "NN"):
+        return range(0)
+    stop = start + 3
+    kinds = _SO_COMING if words[2].lower == "be" else ("RB", "RP")
+    stop += stop < len(tokens) and tokens[stop].lower in _ITS
+    while stop < len(tokens) and tokens[stop].tag in kinds and tokens[stop].lower not in ("then", "just"):
+        stop += 1
+    return range(start, stop)
+
+
+def prospect_of(document: Document, at: int) -> int | None:
+    """The "is" of a case in which something is going to be so, for a word behind it that says what: "if it *'s* gonna
+    be cold"; None for other words."""
+    tokens = document.tokens
+    be = next((i for i in range(at - 1, max(0, at - 7), -1) if tokens[i].lower in _IS), None)
+    if be is None or at not in _coming(document, be):
+        return None
+    return be if any(token.lower in ("if", "unless") for token in tokens[max(0, be - 5) : be]) else None
+
+
+def foreseen(document: Document, check: int) -> range:
+    """What is said to come behind a check: "going to freeze"; else empty."""
+    return _coming(document, check) if document.tokens[check].lower in _IS else range(0)
 
 
 def _terse(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
@@ -164,34 +183,6 @@ def _identities(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     )
 
 
-class _Awaited(NamedTuple):
-    """What a prohibition waits for: the verb that it forbids till then, and the tokens of who or what it is said of."""
-
-    forbidden: int
-    subject: range
-
-
-def _awaited(document: Document, tasks: Mapping[int, str]) -> dict[int, _Awaited]:
-    """The verbs of what is told behind a forbidden task and a "before", where no word up to the end of the clause is a
-    task yet ("don't start it before the basket *is* full"); with what they say."""
-    tokens, found = document.tokens, dict[int, _Awaited]()
-    for i, token in enumerate(tokens):
-        if token.lower not in _AWAITING:
-            continue
-        start = next((j + 1 for j in range(i - 1, -1, -1) if tokens[j].lower in MARKS | _JOINING), 0)
-        stop = next((j for j in range(i + 1, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
-        forbidden = next((j for j in range(start, i) if is_forbidden(document, j)), None)
-        if forbidden is None:
-            continue
-        be = next((j for j in range(i + 2, stop) if tokens[j].lower in _BE_OR_HAVE), None)
-        if be is None or tokens[be - 1].lower in _OTHERS - {"he", "she", "they"}:
-            continue
-        verb = participle(document, be) if tokens[be].lower in _HAVE else be
-        if not any(i < j < stop and j != verb for j in tasks):
-            found[verb] = _Awaited(forbidden, range(i + 1, be))
-    return found
-
-
 def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
     """Whether the words at `at` stand in one clause with a verb of informing ahead of them."""
     for i in range(at - 1, -1, -1):
@@ -203,34 +194,23 @@ def _is_told(document: Document, tasks: Mapping[int, str], at: int) -> bool:
 
 
 def _looks(document: Document, tasks: Mapping[int, str]) -> list[int]:
-    """Every "have" of an order to have a look at which no word is a task yet."""
+    """The verb of every order to have a look at which no word is a task yet."""
     tokens = document.tokens
     found = []
-    for i, token in enumerate(tokens[:-2]):
-        end = i + 3 + (tokens[i + 2].pos == "ADJ")
-        is_look = token.lemma == "have" and tokens[i + 1].lower in ("a", "another") and end <= len(tokens)
-        if not is_look or tokens[end - 1].lower not in _LOOKING or set(range(i + 1, end)) & set(tasks):
-            continue
-        if _is_of_others(document, i) or _is_told(document, tasks, i):  # "so that I can have a look"
-            continue
-        after = next((t.lower for t in tokens[end:] if t.lower not in (",", ":", "-")), "")
+    for look in looks(document):
+        words = range(look.verb + 1, look.words.stop)
+        is_found = any(i in tasks for i in words) or (look.verb in tasks and tokens[look.verb].lemma != "have")
+        if is_found or _is_of_others(document, look.verb) or _is_told(document, tasks, look.verb):
+            continue  # "so that I can have a look"
+        after = next((t.lower for t in tokens[look.words.stop :] if t.lower not in (",", ":", "-")), "")
         if after not in _ASKED:  # "have a look, is the gate open?" asks
-            found.append(i)
+            found.append(look.verb)
     return found
-
-
-def is_look(document: Document, words: range) -> bool:
-    """Whether words only say that somebody has a look: the "a gander" of "have *a gander* in the shed"."""
-    said = [token.lower for token in document.tokens[words.start : words.stop]]
-    has = document.tokens[words.start - 1].lemma if words.start else ""
-    return has in ("have", "take") and len(said) in (2, 3) and said[0] in ("a", "another") and said[-1] in _LOOKING
 
 
 def is_light(document: Document, verb: int, noun: int) -> bool:
     """Whether a verb only helps a noun that is the order: "*have* a look", "*take* a quick peek"."""
-    tokens = document.tokens
-    is_close = verb + 1 < noun <= verb + 3 and tokens[verb + 1].lower in ("a", "another", "one")
-    return is_close and tokens[verb].lemma in ("have", "take") and tokens[noun].lower in _LOOKING
+    return any(look.verb == verb and noun in look.words for look in looks(document))
 
 
 def _lettings(document: Document) -> list[int]:
@@ -291,7 +271,7 @@ def _is_of_clause(document: Document, tasks: Mapping[int, str], verb: int) -> bo
     if verb == 0 or tokens[verb - 1].lower in MARKS or _is_of_others(document, verb):
         return verb > 0 and tokens[verb - 1].lower not in MARKS
     start = next((j + 1 for j in range(verb - 1, -1, -1) if tokens[j].lower in MARKS), 0)
-    opening = [j for j in range(start, verb) if tokens[j].lower in _OPENING | _AWAITING | {"after"}]
+    opening = [j for j in range(start, verb) if tokens[j].lower in _OPENING | AWAITING | {"after"}]
     orders = [j for j, kind in tasks.items() if start <= j < verb and kind != "check_state"]
     is_case = bool(opening) and (not orders or tokens[opening[-1]].lower not in _CASES)
     others = [j for j in document.children[tokens[verb].head] if tokens[j].dep == "nsubj" and start <= j < verb]
@@ -357,9 +337,9 @@ def predicated(document: Document, check: int) -> dict[str, range]:
             found["object"] = subject
         if tokens[check].lower != "be":
             return found
-    elif awaited := _awaited(document, {}).get(check):
-        found["object"] = awaited.subject
-        if tokens[check].lower not in _BE_OR_HAVE:
+    elif told := awaited(document, {}).get(check):
+        found["object"] = told.subject
+        if tokens[check].lower not in BE_OR_HAVE:
             return found
     elif not _is_of_nobody(document, check):
         return {}

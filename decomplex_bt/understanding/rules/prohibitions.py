@@ -12,7 +12,7 @@ from decomplex_bt.understanding.features import Observed
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even".split())
-_OMITTING = frozenset("forget omit neglect fail hesitate".split())
+OMITTING = frozenset("forget omit neglect fail hesitate".split())
 """What not to do is to see to it: "don't forget to lock up", "don't hesitate to wake me"."""
 _LIMITS = frozenset("only just merely simply".split())
 """What is "not only" done is done as well."""
@@ -68,7 +68,7 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
             verb += 1
         if verb + 2 < len(tokens) and tokens[verb].lower in _NEEDING and tokens[verb + 1].lower == "to":
             verb += 2  # "you don't need to wash it"
-        is_named = verb < len(tokens) and tokens[verb].lemma not in _OMITTING
+        is_named = verb < len(tokens) and tokens[verb].lemma not in OMITTING
         if is_named and _is_bare(document, verb) and not _has_subject(document, verb):
             found += [verb, *_joined(document, verb)]
     return tuple(sorted(set(found)))
