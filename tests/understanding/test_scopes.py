@@ -285,3 +285,30 @@ def test_what_is_fetched_of_what_is_checked_to_be_there_hangs_on_that(check: str
     named = named.replace("the soup", "[the soup](1:object)")
     found = clauses(f"[See](1:check_state) {named} and {order}.")
     assert stated_roles(found, ("task", "task"))[0] == role
+
+
+@pytest.mark.parametrize(
+    ("ahead", "behind", "side"),
+    [
+        (
+            "[Dust](1:change_state) [the shelf](1:object)",
+            "[put](4:placing) [them](4:object) [there](4:goal) instead",
+            "top",
+        ),
+        (
+            "[Dust](1:change_state) [the toys](1:object)",
+            "[put](4:placing) [them](4:object) [there](4:goal) instead",
+            ">1-",
+        ),
+        ("[Dust](1:change_state) [the shelf](1:object)", "[wash](4:change_state) [them](4:object) instead", ">1-"),
+        ("[Dust](1:change_state) [the shelf](1:object)", "[put](4:placing) [them](4:object) [there](4:goal)", ">1-"),
+    ],
+)
+def test_what_is_done_instead_stands_in_place_of_the_last_order_of_its_kind(ahead: str, behind: str, side: str) -> None:
+    found = clauses(
+        f"{ahead} and [put](2:placing) [the toys](2:object) [in the box](2:goal). If [the box](3:object) "
+        f"[is](3:check_state) [full](3:state), {behind}."
+    )
+    roles = ("task", "condition")
+    sides = stated_sides(found, ("task", *roles, "task"), (">1-", ">1-", "top", "<1+"))
+    assert sides[0] == side

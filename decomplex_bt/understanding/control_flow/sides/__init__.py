@@ -45,6 +45,7 @@ _RULES = (
     scopes.list_on,
     scopes.make_up,
     scopes.move_on,
+    scopes.replace_last,
     scopes.gather,
     scopes.confine,
     scopes.withhold,

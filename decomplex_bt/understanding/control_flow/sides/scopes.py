@@ -23,6 +23,7 @@ _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _LEAVING = frozenset(("leave", "keep"))
+_CARRYING = frozenset(("placing", "bringing", "taking"))
 _FILLED = frozenset("full packed crammed overflowing".split())
 _TELLING = frozenset(("informing", "check_state"))
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
@@ -268,6 +269,26 @@ def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         return
     for j in range(k, len(clauses)):
         if sides[j] != sides[k - 1] or not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = "top"
+
+
+def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done *instead* in a case that is asked in a sentence of its own stands in place of the last order of its
+    kind, with the same thing, not of those ahead about others ("before you sweep, put the toys in the box. If it's
+    full, put them on the shelf *instead*")."""
+    if k < 2 or k + 1 == len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, other = clauses[k - 1], clauses[k + 1]
+    is_instead = "instead" in (*other.near, *other.behind) and other.has_pronoun and sides[k + 1] == HOLDS
+    is_alike = order.task.type == other.task.type and order.task.type in _CARRYING and bool(order.objects)
+    if not is_instead or not is_alike or sides[k - 1] != ">1-" or clauses[k].sentence == order.sentence:
+        return
+    for j in range(k - 2, -1, -1):
+        clause = clauses[j]
+        if roles[j] != "task" or sides[j] != ">1-" or clause.has_pronoun:
+            return
+        if not frozenset(order.objects).isdisjoint(clause.nouns) or clause.sentence != order.sentence:
             return
         sides[j] = "top"
 
