@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS
+from decomplex_bt.understanding.rules.edits import HESITATING
 
 COMMA, STOP = -1, -2
 """Marks that the text does not have, among tokens to be told."""
@@ -94,7 +95,8 @@ def restored(
         if is_told_again or any(place in carriers for place in places[span.start : span.end]):
             return replace(argument, span=None)
         first = instruction.text.find(" ", span.start, span.end) + 1  # of the word behind the first one
-        is_apart = first > 0 and places[first] - places[first - 2] > 2
+        between = text[places[first - 2] + 1 : places[first]].lower().replace(",", " ").split() if first > 0 else []
+        is_apart = not HESITATING.issuperset(between)  # "on um the table" is put once
         if is_apart and instruction.text[span.start : first - 1].lower() in PREPOSITIONS:
             value = (
                 instruction.text[first : span.end] if argument.value == span.of(instruction.text) else argument.value

@@ -226,3 +226,10 @@ _PARSER = Parser()
 )
 def test_words_that_also_mend_are_often_meant(parser: Parser, text: str) -> None:
     assert left(parser, text) == text
+
+
+def test_an_um_behind_a_preposition_leaves_it_with_its_place() -> None:
+    text = "put the um blue cup on uh the table"
+    (put,) = Interpreter.load(encoder=False).interpret(text).tasks
+    told = {a.type: (a.value, a.span.of(text)) for a in put.arguments if a.span is not None}
+    assert told == {"object": ("the blue cup", "the um blue cup"), "goal": ("on the table", "on uh the table")}
