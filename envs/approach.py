@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Generator
 
 from decomplex_bt.envs.embodiment import Action, HouseholdEmbodiment
-from decomplex_bt.envs.floorplan import Cells
+from decomplex_bt.envs.floorplan import Cells, rect_distance
 from decomplex_bt.envs.navigation import steer_turn, wrap
 
 Script = Generator[Action, None, None]
@@ -58,11 +58,11 @@ def approach(body: HouseholdEmbodiment, target: str, room: str | None = None, *,
         use_from = senses.room if senses.room in rooms else room if room in rooms else rooms[0]
         assert use_from is not None
         cells = body.floorplan.cells_at(target, room=use_from)
-        stop = body.config.reach - CONFIDENT_REACH
+        footprint, stop = body.floorplan.footprint(target), body.config.reach - CONFIDENT_REACH
 
         def is_there() -> bool:
-            near_enough = senses.room == use_from and senses.distance(target) <= stop
-            return near_enough and not is_closer and _is_in_front(body, target, cells)
+            near_enough = senses.room == use_from and rect_distance(footprint, *senses.pose.point) <= stop
+            return near_enough and not is_closer and _is_in_front(body, cells)
 
         anywhere = body.floorplan.cells_within(target, body.config.reach - REACH_MARGIN, room=use_from)
         yield from drive_to(body, cells, is_there, towards=say_name(target), second_best=anywhere)
@@ -146,7 +146,7 @@ def drive_to(
         yield body.drive(*course.drive)
 
 
-def _is_in_front(body: HouseholdEmbodiment, place: str, cells: Cells) -> bool:
+def _is_in_front(body: HouseholdEmbodiment, cells: Cells) -> bool:
     """Whether the robot is as good as on one of the cells from which a place is used."""
     if not cells.size:
         return False

@@ -19,6 +19,9 @@ from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
 
 Action = dict[str, Any]
+_NO_INTERACTION = int(Interaction.NONE)
+_RESULT_TEXTS = tuple("" if result is Result.NONE else result.name.lower().replace("_", " ") for result in Result)
+"""What `Percept.result` says of each result."""
 _SENSED = ("robot", "held", "entities", "result", "seconds")
 """The keys of an observation that the body goes by."""
 
@@ -86,7 +89,7 @@ class HouseholdEmbodiment:
             states=senses.states,
             inspected=senses.inspected,
             near=senses.near,
-            result=_result_text(senses.result),
+            result=_RESULT_TEXTS[senses.result],
             seconds=senses.seconds,
             unseen=senses.unseen,
         )
@@ -108,15 +111,18 @@ class HouseholdEmbodiment:
         """Takes an observation in, unless it is the one taken in last."""
         if observation is self._last:
             return
-        _check(observation)
+        try:
+            self.senses.take(observation)
+        except (KeyError, IndexError, TypeError, ValueError, AttributeError):
+            _check(observation)
+            raise
         self._last = observation
-        self.senses.take(observation)
 
     def drive(self, forward: float, turn: float) -> Action:
         """The action that drives: shares of the limits in [-1, 1]."""
         return {
-            "drive": np.array([min(1.0, max(-1.0, forward)), min(1.0, max(-1.0, turn))], dtype=np.float32),
-            "interact": int(Interaction.NONE),
+            "drive": np.array((forward, turn), np.float32),
+            "interact": _NO_INTERACTION,
             "target": 0,
         }
 
@@ -146,10 +152,3 @@ def _check(observation: Any) -> None:
             f"the observation's entities have the shape {np.shape(observation['entities'])}; expected one row for "
             "each entity. Of a vector environment give each agent the observation of its own environment"
         )
-
-
-def _result_text(result: Result) -> str:
-    """What `Percept.result` says of a result."""
-    if result is Result.NONE:
-        return ""
-    return result.name.lower().replace("_", " ")

@@ -85,6 +85,11 @@ class Floorplan:
         self.cell_x = self.x0 + (index % self.columns + 0.5) * RESOLUTION
         self.cell_y = self.y0 + (index // self.columns + 0.5) * RESOLUTION
         self._x, self._y = self.cell_x[: self.columns], self.cell_y[:: self.columns]
+        names = geometry.names[: geometry.place_count]
+        self._footprints: dict[str, Rect] = {
+            **{name: tuple(rect) for name, rect in zip(names, geometry.footprints.tolist(), strict=True)},
+            **geometry.openings,
+        }
         self.clearance = self._clearance()
         self.free: Mask = self.clearance >= self.inflation
         self._free = self.free.reshape(self.rows, self.columns)
@@ -113,10 +118,7 @@ class Floorplan:
 
     def footprint(self, place: str) -> Rect:
         """The rectangle of a piece of furniture, a floor (its room) or a doorway. Raises `KeyError`."""
-        if place in self.geometry.openings:
-            return self.geometry.openings[place]
-        left, bottom, right, top = self.geometry.footprints[self.geometry.row[place]].tolist()
-        return left, bottom, right, top
+        return self._footprints[place]
 
     def rooms_of(self, place: str) -> tuple[str, ...]:
         """The room of a place, or the two rooms that a doorway joins. Raises `KeyError`."""
@@ -391,7 +393,10 @@ def _shares(count: int) -> NDArray[np.float64]:
 
 def rect_distance(rect: Rect, x: float, y: float) -> float:
     """Metres from a point to a rectangle; 0 inside."""
-    return math.hypot(max(rect[0] - x, 0.0, x - rect[2]), max(rect[1] - y, 0.0, y - rect[3]))
+    left, bottom, right, top = rect
+    across = left - x if x < left else x - right if x > right else 0.0
+    along = bottom - y if y < bottom else y - top if y > top else 0.0
+    return math.hypot(across, along)
 
 
 def _rect_distances(rect: Rect, x: NDArray, y: NDArray) -> NDArray:

@@ -24,6 +24,8 @@ BACK_OFF = 0.6
 """[s] How long it backs off."""
 MAX_RESCUES = 3
 """How often it backs off before it gives up."""
+SLOWEST = 0.08
+"""[m/s] It creeps at this speed at least."""
 DITHERING = 6.0
 """[s] Moving about for so long without coming nearer to the goal counts as stuck as well."""
 
@@ -56,8 +58,7 @@ class Limits:
 DEFAULT_LIMITS = Limits()
 
 
-@dataclass(frozen=True, slots=True)
-class Course:
+class Course(NamedTuple):
     """What to do now: `drive` is (forward, turn) as shares of the limits in [-1, 1].
 
     `has_arrived` and a non-empty `problem` (why there is no getting there) both end the drive.
@@ -81,7 +82,11 @@ class Driver:
         self.limits = limits
         self._way: Way | None = None
         self._rest: list[Point] = []
+        self._behind_next = 0.0
         self._minded: tuple[Disc, ...] = ()
+        self._obstacles: Sequence[Disc] = ()
+        self._new: list[Disc] = []
+        self._leeway: tuple[Point, float] | None = None
         self._checked: Point | None = None
         self._anchor: Point | None = None
         self._anchor_heading = 0.0
@@ -115,12 +120,14 @@ class Driver:
     def _plan(self, pose: Pose, closed: frozenset[str], obstacles: Sequence[Disc]) -> str:
         way = self.floorplan.way(pose.point, self.goal, closed=closed)
         self._minded = ()
-        if way is not None and _blocking(way.points, obstacles, self.floorplan.inflation, math.inf):
+        if way is not None and _leeway(way.points, obstacles, self.floorplan.inflation, math.inf) < 0:
             self._minded = tuple(obstacles)
             way = self._way_around(pose, closed, obstacles) or way
         if way is None:
             return "no way there" if not closed else f"no way there with {', '.join(sorted(closed))} closed"
         self._way, self._rest = way, list(way.points)
+        self._behind_next = _length(self._rest)
+        self._note(obstacles)
         return ""
 
     def _way_around(self, pose: Pose, closed: frozenset[str], obstacles: Sequence[Disc]) -> Way | None:
@@ -136,20 +143,35 @@ class Driver:
 
     def _is_obstructed(self, pose: Pose, obstacles: Sequence[Disc]) -> bool:
         """Whether something new stands in the way ahead."""
-        new = [o for o in obstacles if not _has_near(self._minded, o)]
-        return bool(new) and _blocking([pose.point, *self._rest], new, self.floorplan.inflation - 0.05, LOOK_AHEAD)
+        if obstacles != self._obstacles:
+            self._note(obstacles)
+        if not self._new:
+            return False
+        point = pose.point
+        if self._leeway is None or math.dist(point, self._leeway[0]) >= self._leeway[1]:
+            leeway = _leeway([point, *self._rest], self._new, self.floorplan.inflation - 0.05, LOOK_AHEAD)
+            self._leeway = point, leeway
+            return leeway < 0
+        return False
+
+    def _note(self, obstacles: Sequence[Disc]) -> None:
+        """Notes what stands about, and what of it was not minded when the way was made."""
+        self._obstacles = obstacles
+        self._new = [disc for disc in obstacles if not _has_near(self._minded, disc)]
+        self._leeway = None
 
     def _pursue(self, pose: Pose) -> Course:
         assert self._way is not None
         rest = self._rest
         while len(rest) > 1 and self._can_skip(pose, rest):
             rest.pop(0)
-            self._checked = None
+            self._behind_next = _length(rest)
+            self._checked = self._leeway = None
         target = rest[0]
         gap = math.hypot(target[0] - pose.x, target[1] - pose.y)
         if len(rest) == 1 and gap <= ARRIVED:
             return Course(has_arrived=True)
-        return Course(drive=self._towards(pose, target, gap, is_last=len(rest) == 1))
+        return Course(self._towards(pose, target, gap, is_last=len(rest) == 1))
 
     def _can_skip(self, pose: Pose, rest: list[Point]) -> bool:
         assert self._way is not None
@@ -162,33 +184,36 @@ class Driver:
 
     def _towards(self, pose: Pose, target: Point, gap: float, *, is_last: bool) -> tuple[float, float]:
         limits = self.limits
-        error = wrap(math.atan2(target[1] - pose.y, target[0] - pose.x) - pose.heading)
+        x, y, heading, speed, _ = pose
+        error = wrap(math.atan2(target[1] - y, target[0] - x) - heading)
         turn = steer_turn(error, limits)
         if abs(error) > 1.0:
             return 0.0, turn
         corner = 0.0 if is_last else 0.35
         # Brakes so as to stop at the target; a step is lost before a command takes effect.
-        braking = max(0.0, gap - abs(pose.speed) * limits.step)
-        speed = min(limits.speed, math.sqrt(2 * 0.8 * limits.acceleration * braking) + corner)
-        speed = max(0.08, speed) * max(0.0, math.cos(error)) ** 3
-        return speed / limits.speed, turn
+        braking = gap - abs(speed) * limits.step
+        wanted = corner if braking <= 0 else math.sqrt(2 * 0.8 * limits.acceleration * braking) + corner
+        if wanted < SLOWEST:
+            wanted = SLOWEST
+        share = wanted / limits.speed if wanted < limits.speed else 1.0
+        return share * math.cos(error) ** 3, turn
 
     def _is_stuck(self, pose: Pose) -> bool:
-        return self._has_dithered(pose) or self._has_stopped(pose)
+        point = pose.point
+        return self._has_dithered(point) or self._has_stopped(point, pose.heading)
 
-    def _has_dithered(self, pose: Pose) -> bool:
+    def _has_dithered(self, point: Point) -> bool:
         """Whether the rest of the way has not become shorter for long."""
-        points = [pose.point, *self._rest]
-        left = sum(map(math.dist, points, self._rest)) if self._rest else math.inf
+        left = math.dist(point, self._rest[0]) + self._behind_next if self._rest else math.inf
         if left < self._nearest - PROGRESS:
             self._nearest, self._dithered = left, 0.0
         self._dithered += self.limits.step
         return self._dithered > DITHERING
 
-    def _has_stopped(self, pose: Pose) -> bool:
-        moved = self._anchor is None or math.hypot(pose.x - self._anchor[0], pose.y - self._anchor[1]) > PROGRESS
-        if moved or abs(wrap(pose.heading - self._anchor_heading)) > 0.3:
-            self._anchor, self._anchor_heading, self._idle = pose.point, pose.heading, 0.0
+    def _has_stopped(self, point: Point, heading: float) -> bool:
+        has_moved = self._anchor is None or math.dist(point, self._anchor) > PROGRESS
+        if has_moved or abs(wrap(heading - self._anchor_heading)) > 0.3:
+            self._anchor, self._anchor_heading, self._idle = point, heading, 0.0
             return False
         self._idle += self.limits.step
         return self._idle > PATIENCE
@@ -201,9 +226,9 @@ class Driver:
 
 def steer_turn(error: float, limits: Limits) -> float:
     """The turning command in [-1, 1] that takes a heading error (rad) away without overshooting."""
-    braking = math.sqrt(2 * 0.6 * limits.turn_acceleration * abs(error))
-    rate = min(limits.turn_rate, braking, abs(error) / (1.5 * limits.step))
-    return math.copysign(rate / limits.turn_rate, error)
+    size, fastest = abs(error), limits.turn_rate
+    rate = min(fastest, math.sqrt(2 * 0.6 * limits.turn_acceleration * size), size / (1.5 * limits.step))
+    return math.copysign(rate / fastest, error)
 
 
 def wrap(angle: float) -> float:
@@ -215,18 +240,25 @@ def _has_near(discs: Sequence[Disc], disc: Disc) -> bool:
     return any(math.hypot(d.x - disc.x, d.y - disc.y) < 0.15 for d in discs)
 
 
-def _blocking(points: Sequence[Point], discs: Sequence[Disc], inflation: float, horizon: float) -> bool:
-    """Whether a disc stands on the polyline, within `horizon` metres of its start."""
-    travelled = 0.0
+def _length(points: Sequence[Point]) -> float:
+    """Metres along a polyline."""
+    return sum(map(math.dist, points, points[1:]))
+
+
+def _leeway(points: Sequence[Point], discs: Sequence[Disc], inflation: float, horizon: float) -> float:
+    """How far (m) the start of a polyline can move before a disc may stand on it; negative where one does.
+
+    Of a polyline only the segments that begin within `horizon` metres of its start count.
+    """
+    leeway, travelled = math.inf, 0.0
     for start, end in pairwise(points):
         if travelled > horizon:
-            return False
+            return min(leeway, travelled - horizon)
         length = math.hypot(end[0] - start[0], end[1] - start[1])
         for disc in discs:
-            if _segment_distance(start, end, length, disc) < disc.radius + inflation:
-                return True
+            leeway = min(leeway, _segment_distance(start, end, length, disc) - (disc.radius + inflation))
         travelled += length
-    return False
+    return leeway
 
 
 def _segment_distance(start: Point, end: Point, length: float, disc: Disc) -> float:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kinds
-from decomplex_bt.envs.floorplan import Disc, Floorplan, rect_distance
+from decomplex_bt.envs.floorplan import Disc, Floorplan
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Result
 from decomplex_bt.envs.navigation import Pose
 
@@ -81,6 +81,7 @@ class Senses:
         self._rect = (0.0, 0.0, 0.0, 0.0)
         self.held: str | None = None
         self.tray: tuple[str | None, ...] = ()
+        self._carried = b""
         self.result = Result.NONE
         self.seconds = 0.0
         self.places: Places = MappingProxyType({})
@@ -90,7 +91,7 @@ class Senses:
         self.near: frozenset[str] = frozenset()
         self._near: list[str] = []
         self._near_places: list[str] = []
-        self._near_from = (0.0, 0.0, "", -1.0)
+        self._near_from = ((0.0, 0.0), "", -1.0)
         self._position = np.full((count, 2), np.nan)
         self._data = b""
         self._visible = np.zeros(count, dtype=bool)
@@ -98,23 +99,29 @@ class Senses:
         self._signature: tuple[bytes, bytes, tuple[str, ...]] | None = None
         self._recalled: tuple[str, ...] = ()
         self._door_states: dict[str, str] = {}
+        self._closed: frozenset[str] | None = None
         self._about: list[Obstacle] = []
         self._stood: dict[str, tuple[float, float]] = {}
         self._walked_at: dict[str, float] = {}
         self._lying: list[Obstacle] = []
         self._on_floors: list[tuple[str, int]] = []
+        self._obstacles: list[Disc] = []
+        self._besides: str | None = None
+        self._until = -math.inf
         self._told: dict[int, tuple[list[float], str | None, dict[tuple[str, str], str]]] = {}
 
     def take(self, observation: Mapping[str, Any]) -> None:
         """Takes one observation in. Call it once per observation, in order."""
         x, y, heading, speed, turn_rate = observation["robot"].tolist()
+        carried, result, (seconds,) = observation["held"], observation["result"], observation["seconds"].tolist()
         self.pose = Pose(x, y, heading, speed, turn_rate)
         self.room = self._room_at(x, y)
-        held, *tray = observation["held"].tolist()
-        self.held = self.names[held] if held >= 0 else None
-        self.tray = tuple(self.names[row] if row >= 0 else None for row in tray)
-        self.result = _RESULTS[int(observation["result"])]
-        self.seconds = float(observation["seconds"][0])
+        if (data := carried.tobytes()) != self._carried:
+            self._carried = data
+            self.held, *tray = (self.names[row] if row >= 0 else None for row in carried.tolist())
+            self.tray = tuple(tray)
+        self.result = _RESULTS[result]
+        self.seconds = seconds
         self._take_table(observation["entities"][: len(self.names)])
         self._take_near()
 
@@ -160,16 +167,22 @@ class Senses:
 
     def closed_doors(self) -> frozenset[str]:
         """The doorways last seen closed."""
-        return frozenset(name for name, value in self._door_states.items() if value == "closed")
+        if self._closed is None:
+            self._closed = frozenset(name for name, value in self._door_states.items() if value == "closed")
+        return self._closed
 
     def note_opened(self, name: str) -> None:
         """Notes that the robot has opened a door, which it need not see: it may have its back to it."""
         if name in self._door_states:
-            self._door_states[name] = "open"
+            self._door_states[name], self._closed = "open", None
 
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
         """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
-        return [disc for name, disc, until in (*self._about, *self._lying) if name != besides and self.seconds < until]
+        if besides != self._besides or self.seconds >= self._until:
+            now = [each for each in (*self._about, *self._lying) if each[0] != besides and self.seconds < each[2]]
+            self._obstacles = [disc for _, disc, _ in now]
+            self._besides, self._until = besides, min((until for *_, until in now), default=math.inf)
+        return self._obstacles
 
     def _was_seen(self, row: int, within: float) -> bool:
         return bool(self._visible[row]) or self.seconds - self._seen_at[row] < within
@@ -181,6 +194,7 @@ class Senses:
         if data == self._data:  # between two looks the table stays as it is
             return
         self._data = data
+        self._until = -math.inf
         self._seen_at[self._visible] = self.seconds
         self._visible = visible = table[:, _VISIBLE] > 0.5
         known = visible | ((table[:, _X] != 0) | (table[:, _Y] != 0))
@@ -251,7 +265,7 @@ class Senses:
             if its_states:
                 states.update(its_states)
                 if name in self.house.doorways:
-                    self._door_states[name] = its_states[name, "aperture"]
+                    self._door_states[name], self._closed = its_states[name, "aperture"], None
         for name in self._recalled:
             places[name] = self.room_of_person(name) or ""
         unseen = set(self._recalled)
@@ -277,10 +291,10 @@ class Senses:
         return (self.names[at] if at >= 0 else None), states
 
     def _take_near(self) -> None:
-        x, y = self.pose.point
-        ax, ay, room, margin = self._near_from
-        if room != self.room or math.hypot(x - ax, y - ay) >= margin:
-            self._take_near_places()
+        point = x, y = self.pose.point
+        at, room, margin = self._near_from
+        if room != self.room or math.dist(point, at) >= margin:
+            self._take_near_places(point)
         near = self._near_places
         for name, disc, until in self._about:
             is_seen = self.seconds < until - REMEMBERED + STEADY
@@ -289,18 +303,23 @@ class Senses:
         if near != self._near:
             self._near, self.near = near, frozenset(near)
 
-    def _take_near_places(self) -> None:
+    def _take_near_places(self, point: tuple[float, float]) -> None:
         """The places at which the robot is, and how far it may move before it need be asked again."""
-        x, y = self.pose.point
+        x, y = point
         near, margin = [], math.inf
         for name, rect in self._fixed.get(self.room, ()):
-            distance = rect_distance(rect, x, y)
-            if distance <= NEAR_PLACE:
+            left, bottom, right, top = rect
+            across = left - x if x < left else x - right if x > right else 0.0
+            along = bottom - y if y < bottom else y - top if y > top else 0.0
+            beyond = math.hypot(across, along) - NEAR_PLACE
+            if beyond <= 0:
                 near.append(name)
-            margin = min(margin, abs(distance - NEAR_PLACE))
+                beyond = -beyond
+            if beyond < margin:
+                margin = beyond
         if self.room:
             near.append(self.house.floor_of(self.room))
-        self._near_places, self._near_from = near, (x, y, self.room, margin)
+        self._near_places, self._near_from = near, (point, self.room, margin)
 
 
 def _kept(old: Mapping, new: dict) -> Mapping:

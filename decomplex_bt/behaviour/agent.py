@@ -106,16 +106,16 @@ class TreeAgent:
         session = self.session
         if self._has_finished:
             return self._body.finish()
-        self._tick(observation)
-        if self.tree.root.status == Status.RUNNING:
+        self._tick(session, observation)
+        if self.tree.root.status is Status.RUNNING:
             assert session.action is not None
             return session.action
         self._has_finished = True
         return self._body.finish()
 
-    def _tick(self, observation: Any) -> None:
+    def _tick(self, session: Session, observation: Any) -> None:
         """Ticks the tree once; where all that comes of it is an action of the leaf that runs, only that leaf."""
-        self.session.begin_tick(observation)
+        session.begin_tick(observation)
         tree, leaf = self.tree, self._running
         if leaf is not None and leaf.status is Status.RUNNING and not _is_watched(tree) and leaf.work():
             tree.count += 1
@@ -132,7 +132,7 @@ class TreeAgent:
         for _ in range(LAST_TICKS):
             if self._has_finished or self.tree.root.status in (Status.SUCCESS, Status.FAILURE):
                 return
-            self._tick(ended)
+            self._tick(self._session, ended)
 
     # -- how it stands ------------------------------------------------------------------------------------------------
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.pddl import GroundAction
@@ -19,8 +18,7 @@ class SkillStatus(Enum):
     FAILURE = "failure"
 
 
-@dataclass(frozen=True, slots=True)
-class SkillTick:
+class SkillTick(NamedTuple):
     """What a skill wants done now. `action` is what the body's environment takes; `reason` says why it failed."""
 
     status: SkillStatus

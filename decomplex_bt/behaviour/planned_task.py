@@ -184,11 +184,11 @@ class PlannedTask(Behaviour):
     def _tick_skill(self) -> Any:
         """Ticks the skill; its action while it runs, None when it has ended, which the belief is told."""
         assert self._skill is not None
-        session, step = self.session, self._steps[self._position]
+        session = self.session
         tick = self._skill.tick(session.observation)
         if tick.status is SkillStatus.RUNNING:
             return tick.action
-        self._skill = None
+        step, self._skill = self._steps[self._position], None
         if tick.status is SkillStatus.SUCCESS:
             self._position += 1
             session.belief.succeeded(step)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+_NOTHING: Mapping[Any, str] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class Percept:
+class Percept(NamedTuple):
     """One look at the world.
 
     `room`: the robot's room. `held`: the thing in the gripper. `tray`: the things on it by slot, None where free.
@@ -22,8 +24,8 @@ class Percept:
     room: str
     held: str | None = None
     tray: tuple[str | None, ...] = (None, None, None, None)
-    places: Mapping[str, str] = field(default_factory=dict)
-    states: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    places: Mapping[str, str] = _NOTHING
+    states: Mapping[tuple[str, str], str] = _NOTHING
     inspected: frozenset[str] = frozenset()
     near: frozenset[str] = frozenset()
     result: str = ""

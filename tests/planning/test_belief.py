@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from decomplex_bt.domain.loader import load_domain
@@ -149,19 +147,19 @@ def test_what_is_put_off_while_nothing_is_new_makes_no_difference() -> None:
         change = int(rng.integers(12))
         if change == 0:
             seen = {thing: places[rng.integers(2)] for thing in things if rng.random() < 0.5}
-            percept = replace(percept, places=seen, unseen=frozenset(name for name in seen if rng.random() < 0.3))
+            percept = percept._replace(places=seen, unseen=frozenset(name for name in seen if rng.random() < 0.3))
         elif change == 1:
-            percept = replace(percept, inspected=frozenset(p for p in places[:2] if rng.random() < 0.5))
+            percept = percept._replace(inspected=frozenset(p for p in places[:2] if rng.random() < 0.5))
         elif change == 2:
-            percept = replace(percept, states={("desk", "cleanliness"): ("clean", "dirty")[rng.integers(2)]})
+            percept = percept._replace(states={("desk", "cleanliness"): ("clean", "dirty")[rng.integers(2)]})
         elif change == 3:
-            percept = replace(percept, near=frozenset(p for p in places[:2] if rng.random() < 0.5))
+            percept = percept._replace(near=frozenset(p for p in places[:2] if rng.random() < 0.5))
         elif change == 4:
-            percept = replace(percept, room=rooms[rng.integers(2)])
+            percept = percept._replace(room=rooms[rng.integers(2)])
         elif change == 5:
-            percept = replace(percept, held=(None, "keys")[rng.integers(2)])
+            percept = percept._replace(held=(None, "keys")[rng.integers(2)])
         quick.update(percept)
-        thorough.update(replace(percept, places=dict(percept.places), states=dict(percept.states)))
+        thorough.update(percept._replace(places=dict(percept.places), states=dict(percept.states)))
         if rng.random() < 0.1:
             for belief in (quick, thorough):
                 belief.succeeded(GroundAction("place", ("pen_1", "desk")))
