@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from gymnasium.spaces import Dict
 
+from decomplex_bt.envs.feasibility import narrowed
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X, Y
 from decomplex_bt.envs.truth import Truth
@@ -124,14 +125,12 @@ class OraclePolicy(TreePolicy):
             session.belief.update(session.embodiment.perceive(see_all(self._env, observation)))
         for _ in range(_LOOKS):  # what was seen through walls is out of sight again
             session.belief.update(session.embodiment.perceive(dict(observation)))
-        refused = _refused(self._env.domain, self._env.truth())
-        for step in refused:
+        domain, truth = self._env.domain, self._env.truth()
+        for step in _refused(domain, truth):
             session.belief.failed(step, "broken")
-        switched = [t for t in self.agent.grounded.tasks if t.type == "change_state" and t.state == "on"]
-        for referent in (referent for task in switched for referent in task.objects if not referent.is_all):
-            able = tuple(n for n in referent.candidates if GroundAction("switch-on", (n,)) not in refused)
-            if able:  # of two lamps that may be meant, the one that can be switched on
-                session.bindings = {**session.bindings, referent: able}
+        for task in self.agent.grounded.tasks:
+            if task.type == "change_state":  # of two lamps that may be meant, the one that can be switched on
+                session.bindings = {**session.bindings, **narrowed(task, session.bindings, domain, truth)}
 
 
 class RandomPolicy:

@@ -59,6 +59,18 @@ def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Trut
     return result if isinstance(result, Cause) else None
 
 
+def narrowed(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings:
+    """The bindings with what a task is to be done with narrowed to what it can be done with.
+
+    As they are where it cannot be done at all; of a phrase that means all of something, nothing is left out.
+    """
+    result = _possible(task, bindings, domain, truth)
+    if isinstance(result, Cause):
+        return bindings
+    able = {referent: names for referent, names in result.items() if not referent.is_all}
+    return {**bindings, **{r: names for r, names in able.items() if len(names) < len(candidates(r, bindings))}}
+
+
 # -- one task ---------------------------------------------------------------------------------------------------------
 
 

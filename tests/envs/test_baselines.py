@@ -104,6 +104,25 @@ def test_of_two_lamps_the_oracle_takes_the_one_that_works(env):
     assert info["is_success"], (info, policy.failures)
 
 
+def test_of_two_cups_the_oracle_takes_the_one_that_need_not_be_filled(env):
+    asked = read_markup(
+        "If [the cup](1:object) [is](1:check_state) [dirty](1:state), [rinse](2:change_state) [it](2:object=the cup). "
+        "Then [fill](3:change_state) [the cup](3:object) [at the coffee machine](3:location).",
+        DOMAIN.ontology,
+        flow=[{"if": 1, "then": [2]}, 3],
+    )
+    states = {"cup_1": ["clean", "full"], "cup_2": ["dirty", "empty"]}
+    options = {"instruction": asked, "broken": ["coffee_machine"], "states": states, "noise": False, "balance": 0.0}
+    observation, info = env.reset(seed=2, options=options)
+    policy = env.unwrapped.policy("oracle", flow=asked)
+    policy.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(policy.act(observation))
+    assert info["feasible"]
+    assert info["is_success"], (info, policy.failures)
+
+
 def test_idle_gives_up_at_once(env):
     info, actions, _ = run(env, "idle")
     assert not info["is_success"]
