@@ -21,6 +21,7 @@ import resource
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import count, cycle
@@ -47,7 +48,7 @@ FILLS = 4
 WARM_UP = 1000
 """Resets before anything is measured, as in any training: what is remembered of a house is there by then."""
 PUSHT = f"""
-from statistics import median
+import sys
 from time import perf_counter
 import gymnasium, gym_pusht, numpy
 peer = gymnasium.make("gym_pusht/PushT-v0", obs_type="state")
@@ -62,12 +63,13 @@ def steps(act):
         spent += perf_counter() - start
         if terminated or truncated:
             peer.reset()
-    return {STEPS} / spent
+    return spent / {STEPS}
 goal = numpy.array([256.0, 256.0], dtype=numpy.float32)
-for act in (peer.action_space.sample, lambda: goal):
-    print(median(steps(act) for _ in range(9)))
+for _ in sys.stdin:
+    print(steps(peer.action_space.sample), steps(lambda: goal), flush=True)
 """
-"""PushT's steps a second, as `_peer_steps` counts them, in an interpreter of its own."""
+"""PushT's seconds a step, as `_seconds_a_step` counts them, in an interpreter of its own; once for each line it is
+given."""
 
 
 def main(rounds: int = 9, other_python: str = sys.executable) -> None:
@@ -117,16 +119,23 @@ def _peers(other_python: str) -> dict[str, tuple[float, ...]]:
         peer = gym.make(identity)
         peer.action_space.seed(0)
         sides[name] = (peer, peer.action_space.sample, lambda: 0)
-    spent: dict[str, tuple[list[float], ...]] = {name: ([], []) for name in sides}
-    for _ in range(9):
-        for name, (env, *samplers) in sides.items():
-            for times, sample in zip(spent[name], samplers, strict=True):
-                times.append(_seconds_a_step(env, sample))
-    rates = {name: tuple(1 / median(times) for times in both) for name, both in spent.items()}
-    pushed = subprocess.run([other_python, "-c", PUSHT], capture_output=True, text=True, check=False)
-    if pushed.returncode == 0:
-        rates["PushT"] = tuple(map(float, pushed.stdout.split()))
-    return rates
+    spent: dict[str, tuple[list[float], ...]] = {name: ([], []) for name in (*sides, "PushT")}
+    command = [other_python, "-c", PUSHT]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen(command, text=True, **pipes) as pusht:
+        assert pusht.stdin is not None
+        assert pusht.stdout is not None
+        for _ in range(9):
+            for name, (env, *samplers) in sides.items():
+                for times, sample in zip(spent[name], samplers, strict=True):
+                    times.append(_seconds_a_step(env, sample))
+            with suppress(BrokenPipeError):  # that interpreter lacks it
+                print(file=pusht.stdin, flush=True)
+            for times, seconds in zip(spent["PushT"], map(float, pusht.stdout.readline().split()), strict=False):
+                times.append(seconds)
+        with suppress(BrokenPipeError):
+            pusht.stdin.close()
+    return {name: tuple(1 / median(times) for times in both) for name, both in spent.items() if both[0]}
 
 
 def _act_at_random(env: gym.Env[Any, Any]) -> Sampler:

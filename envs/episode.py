@@ -126,7 +126,7 @@ class Episode:
         is_late = world.seconds >= self._max_seconds - 1e-9
         before = self.verdict
         event = world.event
-        is_deed = event is not None and (event.result is _OK or self.judge.minds_attempts)
+        is_deed = event is not None and event.result is _OK
         is_news = has_looked or is_deed or world.arrangement != self._judged_arrangement
         if is_news or is_finished or is_late or self.judge.minds_position:
             self._judged_arrangement = world.arrangement

@@ -97,12 +97,6 @@ class Judge:
         assert self._monitor is not None
         return self._monitor.minds_position
 
-    @property
-    def minds_attempts(self) -> bool:
-        """Whether somebody was asked to lead the way, so that every step counts in which anything was tried."""
-        assert self._monitor is not None
-        return self._monitor.has_asked
-
     def report(self, constant: Mapping[str, Any], others: Iterable[str]) -> dict[str, Any]:
         """The verdict so far, for an episode's info, beside what is constant in it: a fresh mapping of plain values.
 
