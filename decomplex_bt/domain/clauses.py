@@ -26,7 +26,8 @@ _MARKS = re.compile(r"[.,;:!?]")
 _NOBODY = re.compile(r"\b(nobody|no[- ]?one)\b", re.IGNORECASE)
 _ANYTHING = re.compile(r"\b(nothing|anything|something)\b", re.IGNORECASE)
 _THERE = re.compile(
-    r"\bthere('s|\u2019s|s| is| are| be| was| were)(n't|n\u2019t)?\b|^\W*(is|are|was|were)(n't|n\u2019t)? there (?=\w)",
+    r"\bthere('s|\u2019s|s| is| are| be| was| were| ai)(n['\u2019]?t)?\b"
+    r"|^\W*(is|are|was|were|ai)(n['\u2019]?t)? there (?=\w)",
     re.IGNORECASE,
 )
 

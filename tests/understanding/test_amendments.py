@@ -347,3 +347,20 @@ def test_what_there_is_is_no_state() -> None:
     task = Interpreter.load().interpret("If there's less than half a jug left, fill it.").task(1)
     assert task.value("object") == "less than half a jug"
     assert "jug" not in (task.value("state") or "")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Go to the icebox and see if there is any tea left. If there is, bring me a glass.",
+        "If there's any rice left over, put it in the fridge.",
+        "is there any juice left? if so bring me a glass",
+        "if there arent any pizzas left get me the noodles",
+    ],
+)
+def test_that_something_is_left_is_no_state_of_it_and_nothing_is_missing(text: str) -> None:
+    instruction = Interpreter.load().interpret(text)
+    checks = [task for task in instruction.tasks if task.type == "check_state"]
+    assert checks
+    assert not any(task.value("state") for task in checks)
+    assert not instruction.missing

@@ -27,6 +27,7 @@ from decomplex_bt.understanding.rules.checks import (
     with_named_state,
     with_told,
     with_whole_state,
+    without_left,
 )
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
@@ -115,6 +116,7 @@ def amended(
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
             kept = with_whole_state(document, that_there_is(document, kept, token), token)
+            kept = without_left(document, kept, token)
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
             kept = _of_now(document, kept, token)

@@ -21,6 +21,7 @@ _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _STATING = frozenset("be 's \u2019s 're have".split())
+_LEFT = frozenset("left over still".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
 _DESCRIBING = frozenset(("JJ", "VBN", "JJR"))
 _JOINING = frozenset(("and", "or", "but"))
@@ -87,6 +88,18 @@ def that_there_is(document: Document, arguments: Sequence[FoundArgument], check:
         if (a.owner, a.type) == (check, "state") and any(document.tokens[i].pos == "NOUN" for i in a.tokens)
         else a
         for a in arguments
+    ]
+
+
+def without_left(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments without a state that only says that there is something: "if there is any milk *left*"."""
+    around = {document.tokens[i].lower for i in range(max(check - 1, 0), min(check + 3, len(document)))}
+    if "there" not in around:
+        return list(arguments)
+    return [
+        a
+        for a in arguments
+        if (a.owner, a.type) != (check, "state") or {document.tokens[i].lower for i in a.tokens} - _LEFT
     ]
 
 
