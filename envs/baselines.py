@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from gymnasium.spaces import Dict
 
-from decomplex_bt.envs.feasibility import narrowed
+from decomplex_bt.envs.feasibility import feasible_bindings
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X, Y
 from decomplex_bt.envs.truth import Truth
@@ -130,7 +130,7 @@ class OraclePolicy(TreePolicy):
             session.belief.failed(step, "broken")
         for task in self.agent.grounded.tasks:
             if task.type == "change_state":  # of two lamps that may be meant, the one that can be switched on
-                session.bindings = {**session.bindings, **narrowed(task, session.bindings, domain, truth)}
+                session.bindings = feasible_bindings(task, session.bindings, domain, truth)
 
 
 class RandomPolicy:

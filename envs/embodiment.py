@@ -31,7 +31,7 @@ class BodyConfig:
     """What the body knows of itself. Metres.
 
     `reach`: how far from its centre the gripper gets; `reach_person`: how far it speaks and hands over; `radius`: of
-    the robot; `wall_thickness`: of the house's walls.
+    the robot.
     """
 
     limits: Limits = DEFAULT_LIMITS
@@ -114,7 +114,7 @@ class HouseholdEmbodiment:
         try:
             self.senses.take(observation)
         except (KeyError, IndexError, TypeError, ValueError, AttributeError):
-            _check(observation)
+            _check(observation)  # only now, for it would be a part of every tick
             raise
         self._last = observation
 

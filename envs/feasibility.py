@@ -59,7 +59,7 @@ def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Trut
     return result if isinstance(result, Cause) else None
 
 
-def narrowed(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings:
+def feasible_bindings(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Bindings:
     """The bindings with what a task is to be done with narrowed to what it can be done with.
 
     As they are where it cannot be done at all; of a phrase that means all of something, nothing is left out.

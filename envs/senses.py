@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.kinds import Kinds
-from decomplex_bt.envs.floorplan import Disc, Floorplan
+from decomplex_bt.envs.floorplan import Disc, Floorplan, rect_distance
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Result
 from decomplex_bt.envs.navigation import Pose
 
@@ -177,7 +177,10 @@ class Senses:
             self._door_states[name], self._closed = "open", None
 
     def obstacles(self, *, besides: str | None = None) -> list[Disc]:
-        """The people seen in the last seconds and the things seen on floors now, except for `besides`."""
+        """The people seen in the last seconds and the things seen on floors now, except for `besides`.
+
+        The same list while nothing in it changes: not to be altered.
+        """
         if besides != self._besides or self.seconds >= self._until:
             now = [each for each in (*self._about, *self._lying) if each[0] != besides and self.seconds < each[2]]
             self._obstacles = [disc for _, disc, _ in now]
@@ -308,15 +311,10 @@ class Senses:
         x, y = point
         near, margin = [], math.inf
         for name, rect in self._fixed.get(self.room, ()):
-            left, bottom, right, top = rect
-            across = left - x if x < left else x - right if x > right else 0.0
-            along = bottom - y if y < bottom else y - top if y > top else 0.0
-            beyond = math.hypot(across, along) - NEAR_PLACE
+            beyond = rect_distance(rect, x, y) - NEAR_PLACE
             if beyond <= 0:
                 near.append(name)
-                beyond = -beyond
-            if beyond < margin:
-                margin = beyond
+            margin = min(margin, abs(beyond))
         if self.room:
             near.append(self.house.floor_of(self.room))
         self._near_places, self._near_from = near, (point, self.room, margin)
