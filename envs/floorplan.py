@@ -28,7 +28,7 @@ Window = tuple[slice, slice]
 """Rows and columns of the grid."""
 
 RESOLUTION = 0.06
-"""[m] Side of a grid cell; the narrowest passage of the default house leaves six cells."""
+"""[m] Side of a grid cell, unless asked otherwise; the narrowest passage of the default house leaves six cells."""
 MARGIN = 0.04
 """[m] Kept free around the robot besides its radius."""
 COMFORT = 0.40
@@ -72,18 +72,22 @@ class Way:
 
 
 class Floorplan:
-    """The free space of a house for a disc of `radius`, with the cells from which each place is used."""
+    """The free space of a house for a disc of `radius`, with the cells from which each place is used.
 
-    def __init__(self, geometry: Geometry, *, radius: float = 0.22) -> None:
+    `resolution`: the side of a cell. Metres.
+    """
+
+    def __init__(self, geometry: Geometry, *, radius: float = 0.22, resolution: float = RESOLUTION) -> None:
         self.geometry = geometry
+        self.resolution = resolution
         self.house = geometry.house
         self.inflation = radius + MARGIN
         self.x0, self.y0, right, top = geometry.bounds
-        self.columns = math.ceil((right - self.x0) / RESOLUTION)
-        self.rows = math.ceil((top - self.y0) / RESOLUTION)
+        self.columns = math.ceil((right - self.x0) / self.resolution)
+        self.rows = math.ceil((top - self.y0) / self.resolution)
         index = np.arange(self.rows * self.columns)
-        self.cell_x = self.x0 + (index % self.columns + 0.5) * RESOLUTION
-        self.cell_y = self.y0 + (index // self.columns + 0.5) * RESOLUTION
+        self.cell_x = self.x0 + (index % self.columns + 0.5) * self.resolution
+        self.cell_y = self.y0 + (index // self.columns + 0.5) * self.resolution
         self._x, self._y = self.cell_x[: self.columns], self.cell_y[:: self.columns]
         names = geometry.names[: geometry.place_count]
         self._footprints: dict[str, Rect] = {
@@ -176,7 +180,7 @@ class Floorplan:
 
     def _window(self, rect: Rect, margin: float) -> Window:
         """The window of the cells within a margin around a rectangle, and some more."""
-        margin += RESOLUTION
+        margin += self.resolution
         x0, x1, y0, y1 = min(rect[0], rect[2]), max(rect[0], rect[2]), min(rect[1], rect[3]), max(rect[1], rect[3])
         columns = np.searchsorted(self._x, (x0 - margin, x1 + margin)).tolist()
         rows = np.searchsorted(self._y, (y0 - margin, y1 + margin)).tolist()
@@ -252,11 +256,11 @@ class Floorplan:
     def is_clear(self, start: Point, end: Point, free: Mask) -> bool:
         """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
         length = math.hypot(end[0] - start[0], end[1] - start[1])
-        count = min(int(length / (RESOLUTION / 2)) + 1, len(_COUNTED) - 1)
+        count = min(int(length / (self.resolution / 2)) + 1, len(_COUNTED) - 1)
         steps = _shares(count)
-        first = (start[0] - self.x0) / RESOLUTION, (start[1] - self.y0) / RESOLUTION
-        columns = (first[0] + steps * ((end[0] - start[0]) / RESOLUTION)).astype(np.int32)
-        rows = (first[1] + steps * ((end[1] - start[1]) / RESOLUTION)).astype(np.int32)
+        first = (start[0] - self.x0) / self.resolution, (start[1] - self.y0) / self.resolution
+        columns = (first[0] + steps * ((end[0] - start[0]) / self.resolution)).astype(np.int32)
+        rows = (first[1] + steps * ((end[1] - start[1]) / self.resolution)).astype(np.int32)
         cells = rows * self.columns + columns
         return b"\0" not in free.take(cells, mode="clip").tobytes()
 
@@ -287,7 +291,7 @@ class Floorplan:
         if not off.size or off.min() > ENTRY:
             return None
         nearest = off.min()
-        if nearest > RESOLUTION:
+        if nearest > self.resolution:
             off = np.where(off <= nearest + ENTRY_SLACK, off + left, math.inf)
         row, column = divmod(int(off.argmin()), off.shape[1])
         return (row + rows.start) * self.columns + column + columns.start
@@ -367,7 +371,7 @@ class Floorplan:
             first, second = one.ravel(), other.ravel()
             keep = self.free[first] & self.free[second]
             first, second = first[keep], second[keep]
-            cost = length * RESOLUTION * (1 + DISCOMFORT * (tightness[first] + tightness[second]) / 2)
+            cost = length * self.resolution * (1 + DISCOMFORT * (tightness[first] + tightness[second]) / 2)
             firsts.append(first)
             seconds.append(second)
             costs.append(cost)

@@ -91,6 +91,7 @@ class Monitor:
         self.minds_position = True
         self._room = truth.room
         self._executed = tuple(instruction.task(node.task) for node, _ in instruction.flow.walk())
+        self._has_following = any(task.type == "following" for task in self._executed)
         self._holds = self._goals_that_hold()
         self.verdict = self._judge()
 
@@ -325,7 +326,7 @@ class Monitor:
         """Ends every reading in which a task that is not due was brought about by no means to the one that is."""
         has_acted = event is not None and event.result is Result.OK
         if has_acted and event is not None and event.interaction is Interaction.SAY and event.goal is not None:
-            self.has_asked = True
+            self.has_asked = self._has_following
         if not has_acted and self.truth.room == self._room and not self.has_asked:
             return
         before, self._holds = self._holds, self._goals_that_hold()

@@ -365,9 +365,10 @@ class World:
 
     def _locate(self, rows: list[int]) -> None:
         """Brings the rooms of things and people that moved in line, and the floors that the things lie on."""
-        rooms = self.geometry.rooms_at(self._position[rows])
-        for row, room in zip(rows, rooms.tolist(), strict=True):
-            if room == self.room[row]:
+        before = self.room[rows].tolist()
+        for row, (x, y), was in zip(rows, self._position[rows].tolist(), before, strict=True):
+            room = self.geometry.room_at(x, y, guess=was)
+            if room == was:
                 continue
             self.room[row] = room
             self.arrangement += 1
