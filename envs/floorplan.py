@@ -6,10 +6,12 @@ World frame as in the house file, metres. Everything here follows from the map a
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +48,8 @@ ENTRY_SLACK = 0.12
 _FARTHEST = 1e9
 """[m] Longer than any way, and shorter than an edge that is not free."""
 _FIELDS_KEPT = 256
+_TRIED_AT_ONCE = 16
+"""Points that are tried together when a way is drawn tight."""
 _COUNTED = np.arange(2000, dtype=float)
 
 
@@ -255,9 +259,7 @@ class Floorplan:
 
     def is_clear(self, start: Point, end: Point, free: Mask) -> bool:
         """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
-        length = math.hypot(end[0] - start[0], end[1] - start[1])
-        count = min(int(length / (self.resolution / 2)) + 1, len(_COUNTED) - 1)
-        steps = _shares(count)
+        steps = _shares(self._count_samples(math.dist(start, end)))
         first = (start[0] - self.x0) / self.resolution, (start[1] - self.y0) / self.resolution
         columns = (first[0] + steps * ((end[0] - start[0]) / self.resolution)).astype(np.int32)
         rows = (first[1] + steps * ((end[1] - start[1]) / self.resolution)).astype(np.int32)
@@ -336,12 +338,29 @@ class Floorplan:
         """The polyline drawn tight: corners only where the straight line is not free."""
         tight, anchor, index = [points[0]], 0, 1
         while index < len(points):
-            if index + 1 < len(points) and self.is_clear(points[anchor], points[index + 1], free):
-                index += 1
-                continue
-            tight.append(points[index])
-            anchor, index = index, index + 1
+            beyond = points[index + 1 : index + 1 + _TRIED_AT_ONCE]
+            clear = self._count_clear(points[anchor], beyond, free)
+            index += clear
+            if clear < _TRIED_AT_ONCE:
+                tight.append(points[index])
+                anchor, index = index, index + 1
         return tight
+
+    def _count_clear(self, start: Point, ends: Sequence[Point], free: Mask) -> int:
+        """How many of some points `is_clear` says yes to before it says no."""
+        if not ends:
+            return 0
+        counts = [self._count_samples(math.dist(start, end)) for end in ends]
+        shares = np.concatenate([_shares(count) for count in counts])
+        across, along = ((np.array(ends) - start) / self.resolution).repeat(counts, axis=0).T
+        columns = ((start[0] - self.x0) / self.resolution + shares * across).astype(np.int32)
+        rows = ((start[1] - self.y0) / self.resolution + shares * along).astype(np.int32)
+        blocked = free.take(rows * self.columns + columns, mode="clip").tobytes().find(b"\0")
+        return len(ends) if blocked < 0 else bisect_right(list(accumulate(counts)), blocked)
+
+    def _count_samples(self, length: float) -> int:
+        """On how many cells a straight line of so many metres is looked at."""
+        return min(int(length / (self.resolution / 2)) + 1, len(_COUNTED) - 1)
 
     # -- the grid -----------------------------------------------------------------------------------------------------
 

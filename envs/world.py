@@ -365,9 +365,9 @@ class World:
 
     def _locate(self, rows: list[int]) -> None:
         """Brings the rooms of things and people that moved in line, and the floors that the things lie on."""
-        before = self.room[rows].tolist()
-        for row, (x, y), was in zip(rows, self._position[rows].tolist(), before, strict=True):
-            room = self.geometry.room_at(x, y, guess=was)
+        for row in rows:
+            was = int(self.room[row])
+            room = self.geometry.room_at(*self._position[row].tolist(), guess=was)
             if room == was:
                 continue
             self.room[row] = room
