@@ -21,11 +21,10 @@ from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
 from decomplex_bt.flow import If, Node
 from decomplex_bt.planning.abilities import wipers_of
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 
 MOST_READINGS = 32
 """Ways to take a task's phrases that are tried at most; two candidates for each of five phrases."""
-FINDING_OUT = frozenset(("searching", "check_state"))
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, given_up, name_candidates, needed
 from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
-from decomplex_bt.envs.feasibility import FINDING_OUT, Assumed, Course, enter, find_cause, plan_course, plan_rest
+from decomplex_bt.envs.feasibility import Assumed, Course, enter, find_cause, plan_course, plan_rest
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
 from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, outcomes
 from decomplex_bt.envs.truth import Moment, Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event

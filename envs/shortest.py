@@ -33,13 +33,12 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
-from decomplex_bt.envs.feasibility import FINDING_OUT
 from decomplex_bt.envs.floorplan import RESOLUTION, Floorplan, floorplan_of
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.planning.abilities import is_fixed, wipers_of
-from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundTask, Referent
 
 if TYPE_CHECKING:
     from decomplex_bt.domain.loader import Domain

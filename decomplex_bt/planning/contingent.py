@@ -20,7 +20,7 @@ from decomplex_bt.instruction import escaped
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import Belief
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.pursuit import Bindings, PursuitStatus
@@ -45,7 +45,7 @@ class TaskPlan:
     @property
     def senses(self) -> bool:
         """Whether it finds something out, and changes nothing."""
-        return self.type in _FINDING_OUT
+        return self.type in FINDING_OUT
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, keys in this order; those that are false or empty are left out, but for the steps."""
@@ -75,7 +75,6 @@ class Choice:
 
 
 PlanNode = TaskPlan | Choice
-_FINDING_OUT = frozenset(("searching", "check_state"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +130,7 @@ class _Branch:
 
     def _pursue(self, task: GroundTask) -> TaskPlan:
         before = len(self.world.steps)
-        finds_out = task.type in _FINDING_OUT or task.question is not None
+        finds_out = task.type in FINDING_OUT or task.question is not None
         pursuit = self.world.run(task, self.belief, self.planner, self.bindings, up_to_looks=finds_out)
         self.bindings = pursuit.bindings
         has_held = pursuit.status is PursuitStatus.DONE and pursuit.truth is not False

@@ -16,6 +16,9 @@ HERE = "here"
 HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 """Types of tasks that do something with their objects."""
 
+FINDING_OUT = frozenset(("searching", "check_state"))
+"""Types of tasks that come out as true or false by where and how things are."""
+
 
 @dataclass(frozen=True, slots=True)
 class Referent:

@@ -7,25 +7,23 @@ gives are errors, each with the task's number; nothing is guessed from words tha
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import ImpossibleGoalError, InputError, MissingArgumentError, UnknownWordError
-from decomplex_bt.instruction import Argument, Instruction, Missing, Task
+from decomplex_bt.errors import ImpossibleGoalError, InputError, UnknownWordError
+from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import bringable_values, states_of
+from decomplex_bt.planning.completion import Ask, Completion
 from decomplex_bt.planning.devices import steps_elsewhere
 from decomplex_bt.planning.distribution import distributed
-from decomplex_bt.planning.exclusions import excluded_phrase, with_clauses, without_exclusion
-from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
-from decomplex_bt.planning.noun_phrase import NounPhrase
-from decomplex_bt.planning.others import too_few
-from decomplex_bt.planning.phrases import picked_words, read_phrases, rooms_of
+from decomplex_bt.planning.exclusions import with_clauses, without_exclusion
+from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.objects import Objects
+from decomplex_bt.planning.phrases import read_phrases, rooms_of
 from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
-from decomplex_bt.planning.several import Several
 from decomplex_bt.planning.sources import with_source
 from decomplex_bt.planning.state_words import read_state
 from decomplex_bt.planning.told_by_place import with_places_told
@@ -33,11 +31,7 @@ from decomplex_bt.planning.wording import Wording
 
 __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 
-Ask = Callable[[Missing], str | None]
-"""Answers a question about a missing argument, None if it has no answer."""
-
 FILL, FULL, EMPTY = "fill", "full", "empty"
-FINDING_OUT = ("searching", "check_state")
 SOMEBODY, ANYTHING = "somebody", "anything"
 
 _JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
@@ -73,14 +67,15 @@ class _Grounder:
     """Grounds the tasks in the order of the text."""
 
     def __init__(self, instruction: Instruction, domain: Domain, ask: Ask | None) -> None:
-        self.instruction, self.domain, self.ask = instruction, domain, ask
+        self.instruction, self.domain = instruction, domain
         self.house = domain.house
         self.mentions = {n.task: [instruction.task(i) for i in n.tasks[1:]] for n, _ in instruction.flow.walk()}
         self.wording, self.referents = (
             Wording(instruction, domain),
             Referents(instruction.text, instruction.flow, domain),
         )
-        self.several = Several(domain)
+        self.completion = Completion(instruction, domain, self.wording, self.mentions, ask)
+        self.objects = Objects(domain, self.referents)
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
@@ -110,14 +105,14 @@ class _Grounder:
             task = replace(task, arguments=(*others, Argument("object", self._nobody_of(task))))
         elif self.wording.is_of_anything(task):
             task = replace(task, arguments=(*task.arguments, Argument("object", ANYTHING)))
-        task = self._complete(task, state is not None)
+        task = self.completion.complete(task, state is not None)
         bare = self._bare(task)
         grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
-        self.several.note(grounded)
+        self.objects.note(grounded)
         if left_out is None:
             return grounded
         try:
-            return self._less(grounded, task, left_out.words)
+            return self.objects.less(grounded, task, left_out.words)
         except InputError:
             if not left_out.is_aside:
                 raise
@@ -134,13 +129,13 @@ class _Grounder:
     def mention(self, task: Task) -> GroundTask:
         """A task that speaks of another again and is not executed: without what it says where that is not enough for a
         task of its own ("if it doesn't work")."""
-        ask, self.ask = self.ask, None
+        ask, self.completion.ask = self.completion.ask, None
         try:
             return self.ground(task)
         except InputError:
             return self._bare(task)
         finally:
-            self.ask = ask
+            self.completion.ask = ask
 
     def _bare(self, task: Task) -> GroundTask:
         return GroundTask(task.id, task.type, self.instruction.phrase(task.id), (task.span.start, task.span.end))
@@ -167,7 +162,7 @@ class _Grounder:
 
     def _searching(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
-        objects, inner = self._objects(task, lambda name: True, "be looked for")
+        objects, inner = self.objects.find(task, lambda name: True, "be looked for")
         fixed = [r for r in objects if all(self.referents.is_fixed(name) for name in r.candidates)]
         if fixed and not places:
             return replace(bare, places=tuple(fixed), objects=tuple(r for r in objects if r not in fixed))
@@ -175,7 +170,7 @@ class _Grounder:
 
     def _taking(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "source", "location")
-        objects, inner = self._objects(task, self.referents.is_thing, "be carried")
+        objects, inner = self.objects.find(task, self.referents.is_thing, "be carried")
         return replace(bare, objects=objects, places=places + inner, is_only_there=self._is_only_there(task))
 
     def _is_only_there(self, task: Task) -> bool:
@@ -184,7 +179,7 @@ class _Grounder:
         sources = {self._place_words(a.value) for a in task.arguments if a.type in ("source", "location")}
         said = [phrase for words in task.values("object") for phrase in read_phrases(words, self.domain)]
         return bool(sources) and (
-            any(map(self._is_anything, said))
+            any(map(self.objects.is_anything, said))
             or any(
                 self._place_words(argument.value) in sources or self._is_there(argument)
                 for mention in self.mentions.get(task.id, ())
@@ -262,11 +257,11 @@ class _Grounder:
             words = task.span.of(self.instruction.text)
         places = self._places(task, "location", "source") if where is not None else ()
         if self._asks_absence(task, words, where):
-            objects, inner = self._objects(task, lambda name: True, "be looked for")
+            objects, inner = self.objects.find(task, lambda name: True, "be looked for")
             left = places if where is not None and self.wording.is_left(where) else ()
             return self._absence(replace(bare, objects=objects, places=left + inner, state=HERE, is_denied=True), task)
         if words is None or (self.wording.is_presence(words) and not self._is_state_of_objects(task, words)):
-            objects, inner = self._objects(task, lambda name: True, "be looked for")
+            objects, inner = self.objects.find(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
         objects, inner = self._stateful(task, places, words, state)
         _, value = self._value_of(objects, words, state, task)
@@ -316,7 +311,7 @@ class _Grounder:
 
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         goal = task.argument("goal", "path")
-        objects, _ = self._objects(task, self.referents.is_person, "be followed")
+        objects, _ = self.objects.find(task, self.referents.is_person, "be followed")
         return replace(bare, objects=objects, goal=self._whither(goal) if goal is not None else None)
 
     def _whither(self, argument: Argument) -> Referent:
@@ -362,7 +357,7 @@ class _Grounder:
 
     def _other(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         """A task type of a domain of one's own: its goal template is all there is to it."""
-        objects, places = self._objects(task, lambda name: True, f"be an object of {task.type}")
+        objects, places = self.objects.find(task, lambda name: True, f"be an object of {task.type}")
         recipient, goal = task.argument("recipient"), task.argument("goal")
         return replace(
             bare,
@@ -373,82 +368,6 @@ class _Grounder:
             state=state,
             message=task.value("message"),
         )
-
-    # -- what is not said ---------------------------------------------------------------------------------------------
-
-    def _complete(self, task: Task, has_state: bool) -> Task:
-        """The task with its missing arguments asked for. Raises `MissingArgumentError` where there is no answer."""
-        task_type = self.domain.ontology.task_types[task.type]
-        missing = {m.argument for m in self.instruction.missing if m.task == task.id}
-        task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in missing))
-        task = self._with_mentions(task)
-        given = {argument.type for argument in task.arguments}
-        if task.type in ("bringing", "informing"):
-            given.add("recipient")
-        if self.wording.is_of_weather(task):
-            said = task.value("state") or task.span.of(self.instruction.text)
-            raise ImpossibleGoalError(
-                f"nothing here tells the weather, the day or what it is like somewhere ({said!r}); "
-                "ask about a thing or a person"
-            )
-        if has_state or (task.type == "check_state" and self.wording.says_state(task)):
-            given.add("state")
-        for group in task_type.required:
-            if not given & set(group):
-                self._check_stateless(task, group[0])
-                answer = self._answer(task, group[0], task_type.questions[group[0]])
-                task = replace(task, arguments=(*task.arguments, Argument(group[0], answer)))
-        return task
-
-    def _check_stateless(self, task: Task, lacking: str) -> None:
-        """Raises `ImpossibleGoalError` where an order lacks a state and what it is about has none to ask for."""
-        if task.type != "change_state" or lacking != "state" or task.value("object") is None:
-            return
-        phrases = [phrase for said in task.values("object") for phrase in read_phrases(said, self.domain)]
-        if any(states_of(name, self.domain) for p in phrases for name in (*p.entities, *p.plurals)):
-            return
-        done, what = task.span.of(self.instruction.text).lower(), task.value("object")
-        raise ImpossibleGoalError(
-            f"{done!r} says nothing that can be done with {what!r} here, which has no state to change; "
-            "ask for something else"
-        )
-
-    def _with_mentions(self, task: Task) -> Task:
-        """A bare check with what later words say that it asks ("Check the window. If open, …", "… if any is …"), a
-        search with where they say that it looks ("Open the drawer and look for the pen. If it is there, …")."""
-        if task.type == "searching" and task.argument("location", "source") is None:
-            where = self._mentioned_place(task)
-            return task if where is None else replace(task, arguments=(*task.arguments, where))
-        if task.type != "check_state" or not self.wording.is_bare_check(task):
-            return task
-        asked, said = task.argument("state"), task.argument("object")
-        if asked is not None and said is not None and self.wording.is_of_any(asked):
-            one_of = replace(said, value=f"any of {said.value}", span=None)
-            task = replace(task, arguments=(*(a for a in task.arguments if a is not said), one_of))
-        for mention in self.mentions.get(task.id, ()):
-            word = Argument("state", mention.span.of(self.instruction.text)) if self.wording.is_state(mention) else None
-            state = mention.argument("state") or word
-            if state is not None and task.argument("state", "location") is None:
-                task = replace(task, arguments=(*task.arguments, state))
-            said = mention.argument("object")
-            is_same = said is not None and task.values("object") == (said.value,)
-            if said is not None and is_same and picked_words(said, self.instruction.text, self.domain):
-                task = replace(task, arguments=(*(a for a in task.arguments if a.type != "object"), said))
-        return task
-
-    def _mentioned_place(self, task: Task) -> Argument | None:
-        """Where later mentions of a search say that it looks."""
-        mentions = (m for m in self.mentions.get(task.id, ()) if m.type in FINDING_OUT)
-        places = (place for m in mentions if (place := m.argument("location")) is not None)
-        return next((place for place in places if not self.wording.is_presence(place.value)), None)
-
-    def _answer(self, task: Task, argument: str, question: str) -> str:
-        missing = next((m for m in self.instruction.missing if (m.task, m.argument) == (task.id, argument)), None)
-        missing = missing or Missing(task.id, argument, question)
-        answer = self.ask(missing) if self.ask is not None else None
-        if not answer:
-            raise MissingArgumentError(missing)
-        return answer
 
     def _user(self) -> Referent:
         return Referent(self.house.user, (self.house.user,))
@@ -488,7 +407,7 @@ class _Grounder:
         is_said = words is not None or state is None or state in verb or verb in state
         label = f"be {state or words}{'' if is_said else f' (so {verb!r} is read)'}: being {values}"
         label += " is not modelled for {}"
-        objects, inner = self._objects(task, has_state, label, rooms=rooms)
+        objects, inner = self.objects.find(task, has_state, label, rooms=rooms)
         return tuple(one for referent in objects for one in self._each_in(referent, places)), inner
 
     def _each_in(self, referent: Referent, places: tuple[Referent, ...]) -> tuple[Referent, ...]:
@@ -539,87 +458,6 @@ class _Grounder:
 
     def _can_become(self, name: str, pair: str, value: str) -> bool:
         return pair in states_of(name, self.domain) and value in bringable_values(name, pair, self.domain)
-
-    # -- things and places --------------------------------------------------------------------------------------------
-
-    def _objects(
-        self, task: Task, fits: Callable[[str], bool], ability: str, *, rooms: Iterable[str] = ()
-    ) -> tuple[tuple[Referent, ...], tuple[Referent, ...]]:
-        """The referents of the object arguments that fit, and of the places inside their phrases."""
-        objects: list[Referent] = []
-        inner: list[Referent] = []
-        for argument in task.arguments:
-            if argument.type != "object":
-                continue
-            for phrase in self.referents.phrases(argument):
-                self._refuse_anything(task, phrase)
-                one = self.referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False)
-                every, places = self.several.read(phrase, one, task.type)
-                objects.append(every)
-                inner.extend(places)
-                if phrase.place is not None and self.referents.may_move(objects[-1:]):
-                    inner.append(self.referents.where(phrase.place))
-        objects = self._joined(objects)
-        self._refuse_everything(task, objects, inner)
-        return tuple(objects), tuple(inner)
-
-    def _joined(self, objects: list[Referent]) -> list[Referent]:
-        """The objects of one task where one is other than another of them: "a pen and one more" are two pens."""
-        joined: list[Referent] = []
-        for referent in objects:
-            same = next((other for other in joined if other in referent.others), None)
-            if same is None or same.candidates != referent.candidates:
-                joined.append(referent)
-                continue
-            both = replace(same, count=same.count + referent.count)
-            if both.count > len(both.candidates):
-                raise too_few(referent.phrase, both.candidates)
-            self.referents.settle(same, both)
-            self.referents.settle(referent, both)
-            joined[joined.index(same)] = both
-        return joined
-
-    def _less(self, grounded: GroundTask, task: Task, left_out: str) -> GroundTask:
-        """The grounded task without the objects that are left out."""
-        noun = read_phrases(task.values("object")[0], self.domain)[0].noun
-        words = excluded_phrase(left_out, noun, self.domain.lexicon.prepositions)
-        phrases = read_phrases(words, self.domain)
-        wanted = {pair: self.domain.kinds.opposite(value) for phrase in phrases for pair, value in phrase.wanted}
-        is_told_by_state = len(wanted) == len(phrases) == 1 and not any(o.is_all for o in grounded.objects)
-        if any(phrase.place for phrase in phrases) and not self.referents.may_move(grounded.objects):
-            wanted = {}
-        elif any(phrase.place for phrase in phrases) or (wanted and not is_told_by_state):
-            raise ImpossibleGoalError(
-                f"which ones {left_out!r} leaves out cannot be known beforehand; say them by name"
-            )
-        names = {name for phrase in phrases for name in (phrase.entities or phrase.plurals) if not wanted}
-        objects = []
-        for referent in grounded.objects:
-            fit = self.referents.narrowed(referent, lambda name: name not in names)
-            if fit is None:
-                raise ImpossibleGoalError(f"{grounded.phrase!r}: {left_out!r} leaves nothing")
-            fit = replace(fit, is_all=fit.is_all and len(fit.candidates) > 1, where=(*fit.where, *wanted.items()))
-            self.referents.settle(referent, fit)
-            objects.append(fit)
-        return replace(grounded, objects=tuple(objects))
-
-    def _refuse_everything(self, task: Task, objects: list[Referent], inner: list[Referent]) -> None:
-        for referent in objects:
-            has_place = inner or task.value("source") or task.value("location")
-            if referent.is_all and len(referent.candidates) == len(self.house.things) and not has_place:
-                raise UnknownWordError(referent.phrase, expected="a thing, or everything at a place")
-
-    def _refuse_anything(self, task: Task, phrase: NounPhrase) -> None:
-        """Refuses "something" without a place where it is, and "anything" and "nothing" but to ask; "it" was found."""
-        if not self._is_anything(phrase) or phrase.is_pronoun:
-            return
-        if task.type not in FINDING_OUT and not phrase.noun.startswith("some"):
-            raise UnknownWordError(phrase.text, expected="a thing, or something or everything at a place")
-        if phrase.place is None and not task.value("source") and not task.value("location"):
-            raise UnknownWordError(phrase.text, expected=f"a thing, or {phrase.noun} at a place")
-
-    def _is_anything(self, phrase: NounPhrase) -> bool:
-        return phrase.noun in self.domain.lexicon.anything_words
 
     def _places(self, task: Task, *names: str) -> tuple[Referent, ...]:
         """The referents of the places that these arguments name."""

@@ -6,11 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.planning.ground_task import HANDLING, HERE, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, HANDLING, HERE, GroundTask, Referent
 from decomplex_bt.planning.noun_phrase import NounPhrase
 
 _ANY, _SOME = "any", "some"
-_FINDING_OUT = frozenset(("check_state", "searching"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +44,7 @@ class Several:
 
     def note(self, task: GroundTask) -> None:
         """Takes in a task that may ask for any of several."""
-        if task.type not in _FINDING_OUT:
+        if task.type not in FINDING_OUT:
             return
         state = task.state if task.state not in (None, HERE) else None
         told = () if state is None else ((self._domain.kinds.pair_of(state), state),)

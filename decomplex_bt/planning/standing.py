@@ -9,17 +9,13 @@ from enum import Enum
 from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import holds_things, is_fixed
 from decomplex_bt.planning.belief import Belief
-from decomplex_bt.planning.ground_task import GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, GroundTask, Referent
 from decomplex_bt.planning.others import without_others
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.whereabouts import is_at, likely_places, places_of, room_distances
 
 Bindings = Mapping[Referent, tuple[str, ...]]
 """Which entities a referent has turned out to mean; final once a task that names it is done."""
-
-
-_FINDING_OUT = frozenset(("searching", "check_state"))
-"""Types of tasks that come out as true or false by where things are."""
 
 
 class PursuitStatus(Enum):
@@ -64,7 +60,7 @@ class Standing:
         self.domain = belief.domain
         self.house = belief.domain.house
         self.wheres = self._places_of([self._meant(referent) for referent in task.places])
-        lost = self._lost_landmarks() if task.type in _FINDING_OUT else ()
+        lost = self._lost_landmarks() if task.type in FINDING_OUT else ()
         self.theres = self.wheres if not lost else self._known_wheres(lost)
 
     # -- referents ----------------------------------------------------------------------------------------------------
