@@ -455,7 +455,7 @@ SCALES: tuple[frozenset[str], ...] = tuple(
         "asleep awake sleeping dozing crying fussing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
         "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
-        "sick ill poorly feverish", "on off running stopped lit unlit blinking flashing flickering",
+        "sick ill poorly feverish", "plugged unplugged", "on off running stopped lit unlit blinking flashing flickering",
         "heavy", "blue red green yellow amber black white grey gray brown pink orange purple",
         "dead alive wilting wilted", "full half empty overflowing", "raining pouring snowing sunny dry",
     )

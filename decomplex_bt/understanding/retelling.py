@@ -1,14 +1,15 @@
 """The retelling: an instruction with its alternatives told in full and behind their conditions, as models know them.
 
-"Bring me a pen, or a pencil if there is none" is told as "bring me a pen, or if there is none, bring me a pencil": its
-words are the instruction's own, some of them twice and some in another place.
+"Bring me a pen, or a pencil if there is none" is told as "bring me a pen, or if there is none, bring me a pencil", and
+"wash the mug and do the same with the plate" as "wash the mug and wash the plate": its words are the instruction's own,
+some of them twice and some in another place.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.document import MARKS, Document
@@ -17,6 +18,7 @@ from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, head_of, is_pronoun
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
+from decomplex_bt.understanding.rules.likewise import PLACE_ADVERBS, Likewise, likewise
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -24,6 +26,7 @@ _GOVERNING = _OPENING | _TURNING | {"when", "so"}
 _JOINING = frozenset(("and", "but", "or", ","))
 _ENDING = frozenset(("source", "goal", "location", "recipient"))
 """Types of arguments that tell from where, where to or to whom."""
+_WHEREABOUTS = frozenset(("location", "source"))
 _FROM = frozenset(("from", "off", "out"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
@@ -49,10 +52,14 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     insertions: dict[int, list[Told]] = defaultdict(list)
     moved: set[int] = set()
     verbs: dict[int, int] = {}
+    same = list(likewise(document))
+    alike = {i for found in same for i in (*found.words, *found.other)}
     for found in alternatives(observed, {i: task.type for i, task in tasks.items()}):
         place, end = found.tokens.start, found.tokens.stop
+        if place in alike:
+            continue
         order = None if found.is_verbal else _antecedent(observed, tasks, found)
-        words = None if order is None else _repeated(observed, tasks[order], found)
+        words = None if order is None else _repeated(observed, tasks[order], found.tokens, place)
         if words is None and not found.is_verbal:
             continue
         condition = [*found.condition, COMMA] if found.condition else []
@@ -71,6 +78,16 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         if _is_whole(observed, stop, order):
             moved.add(stop)
             insertions[stop].append(Told(STOP))
+    for one in same:
+        said = _said_of_other(observed, tasks, one)
+        if said is None:
+            continue
+        order, ahead, behind = said
+        verbs[document.tokens[one.carrier].start] = document.tokens[order].start
+        moved.update(one.words)
+        carriers = {order: one.carrier}
+        insertions[one.other.start] += [Told(i, one.carrier, carriers.get(i)) for i in ahead]
+        insertions[one.other.stop] += [Told(i, one.carrier) for i in behind]
     kinds = list(_specified(observed, tasks))
     for kind, mark in kinds:
         moved.update((*kind, mark))
@@ -115,8 +132,7 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     """
     sentences, place = observed.document.sentences, found.tokens.start
     openings = [cue.last for cue in observed.cues if cue.name in _OPENING]
-    conditions = {min((i for i in tasks if i > last), default=-1) for last in openings}
-    orders = [i for i, task in tasks.items() if i < place and task.type != "check_state" and i not in conditions]
+    orders = _orders_before(observed, tasks, place)
     is_vague = any(token.pos == "ADV" for token in observed.document.tokens[place : found.tokens.stop])
     if not orders or (is_vague and not _is_particle(observed.document, found.tokens)):
         return None  # "the charger's somewhere in here" names nothing to be plugged in
@@ -130,6 +146,35 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
         return None
     is_conditional = bool(found.condition) or any(last < i < place for i in openings)
     return last if is_conditional or tasks[last].type != "searching" else None
+
+
+def _orders_before(observed: Observed, tasks: Mapping[int, Task], place: int) -> list[int]:
+    """The orders before a token that are no conditions."""
+    openings = [cue.last for cue in observed.cues if cue.name in _OPENING]
+    conditions = {min((i for i in tasks if i > last), default=-1) for last in openings}
+    return [i for i, task in tasks.items() if i < place and task.type != "check_state" and i not in conditions]
+
+
+def _said_of_other(
+    observed: Observed, tasks: Mapping[int, Task], found: Likewise
+) -> tuple[int, Sequence[int], Sequence[int]] | None:
+    """The order before that is said of something else by "the same", with its tokens to be said again ahead of that and
+    behind it; None where there is none. A place that it does not have yet is added to it, and what is said with a place
+    of its own is not where the other was."""
+    document, place = observed.document, found.words.start
+    order = next(reversed(_orders_before(observed, tasks, place)), None)
+    if order is None or document.sentences[place] > document.sentences[order] + 1:
+        return None
+    task, first = tasks[order], document.tokens[found.other.start]
+    is_adverb = first.lower in PLACE_ADVERBS
+    if is_adverb or any(document.tokens[i].lower in PREPOSITIONS for i in found.other[1:]):
+        task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in _WHEREABOUTS))
+    words = None if is_adverb else _repeated(observed, task, found.other, place)
+    if words is None and (is_adverb or first.lower in PREPOSITIONS):
+        until = _end_of_order(observed, order, place)
+        own = {i for _, tokens in _own_phrases(document, task, until) for i in tokens}
+        words = sorted({order, *_particles(document, order, until), *own}), []
+    return None if words is None else (order, *words)
 
 
 def _is_alike(observed: Observed, order: Task, named: range) -> bool:
@@ -163,38 +208,46 @@ def _is_beginning(document: Document, i: int) -> bool:
     return i == 0 or document.sentences[i - 1] != document.sentences[i]
 
 
-def _repeated(observed: Observed, task: Task, found: Alternative) -> tuple[Sequence[int], Sequence[int]] | None:
+def _repeated(observed: Observed, task: Task, words: range, place: int) -> tuple[Sequence[int], Sequence[int]] | None:
     """The tokens of an order to be said again ahead of an alternative and behind it; None where it has nothing of its
     kind."""
     document = observed.document
     verb = document.indices(task.span).start
-    until = min(
-        (cue.first for cue in observed.cues if cue.name in _OPENING and cue.first > verb), default=len(document)
-    )
-    until = min(until, found.tokens.start)
-    own = [
-        (argument, tokens)
-        for argument in task.arguments
-        if argument.span is not None and argument.type != "manner"
-        for tokens in [_up_to(document, document.indices(argument.span), until)]
-        if verb < tokens.start < until
-    ]
+    until = _end_of_order(observed, verb, place)
+    own = list(_own_phrases(document, task, until))
     particles = _particles(document, verb, until)
-    if _is_particle(document, found.tokens):
+    if _is_particle(document, words):
         states = [tokens for _, tokens in own if _is_particle(document, tokens)]
         replaced = next(reversed([*(range(i, i + 1) for i in particles), *states]), None)
     else:
-        replaced = _replaced(observed, own, found.tokens)
+        replaced = _replaced(observed, own, words)
     if replaced is None:
         return None
     said = {verb, *particles, *_wishing(document, verb)}.difference(replaced)
     said.update(i for _, tokens in own if tokens != replaced for i in tokens)
     said.update(range(verb + 1, replaced.start))  # what stands between, be it found or not: "bring *me* the orange"
     ahead, behind = sorted(i for i in said if i < replaced.start), sorted(i for i in said if i >= replaced.stop)
-    is_led = document.tokens[found.tokens.start].lower in PREPOSITIONS
+    is_led = document.tokens[words.start].lower in PREPOSITIONS
     if document.tokens[replaced.start].lower in PREPOSITIONS | {"for"} and len(replaced) > 1 and not is_led:
         ahead.append(replaced.start)
     return ahead, behind
+
+
+def _end_of_order(observed: Observed, verb: int, place: int) -> int:
+    """Where an order's own words end that something behind it repeats: at a condition, at the latest at that."""
+    openings = (cue.first for cue in observed.cues if cue.name in _OPENING and cue.first > verb)
+    return min(next(openings, place), place)
+
+
+def _own_phrases(document: Document, task: Task, until: int) -> Iterator[tuple[Argument, range]]:
+    """The arguments behind an order's verb, with their tokens, up to another token."""
+    verb = document.indices(task.span).start
+    for argument in task.arguments:
+        if argument.span is None or argument.type == "manner":
+            continue
+        tokens = _up_to(document, document.indices(argument.span), until)
+        if verb < tokens.start < until:
+            yield argument, tokens
 
 
 def _particles(document: Document, verb: int, until: int) -> list[int]:
@@ -229,7 +282,7 @@ def _up_to(document: Document, tokens: range, stop: int) -> range:
 def _replaced(observed: Observed, own: Sequence[tuple[Argument, range]], words: range) -> range | None:
     """The argument in whose place the words of an alternative stand."""
     document = observed.document
-    first, last = document.tokens[words.start], document.tokens[words.stop - 1]
+    first, head = document.tokens[words.start], document.tokens[head_of(document, words)]
     if first.lower in PREPOSITIONS and len(words) > 1:
         alike = [tokens for _, tokens in own if document.tokens[tokens.start].lower == first.lower]
         ending = [
@@ -239,12 +292,12 @@ def _replaced(observed: Observed, own: Sequence[tuple[Argument, range]], words: 
         ]
         return next(reversed(alike or ending), None)
     by_type = {argument.type: tokens for argument, tokens in own}
-    is_person = last.lemma in PERSON_NOUNS or (last.pos == "PROPN" and last.text[:1].isupper() and len(words) == 1)
+    is_person = head.lemma in PERSON_NOUNS or (head.pos == "PROPN" and head.text[:1].isupper() and len(words) == 1)
     thing = by_type.get("object")
     if is_person and "recipient" in by_type:
         return by_type["recipient"]
     ending = [tokens for argument, tokens in own if argument.type in _ENDING]
-    category = observed.gazetteer.category(last.lemma)
+    category = observed.gazetteer.category(head.lemma)
     is_place = category in ("room", "furniture") or (
         not category and thing is not None and _is_plain(document, thing) and "recipient" not in by_type
     )

@@ -39,3 +39,20 @@ def test_what_is_put_is_what_is_washed_or_hot(text: str, verb: str, value: str, 
 def test_what_is_wiped_does_not_get_hot(text: str, value: str, encoder: bool) -> None:
     found = Interpreter.load(encoder=encoder).interpret(text)
     assert [task.value("object") for task in found.tasks if task.span.of(text) == "'s"] == [value]
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("I need a stamp. Look in the drawer; if it's empty, ask Lea.", "the drawer"),
+        ("Is there any honey in the jar? If it's empty, tell me.", "the jar"),
+        ("Check the toolbox for a hammer, and if it's empty, call me.", "the toolbox"),
+        # what is filled itself
+        ("Look in the cupboard for the flask, and if it's empty, fetch the jug.", "the flask"),
+        ("Find the watering can in the shed. If it's empty, leave it.", "the watering can"),
+    ],
+)
+def test_what_is_looked_for_is_not_what_is_empty(text: str, value: str, encoder: bool) -> None:
+    found = Interpreter.load(encoder=encoder).interpret(text)
+    assert [task.value("object") for task in found.tasks if task.span.of(text) == "'s"] == [value]

@@ -79,6 +79,26 @@ def test_a_state_that_has_nothing_to_do_with_the_one_asked_is_a_condition_of_its
 
 
 @pytest.mark.parametrize(
+    ("asked", "expected"),
+    [
+        ("[Check](1:check_state) that [the hatch](1:object) is [shut](1:state)", ("task", "condition", "task")),
+        ("[See](1:check_state) whether [the hatch](1:object) is [locked](1:state)", ("task", "condition", "task")),
+        # what is still muddy is not clean yet
+        ("[Check](1:check_state) that [the hatch](1:object) is [dry](1:state)", ("condition", "mention", "task")),
+        # a question, and what it is asked for
+        ("[Is](1:check_state) [the hatch](1:object) [shut](1:state)", ("condition", "mention", "task")),
+    ],
+)
+def test_what_is_still_so_is_of_another_matter_than_what_was_to_be_checked(
+    asked: str, expected: tuple[str, ...]
+) -> None:
+    found = clauses(
+        f"{asked}. If [it](2:object)['s](2:check_state) still [muddy](2:state), [wipe](3:change_state) [it](3:object)."
+    )
+    assert stated_roles(found, ("condition", "mention", "task")) == expected
+
+
+@pytest.mark.parametrize(
     ("markup", "role", "expected"),
     [
         (f"{GO} if " + WET_OR_DARK.format("or") + ".", "task", "or"),

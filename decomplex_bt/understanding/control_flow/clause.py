@@ -451,9 +451,10 @@ class Clause:
 
     def is_of_other_state(self, first: Clause) -> bool:
         """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
-        done, and if it's burnt, ...")."""
+        done, and if it's burnt, ...", but "if it's still wet": it is not done then)."""
         state, other = self.wording.state, first.wording.state
-        if state is None or other is None or "whether" not in first.behind or "still" in self.near:
+        is_order = first.task.type == "check_state" and first.is_asked and not first.is_question
+        if state is None or other is None or not is_order or (self.says_still and other in _ENDS):
             return False
         return not self.objects and self.has_pronoun and are_apart(state, other)
 
@@ -558,6 +559,8 @@ _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())
+_ENDS = frozenset("done finished ready over cooked baked clean dry".split())
+"""States that something comes to in the end: what is still otherwise has not."""
 _WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
 """Places where a thing is put for what becomes of it there."""
 _ENDING = frozenset("finish end stop boil beep".split())

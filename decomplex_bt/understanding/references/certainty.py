@@ -13,7 +13,7 @@ from decomplex_bt.understanding.references.agreement import (
     meant,
 )
 from decomplex_bt.understanding.references.context import Context, kind_of
-from decomplex_bt.understanding.references.fitness import is_support, is_unwarmed
+from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unwarmed
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
@@ -190,7 +190,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    if is_support(context, gap, candidate) or is_unwarmed(context, gap, candidate):
+    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unwarmed, is_content)):
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True

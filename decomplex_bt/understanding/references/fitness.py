@@ -1,10 +1,11 @@
 """Fitness: what a state or an act cannot be of, be it named ever so near: a plate on which something is put is not what
-is too hot, a counter that is wiped is not what gets warm."""
+is too hot, a counter that is wiped is not what gets warm, a pen that is looked for in a drawer is not what is empty."""
 
 from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.insides import has_inside
 from decomplex_bt.understanding.references.phrases import Candidate
 
 _PLACES = frozenset(("goal", "location"))
@@ -24,6 +25,14 @@ _HEATING = frozenset("heat warm boil reheat preheat cook bake fry roast toast gr
 _IDLE = frozenset("clean wipe mop sweep scrub vacuum hoover dust polish tidy clear rinse open close shut lock".split())
 """What makes nothing warm."""
 _ON = frozenset(("on", "up"))
+_FILLED = frozenset(("full", "empty"))
+_VESSELS = frozenset(
+    "bottle can tin cup mug glass jug jar carton pot pan kettle teapot thermos flask tank bucket pail vase bowl "
+    "basket box bag bin case sack purse wallet packet pack tube tray basin tub canister cartridge dispenser feeder "
+    "barrel crate chest trunk drawer cupboard cabinet wardrobe closet fridge freezer hamper toolbox letterbox mailbox "
+    "lunchbox".split()
+)
+"""What holds something itself, of the domain or not."""
 
 
 def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -60,6 +69,28 @@ def is_unwarmed(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     is_idle = context.lemmas[owner].split()[0] in _IDLE
     return is_idle or (owner < last and _warms(context, owner) and not _is_heated(context, owner))
+
+
+def is_content(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is no thing that was looked for somewhere, but where it was: "look for *a pen* in the drawer, and if
+    *it*'s empty, ...". What is itself filled can be meant all the same."""
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    if gap.word != "it" or gap.type != "object" or gap.task.type != "check_state" or words.isdisjoint(_FILLED):
+        return False
+    before = gap.task.id - 1
+    if context.types.get(before) not in ("searching", "check_state") or candidate.type not in ("object", "outside"):
+        return False
+    is_somewhere = any((c.owner, c.type) == (before, "location") and _is_container(context, c) for c in context.pool)
+    return is_somewhere and not _is_container(context, candidate)
+
+
+def _is_container(context: Context, candidate: Candidate) -> bool:
+    noun = context.observed.document.tokens[candidate.head].lemma
+    return (
+        noun in _VESSELS
+        or "fill" in context.observed.gazetteer.changeable.get(noun, ())
+        or has_inside(context, candidate)
+    )
 
 
 def _is_one_put(context: Context, place: Candidate) -> bool:

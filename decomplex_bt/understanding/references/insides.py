@@ -32,7 +32,7 @@ def containers_of(context: Context, gap: Gap) -> list[Candidate]:
     own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
     if any(kind_of(context, candidate) in _ANIMATE for candidate in own):
         return []
-    able = [c for c in context.pool if c.owner and _has_inside(context, c) and c.tokens != gap.tokens]
+    able = [c for c in context.pool if c.owner and has_inside(context, c) and c.tokens != gap.tokens]
     near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
     return next(
         (
@@ -61,6 +61,7 @@ def _opened(context: Context, gap: Gap) -> list[Candidate]:
     ]
 
 
-def _has_inside(context: Context, candidate: Candidate) -> bool:
+def has_inside(context: Context, candidate: Candidate) -> bool:
+    """Whether a phrase names what the domain knows as a container."""
     words = candidate.text.lower().split()
     return any(" ".join(words[i:]) in context.observed.gazetteer.containers for i in range(len(words)))

@@ -1,0 +1,66 @@
+"""Likewise: "do the same with the radio", "same for the door": an order before, said of something else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import PREPOSITIONS
+
+_LEADS = (
+    ("do", "exactly", "the", "same"),
+    ("do", "just", "the", "same"),
+    ("do", "the", "same"),
+    ("the", "same"),
+    ("same",),
+)
+"""What stands for the order."""
+_OF = frozenset(("with", "for", "to"))
+"""What only leads to the other thing."""
+_ENDS = MARKS | frozenset("if unless when once before after then so but because while until as or".split())
+_BEFORE = MARKS | frozenset("and then please also but just".split())
+_NOUNS = frozenset(("NOUN", "PROPN", "PRON"))
+PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
+_POINTING = frozenset("one ones those these".split()) | PLACE_ADVERBS
+_GOING = frozenset(("thing", "goes"))
+
+
+@dataclass(frozen=True, slots=True)
+class Likewise:
+    """`words`: those that stand for an order before, among them its `carrier`, "do" or "same"; `other`: what it is said
+    of now, a thing or, with its preposition, a place."""
+
+    words: range
+    carrier: int
+    other: range
+
+
+def likewise(document: Document) -> Iterator[Likewise]:
+    """Every order that is said of something else by "the same", in text order."""
+    said = [token.lower for token in document.tokens]
+    end = 0
+    for i in range(len(said)):
+        lead = next((lead for lead in _LEADS if tuple(said[i : i + len(lead)]) == lead), None)
+        is_order = i >= end and (not i or said[i - 1] in _BEFORE or document.sentences[i - 1] != document.sentences[i])
+        if lead is None or not is_order:
+            continue
+        start = i + len(lead)
+        start += said[start : start + 1] in ([word] for word in _GOING)
+        if said[start : start + 1] == [] or said[start] not in PREPOSITIONS | _OF | PLACE_ADVERBS:
+            continue
+        start += said[start] in _OF
+        end = _end(document, start)
+        if any(document.tokens[j].pos in _NOUNS or said[j] in _POINTING for j in range(start, end)):
+            yield Likewise(range(i, start), i if said[i] == "do" else said.index("same", i), range(start, end))
+
+
+def _end(document: Document, start: int) -> int:
+    """Where the phrase ends that begins at a token: at a mark, a word that opens a clause, or an "and" with no noun
+    behind it."""
+    tokens = document.tokens
+    for i in range(start, len(tokens)):
+        is_verb_next = tokens[i].tag == "CC" and i + 1 < len(tokens) and tokens[i + 1].pos in ("VERB", "ADV", "AUX")
+        if tokens[i].lower in _ENDS or is_verb_next or document.sentences[i] != document.sentences[start]:
+            return i
+    return len(tokens)
