@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.flow import Flow
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
@@ -45,3 +46,17 @@ def test_what_was_asked_about_is_done(
 def test_what_others_do_or_was_ordered_is_no_task_again(interpreter: Interpreter, text: str) -> None:
     found = interpreter.interpret(text)
     assert "do" not in [task.span.of(found.text) for task in found.tasks]
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Tell me if the fan's still on, and switch it off if so.", [{"if": [1], "then": [2]}]),
+        ("let me know whether the hatch is open and shut it if so", [{"if": [1], "then": [2]}]),
+        ("Tell Lea whether there is any oil, and fetch some if not.", [{"if": [1], "else": [2]}]),
+        ("Tell me whether the fan is on, and switch the heater off.", [1, 2]),
+        ("Tell me why the fan is on, and switch it off.", [1, 2]),
+    ],
+)
+def test_what_is_done_if_so_hangs_on_what_is_to_be_told(interpreter: Interpreter, text: str, flow: list) -> None:
+    assert interpreter.interpret(text).flow == Flow.from_json(flow)

@@ -468,6 +468,13 @@ class Clause:
         is_own = bool(order.objects) and first.nouns.isdisjoint(order.objects)
         return is_own and self.sentence == order.sentence and "or" not in order.near
 
+    def turns_on_report(self, report: Clause) -> str:
+        """ "so" or "else", by which it is done in one case of what is to be told right ahead of it ("tell me if it's on
+        and switch it off *if so*", "... and get some *if not*"); "" where it is not."""
+        asking = {"whether", "if"} & {*self.far, *self.near}
+        is_told = report.task.type == "informing" and bool(asking) and self.sentence == report.sentence
+        return self.behind[-1] if is_told and self.behind[-1:] in (("so",), ("else",)) else ""
+
     def asks_same_of_another(self, first: Clause) -> bool:
         """Whether it asks of something that it names what the other asks of something else."""
         is_same = self.verb == first.verb and self.wording.state == first.wording.state and self.places == first.places

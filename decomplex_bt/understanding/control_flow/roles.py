@@ -36,6 +36,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _be_able,
         _ask_openly,
         _find_first,
+        _report,
         _name_other,
         _find_nobody,
         _ask_of_order,
@@ -269,6 +270,13 @@ def _ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def _find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
     if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].needs_found(clauses[k - 1]):
+        roles[k - 1] = "condition"
+
+
+def _report(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is to be told is a condition of what is done in one case of it ("tell me if it's on and switch it off if
+    so")."""
+    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].turns_on_report(clauses[k - 1]):
         roles[k - 1] = "condition"
 
 

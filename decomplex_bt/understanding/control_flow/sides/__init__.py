@@ -22,6 +22,7 @@ _RULES = (
     prohibitions.forbid,
     reversals.oppose,
     reversals.agree,
+    reversals.report,
     reversals.turn_back,
     reversals.affirm,
     reversals.correct,

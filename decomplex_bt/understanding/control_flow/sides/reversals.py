@@ -47,6 +47,12 @@ def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k] = HOLDS
 
 
+def report(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if so" or "if not" behind what is to be told hangs on that."""
+    if (roles[k - 1], roles[k]) == ("condition", "task") and (case := clauses[k].turns_on_report(clauses[k - 1])):
+        sides[k] = HOLDS if case == "so" else FAILS
+
+
 def turn_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "otherwise" opens behind what an "if not" opens is done where the condition holds ("is it dry? If not,
     hang it up, otherwise fold it"), and so is what goes on with it."""
