@@ -34,6 +34,7 @@ from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.amendments import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.assurances import with_denied
 from decomplex_bt.understanding.rules.checks import naming
+from decomplex_bt.understanding.rules.likewise import CARRIERS
 from decomplex_bt.understanding.rules.pro_verbs import with_doings
 from decomplex_bt.understanding.rules.relatives import without_stated
 from decomplex_bt.understanding.rules.repairs import repaired
@@ -168,8 +169,10 @@ class Interpreter:
         return replace(whole, tasks=tuple(self._with_state(whole, task) for task in tasks))
 
     def _with_state(self, instruction: Instruction, task: Task) -> Task:
-        """A task that leaves its verb unsaid, with the state that the verb would have told ("open")."""
-        if not task.repeats or task.type != "change_state" or task.value("state") is not None:
+        """A task that leaves its verb unsaid, with the state that the verb would have told ("open"); a "do the same"
+        tells it as that verb does."""
+        is_said = task.value("state") is not None or task.span.of(instruction.text).lower() in CARRIERS
+        if not task.repeats or task.type != "change_state" or is_said:
             return task
         sense = sense_of(instruction.verb_of(task).span.of(instruction.text), (), self.domain.lexicon)
         if sense is None or sense.state is None:

@@ -159,18 +159,19 @@ def _said_of_other(
     observed: Observed, tasks: Mapping[int, Task], found: Likewise
 ) -> tuple[int, Sequence[int], Sequence[int]] | None:
     """The order before that is said of something else by "the same", with its tokens to be said again ahead of that and
-    behind it; None where there is none. A place that it does not have yet is added to it, and what is said with a place
-    of its own is not where the other was."""
+    behind it; None where there is none. A place that it does not have yet is added to it; another thing need not be
+    where the first was."""
     document, place = observed.document, found.words.start
     order = next(reversed(_orders_before(observed, tasks, place)), None)
     if order is None or document.sentences[place] > document.sentences[order] + 1:
         return None
     task, first = tasks[order], document.tokens[found.other.start]
     is_adverb = first.lower in PLACE_ADVERBS
-    if is_adverb or any(document.tokens[i].lower in PREPOSITIONS for i in found.other[1:]):
+    is_place = is_adverb or first.lower in PREPOSITIONS
+    if is_adverb or not is_place:
         task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in _WHEREABOUTS))
-    words = None if is_adverb else _repeated(observed, task, found.other, place)
-    if words is None and (is_adverb or first.lower in PREPOSITIONS):
+    words = None if is_adverb else _repeated(observed, task, found.other, place, is_thing=not is_place)
+    if words is None and is_place:
         until = _end_of_order(observed, order, place)
         own = {i for _, tokens in _own_phrases(document, task, until) for i in tokens}
         words = sorted({order, *_particles(document, order, until), *own}), []
@@ -208,9 +209,11 @@ def _is_beginning(document: Document, i: int) -> bool:
     return i == 0 or document.sentences[i - 1] != document.sentences[i]
 
 
-def _repeated(observed: Observed, task: Task, words: range, place: int) -> tuple[Sequence[int], Sequence[int]] | None:
+def _repeated(
+    observed: Observed, task: Task, words: range, place: int, *, is_thing: bool = False
+) -> tuple[Sequence[int], Sequence[int]] | None:
     """The tokens of an order to be said again ahead of an alternative and behind it; None where it has nothing of its
-    kind."""
+    kind. `is_thing`: the words are a thing that the same is done with."""
     document = observed.document
     verb = document.indices(task.span).start
     until = _end_of_order(observed, verb, place)
@@ -219,6 +222,8 @@ def _repeated(observed: Observed, task: Task, words: range, place: int) -> tuple
     if _is_particle(document, words):
         states = [tokens for _, tokens in own if _is_particle(document, tokens)]
         replaced = next(reversed([*(range(i, i + 1) for i in particles), *states]), None)
+    elif is_thing:
+        replaced = next((tokens for argument, tokens in own if argument.type == "object"), None)
     else:
         replaced = _replaced(observed, own, words)
     if replaced is None:

@@ -253,6 +253,32 @@ def test_the_opposite_of_another_thing_is_a_condition_of_its_own() -> None:
 
 
 @pytest.mark.parametrize(
+    ("first", "second", "role"),
+    [
+        ("[on the desk](1:location)", "[on the sill](3:location)", "condition"),
+        ("[in the den](1:location)", "[in the attic](3:location)", "condition"),
+        ("[on the desk](1:location)", "[on the desk](3:location)", "mention"),
+        ("[on the desk](1:location)", "", "mention"),
+    ],
+)
+def test_the_opposite_of_a_thing_elsewhere_is_a_condition_of_its_own(first: str, second: str, role: str) -> None:
+    found = clauses(
+        f"If [the jar](1:object) {first} [is](1:check_state) [empty](1:state), [fill](2:change_state) [it](2:object). "
+        f"If [the jar](3:object) {second} [is](3:check_state) [full](3:state), [empty](4:change_state) [it](4:object)."
+    )
+    for roles in (("condition", "task", "condition", "task"), ("condition", "task", "mention", "task")):
+        assert stated_roles(found, roles)[2] == role
+
+
+def test_what_an_order_hangs_on_behind_it_is_no_mention_of_the_state_of_something_else_of_the_same_room() -> None:
+    found = clauses(
+        "If [the attic window](1:object) [is](1:check_state) [shut](1:state), [switch](2:change_state) "
+        "[the attic fan](2:object) [off](2:state) if [it](3:object) [is](3:check_state) [on](3:state)."
+    )
+    assert stated_roles(found, ("condition", "task", "mention"))[2] == "condition"
+
+
+@pytest.mark.parametrize(
     "markup",
     [
         "If there [is](1:check_state) no [milk](1:object), [bring](2:bringing) [tea](2:object). If there "

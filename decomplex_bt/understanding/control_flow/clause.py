@@ -354,7 +354,14 @@ class Clause:
         is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
         is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
         is_same = self.names_same(first) or (self.says_answer and self.is_of_somebody)
-        return self.is_check and first.is_check and is_turned and is_same
+        return self.is_check and first.is_check and is_turned and is_same and not self.is_of_other_place(first)
+
+    def is_of_other_place(self, first: Clause) -> bool:
+        """Whether both say where the thing is of which they test a state, and that is not one place: "the glass on the
+        desk", "the glass on the shelf"."""
+        is_of_state = self.wording.state is not None and first.wording.state is not None
+        places, others = self.places - AROUND - _THERE, first.places - AROUND - _THERE
+        return is_of_state and bool(places) and bool(others) and places.isdisjoint(others)
 
     @property
     def is_trailing(self) -> bool:
@@ -465,7 +472,7 @@ class Clause:
         is_behind = self.boundary == "none" and self.near[:1] == ("if",) and self.has_pronoun and not self.objects
         if not (is_behind and self.is_check and state is not None and other is not None and are_apart(state, other)):
             return False
-        is_own = bool(order.objects) and first.nouns.isdisjoint(order.objects)
+        is_own = bool(order.objects) and order.objects[-1] not in first.nouns  # "the bathroom light", "... door"
         return is_own and self.sentence == order.sentence and "or" not in order.near
 
     def turns_on_report(self, report: Clause) -> str:
@@ -508,13 +515,13 @@ class Clause:
         return is_other_weather or self.is_of_nobody_at(first)
 
     def is_of_another(self, first: Clause) -> bool:
-        """Whether its words say that it is no mention of an earlier condition: it is of another matter, or asks the
-        same of another thing ("if there's no milk, ..., if there's no tea, ..."), or whether something is missing whose
-        state the other tests, or it tests a state, and that of many things where the other is about one (or the other
-        way round), or of what the other asks the place of."""
+        """Whether its words say that it is no mention of an earlier condition: it is of another matter or of a thing
+        elsewhere, or asks the same of another thing ("if there's no milk, ..., if there's no tea, ..."), or whether
+        something is missing whose state the other tests, or it tests a state, and that of many things where the other
+        is about one (or the other way round), or of what the other asks the place of."""
         own = {kind for kind, _ in self.task.arguments}
         is_of_other = self.asks_same_of_another(first) or self.is_of_other_matter(first)
-        if is_of_other or self.asks_for_what_had_state(first):
+        if is_of_other or self.asks_for_what_had_state(first) or self.is_of_other_place(first):
             return True
         if self.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
             return False

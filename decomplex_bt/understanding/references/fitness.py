@@ -80,7 +80,8 @@ def is_content(context: Context, gap: Gap, candidate: Candidate) -> bool:
     before = gap.task.id - 1
     if context.types.get(before) not in ("searching", "check_state") or candidate.type not in ("object", "outside"):
         return False
-    is_somewhere = any((c.owner, c.type) == (before, "location") and _is_container(context, c) for c in context.pool)
+    places = (c for c in context.pool if (c.owner, c.type) == (before, "location") and not c.mention)
+    is_somewhere = any(_is_container(context, place) for place in places)
     return is_somewhere and not _is_container(context, candidate)
 
 

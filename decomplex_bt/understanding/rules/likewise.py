@@ -16,6 +16,8 @@ _LEADS = (
     ("same",),
 )
 """What stands for the order."""
+CARRIERS = frozenset(("do", "same"))
+"""The words that carry an order said again."""
 _OF = frozenset(("with", "for", "to"))
 """What only leads to the other thing."""
 _ENDS = MARKS | frozenset("if unless when once before after then so but because while until as or".split())
