@@ -884,3 +884,22 @@ def test_who_does_not_know_has_been_asked(case: str, expected: str) -> None:
     )
     sides = stated_sides(found, ("condition", "task", "condition", "task"), ("top", ">1-", "<1+", "<1+"))
     assert sides[1] == expected
+
+
+@pytest.mark.parametrize(
+    ("opening", "attachments", "expected"),
+    [
+        ("in that case ", ("top", "top", "<1-", "<1+"), (">1+", "top", "<1-", "<1-")),
+        ("in which case ", ("top", "top", "<1+", "<1+"), (">1+", "top", "<1-", "<1-")),
+        ("", ("top", "top", "<1-", "<1-"), ("top", "top", "<1-", "<1-")),
+    ],
+)
+def test_an_exception_that_is_a_sentence_of_its_own_is_one_of_the_order_before(
+    opening: str, attachments: tuple[str, ...], expected: tuple[str, ...]
+) -> None:
+    found = clauses(
+        "[Switch](1:change_state) [the fan](1:object) [off](1:state). Unless [Lea](2:object) [is](2:check_state) "
+        f"[in](2:location), {opening}[tell](3:informing) [her](3:recipient) and [shut](4:change_state) "
+        "[the door](4:object)."
+    )
+    assert stated_sides(found, ("task", "condition", "task", "task"), attachments) == expected

@@ -18,6 +18,7 @@ from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
+from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
@@ -118,6 +119,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (task.type == "check_state" and _is_beside(document, task.token))
             or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
             or is_planned(document, task.token, types_found)
+            or is_hearsay(document, task.token)
             or task.token in idle
             or (bool(found) and found[-1].token >= task.token)
             or _is_pause(document, task.token)

@@ -34,11 +34,20 @@ def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
 
 def replace_order(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What "in which case" or, without a mark, "then" opens behind "..., unless ..." is done where that keeps from the
-    order ahead of it; and what is moved elsewhere then is the thing of that order alone ("sweep up and give him the
-    bill unless my wife's back then give it to her")."""
+    order ahead of it, which may be a sentence of its own ("turn it off. Unless Tom's there, *in that case* ask him");
+    and what is moved elsewhere then is the thing of that order alone ("sweep up and give him the bill unless my wife's
+    back then give it to her")."""
     if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "task"):
         return
     order, check, clause = clauses[k - 2 : k + 1]
+    is_afterthought = check.near == ("unless",) and check.sentence == order.sentence + 1 and clause.near == ("so",)
+    if is_afterthought and sides[k - 2] == "top" and not order.is_forbidden:
+        sides[k - 2] = ">1+"
+        for j in range(k, len(clauses)):
+            if j > k and not goes_on(clauses, roles, sides, j, clause.sentence):
+                break
+            sides[j] = FAILS
+        return
     is_restricted = "unless" in check.near and sides[k - 2] == ">1+" and not order.is_forbidden
     is_moved = clause.task.type in MOVING and order.task.type in MOVING and clause.is_of_it
     is_opened = clause.near == ("so",) or (is_moved and clause.boundary == "none" and clause.near == ("then",))
