@@ -226,6 +226,17 @@ def test_that_a_thing_by_name_does_not_do_so_tells_of_what_was_done_to_it() -> N
     assert stated_sides(found, roles, ("top", "<1+", "<2", "<1+")) == ("top", "<1+", "<1", "<1+")
 
 
+@pytest.mark.parametrize(("thing", "is_failure"), [("the machine", True), ("the bin", True), ("the radio", False)])
+def test_that_where_things_were_put_does_not_start_tells_of_its_being_started(thing: str, is_failure: bool) -> None:
+    place = "machine" if thing != "the bin" else "bin"
+    found = clauses(
+        f"[Put](1:placing) [the shirts](1:object) [in the old {place}](1:goal) and [start](2:change_state) "
+        "[it](2:object). "
+        f"If [{thing}](3:object) doesn't [start](3:check_state), [call](4:informing) me."
+    )
+    assert found[2].is_failure_of(found[1], found[0]) == is_failure
+
+
 @pytest.mark.parametrize(
     ("first", "second", "role"),
     [

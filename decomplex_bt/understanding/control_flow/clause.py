@@ -151,11 +151,13 @@ class Clause:
 
     def is_failure_of(self, before: Clause, named: Clause) -> bool:
         """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
-        the trunk won't open"; `named`: the clause up to there that last names a thing."""
+        the trunk won't open"; `named`: the clause up to there that last names a thing, which may be put in what is
+        changed then ("put the shirts in the washing machine and start it. If *the machine* doesn't start, ...")."""
         is_one = not (self.number and before.number) or self.number == before.number
         is_opposite = self.wording.state is not None and OPPOSITES.get(self.wording.state) == before.wording.state
         is_change = before.task.type == "change_state" and is_one and not is_opposite
-        is_of_it = self.says_undone or (self.says_named_undone and self.names_same(named))
+        is_where_put = before.has_pronoun and not before.objects and not named.receivers.isdisjoint(self.objects[-1:])
+        is_of_it = self.says_undone or (self.says_named_undone and (self.names_same(named) or is_where_put))
         return is_change and is_of_it and "unless" not in self.near
 
     def tries_out(self, before: Clause) -> bool:
