@@ -43,6 +43,7 @@ from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
 from decomplex_bt.understanding.rules.reports import with_reports
+from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
@@ -129,6 +130,8 @@ def amended(
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
+        if kind == "searching":
+            kept = with_rounds(document, tasks, kept, token)
         if not any(a.owner == token and len(a.tokens) > 1 for a in kept):
             kept = with_told(kept, token, kept_from(document, tasks, token))
         if kind in _HANDLED and not any(a.owner == token and token + 1 in a.tokens for a in kept):
