@@ -22,7 +22,7 @@ def with_rounds(
     end = max((a.tokens.stop for a in kept if _is_place_behind(a, search) and not _is_further(document, a)), default=0)
     while end and (place := _next_place(document, chunks, end)) is not None:
         further = FoundArgument("location", search, place, CERTAIN)
-        kept = [a for a in kept if (a.owner, a.type, a.tokens) != (search, "location", place)]
+        kept = [a for a in kept if (a.owner, a.type, a.tokens.start) != (search, "location", place.start)]
         if not tasks.keys().isdisjoint(place) or any(not set(a.tokens).isdisjoint(place) for a in kept):
             return list(found)
         kept.append(further)
