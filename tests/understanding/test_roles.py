@@ -181,6 +181,24 @@ def test_they_may_be_what_is_given(given: str, is_absence: bool) -> None:
     assert found[1].is_absence_of(found[0]) == is_absence
 
 
+@pytest.mark.parametrize(
+    ("order", "is_absence"),
+    [
+        ("[give](3:bringing) [it](3:object) [to Tom](3:recipient)", True),
+        ("[leave](3:placing) [it](3:object) [with Tom](3:goal)", True),
+        ("[open](3:change_state) [the door](3:object)", False),
+    ],
+)
+def test_that_somebody_else_is_out_too_tells_what_came_of_the_errand_to_them(order: str, is_absence: bool) -> None:
+    found = clauses(
+        "[Take](1:bringing) [the cake](1:object) [to Lea](1:recipient). If [she](2:object) [is](2:check_state)n't "
+        f"[in](2:location), {order}, and if [he](4:object) [is](4:check_state)n't [in](4:location) either, "
+        "[call](5:informing) me."
+    )
+    roles = stated_roles(found, ("condition", "mention", "task", "mention", "task"))
+    assert roles == ("condition", "mention", "condition" if is_absence else "task", "mention", "task")
+
+
 def test_whether_somebody_is_in_is_asked_once() -> None:
     found = clauses(
         "If [Ann](1:object) [is](1:check_state) [home](1:location), [take](2:bringing) [her](2:recipient) [the soup]"

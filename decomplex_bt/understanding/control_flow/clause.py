@@ -25,7 +25,7 @@ class Clause:
     task: MarkedTask
     first: int
     last: int
-    """The bounds of the clause."""
+    """The bounds of the clause, without an "either" or "too" at its end."""
     far: tuple[str, ...]
     """The cues between the task before and the last punctuation mark ahead of this one."""
     near: tuple[str, ...]
@@ -117,6 +117,8 @@ class Clause:
     """Whether it says that somebody won't do something: "if he won't come"."""
     is_only_then: bool = False
     """Whether it is to be done "only then"."""
+    says_too: bool = False
+    """Whether it ends in an "either" or "too": it is so of somebody or something else as well."""
     says_still: bool = False
     """Whether it asks if something is "still" so."""
     turns: tuple[str, ...] = ()
@@ -138,7 +140,9 @@ class Clause:
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:
         "take it to Anna, and if she's out, ..."."""
-        if self.task.type != "check_state" or before.task.type not in _HANDING or not self.is_of_somebody:
+        is_left_with = self.says_too and before.task.type == "placing" and self.is_of_person
+        is_handed = before.task.type in _HANDING or is_left_with  # "leave it with Tom, and if he isn't in either"
+        if self.task.type != "check_state" or not is_handed or not self.is_of_somebody:
             return False
         if not self.is_of_person and before.number == "many":
             return False  # "they" may as well be what is given

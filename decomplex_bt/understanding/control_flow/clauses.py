@@ -52,6 +52,7 @@ _NONE_OF_IT = frozenset(
         *(f"do n't bother with any of {it}" for it in _IT), "the whole thing 's off", "it 's all off", "it is all off",
     )
 )  # fmt: skip
+_TOO = frozenset(("either", "too"))
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _WAYS = frozenset(("back", "home", "out", "again"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
@@ -113,6 +114,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
     stretch = Stretch.around(observed, tasks, k, said)
     previous, following, split = stretch.previous, stretch.following, stretch.split
     first, own_last = stretch.first, stretch.own_last
+    says_too = document.tokens[stretch.last].lower in _TOO
     far, near = stretch.names(previous, split + 1), stretch.names(split, token)
     behind = stretch.names(token, stretch.end)
     # "lock up but before that feed the cat": where no mark stands between, it belongs to what follows
@@ -123,7 +125,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
     return Clause(
         task=task,
         first=first,
-        last=stretch.last,
+        last=stretch.last - says_too,
         far=far,
         near=near,
         behind=behind,
@@ -180,6 +182,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ability=ability(document, ahead, token),
         is_only_then=any(cue.name == "then" and document.tokens[cue.first].lower == "only" for cue in ahead),
         is_unwilling=_is_unwilling(observed, task, first, own_last),
+        says_too=says_too,
         says_still="still" in near or any(t.lower == "still" for t in document.tokens[first : own_last + 1]),
         turns=turns(document, ahead, token),
     )

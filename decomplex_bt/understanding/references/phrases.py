@@ -442,6 +442,8 @@ def _between(document: Document, chunk: range, verbs: Container[int]) -> Iterato
 def _trimmed(document: Document, chunk: range) -> Iterator[range]:
     nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN")]
     first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
+    if len(nouns) > 1 and document.tokens[nouns[-1]].lower == "open":
+        nouns.pop()  # "wants the window open", where the tagger takes it for a noun
     if nouns:
         yield range(chunk.start, nouns[-1] + 1)
     elif first.tag == "PRP$" and len(chunk) == 2 and last.tag == "JJ" and last.lower != "own":
