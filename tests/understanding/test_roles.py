@@ -233,6 +233,30 @@ def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failu
     assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
 
 
+@pytest.mark.parametrize(
+    ("order", "check", "is_failure"),
+    [
+        ("[switch](1:change_state) [on](1:state) [the fan](1:object)", "it's](2:check_state) [broken](2:state)", True),
+        (
+            "[turn](1:change_state) [the fan](1:object) [on](1:state)",
+            "it's](2:check_state) out of [order](2:state)",
+            True,
+        ),
+        (
+            "[turn](1:change_state) [the fan](1:object) [on](1:state)",
+            "it's](2:check_state) not [broken](2:state)",
+            False,
+        ),
+        ("[turn](1:change_state) [the fan](1:object) [on](1:state)", "it's](2:check_state) [loud](2:state)", False),
+        ("[turn](1:change_state) [the fan](1:object) [off](1:state)", "it's](2:check_state) [broken](2:state)", False),
+    ],
+)
+def test_that_it_is_broken_tells_what_came_of_switching_it_on(order: str, check: str, is_failure: bool) -> None:
+    check = check.replace("it's", "it](2:object) [is")
+    found = clauses(f"{order}. If [{check}, [call](3:informing) me.")
+    assert found[1].is_failure_of(found[0], found[0]) == is_failure
+
+
 def test_that_a_thing_by_name_does_not_do_so_tells_of_what_was_done_to_it() -> None:
     """The trunk was asked about before: it is its unlocking that failed."""
     found = clauses(

@@ -162,7 +162,13 @@ class Clause:
         is_change = before.task.type == "change_state" and is_one and not is_opposite
         is_where_put = before.has_pronoun and not before.objects and not named.receivers.isdisjoint(self.objects[-1:])
         is_of_it = self.says_undone or (self.says_named_undone and (self.names_same(named) or is_where_put))
+        is_of_it = is_of_it or (before.wording.state == "on" and self.says_broken(named))
         return is_change and is_of_it and "unless" not in self.near
+
+    def says_broken(self, named: Clause) -> bool:
+        """Whether it asks if what was named last is out of order, which is found out by switching it on."""
+        is_broken = self.is_check and self.wording.state in _BROKEN and not self.wording.is_negated
+        return is_broken and (self.names_same(named) or (self.has_pronoun and not self.objects))
 
     def tries_out(self, before: Clause) -> bool:
         """Whether it asks if what was handled before works; of what was moved with an effort ("lift it") "it doesn't
@@ -579,6 +585,8 @@ _LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())
+_BROKEN = frozenset("broken faulty busted bust kaput knackered damaged order blink".split())
+"""States in which nothing can be switched on: "out of *order*", "on the *blink*"."""
 _ENDS = frozenset("done finished ready over cooked baked clean dry".split())
 """States that something comes to in the end: what is still otherwise has not."""
 _WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
