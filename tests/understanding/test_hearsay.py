@@ -22,3 +22,4 @@ from decomplex_bt.understanding.interpreter import Interpreter
 def test_what_one_has_heard_it_can_do_is_no_order(text: str, verbs: list[str], encoder: bool) -> None:
     found = Interpreter.load(encoder=encoder).interpret(text)
     assert [task.span.of(text) for task in found.tasks] == verbs
+    assert all(len(task.values("object")) == 1 for task in found.tasks)

@@ -35,6 +35,7 @@ from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
+from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.plans import plans
@@ -84,7 +85,7 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
-    idle |= due(document) | forgone(document)
+    idle |= due(document) | forgone(document) | hearsays(document)
     idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
