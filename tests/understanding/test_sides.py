@@ -355,6 +355,18 @@ def test_a_condition_within_a_list_or_of_need_is_of_one_order(
             "top",
         ),
         (
+            "[Turn](1:change_state) [the hob](1:object) [on](1:state)",
+            "[call](2:informing) Ann",
+            "when [it](3:object)'[s](3:check_state) [hot](3:state)",
+            "top",
+        ),
+        (
+            "[Turn](1:change_state) [the radio](1:object) [on](1:state)",
+            "[call](2:informing) Ann",
+            "when [it](3:object)'[s](3:check_state) [hot](3:state)",
+            ">1+",
+        ),
+        (
             "[Send](1:change_state) [the pup](1:object) out",
             "[call](2:informing) Ann",
             "when [he](3:object) [comes](3:check_state) back",

@@ -211,7 +211,8 @@ class Clause:
 
     def comes_through(self, before: Clause) -> bool:
         """Whether what it asks is what the order before brings about: "fill it" and "it's full", "start it" and "it's
-        done", "let her out" and "she's back", "put them in the oven" and "when they're brown"."""
+        done", "turn the oven on" and "it's hot", "let her out" and "she's back", "put them in the oven" and "when
+        they're brown"."""
         is_of_thing = self.names_same(before) or (self.is_of_it and not self.objects)
         is_sent = before.verb in _SENDING or before.task.type == "following" or "out" in before.ways
         if "back" in self.ways and is_sent:
@@ -221,7 +222,9 @@ class Clause:
         is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(_WORKING) and "when" in self.near
         if is_worked and self.wording.state is not None and self.number == before.number:
             return True
-        return is_of_thing and (is_reached or (is_over and "running" in before.effects))
+        is_heated = self.wording.state in _HEATED and not _HEATERS.isdisjoint(before.objects[-1:])
+        is_run = "running" in before.effects and (is_over or (is_heated and not self.wording.is_negated))
+        return is_of_thing and (is_reached or is_run)
 
     def is_only_of(self, order: Clause, before: Clause) -> bool:
         """Whether it asks about the thing of an order alone, and not about that of the order before: "turn the tv off
@@ -591,6 +594,11 @@ _ENDS = frozenset("done finished ready over cooked baked clean dry".split())
 """States that something comes to in the end: what is still otherwise has not."""
 _WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
 """Places where a thing is put for what becomes of it there."""
+_HEATED = frozenset("hot warm heated preheated".split())
+_HEATERS = frozenset(
+    "oven stove hob hotplate iron kettle grill barbecue heater heating radiator boiler griddle sauna".split()
+)
+"""What gets hot once it is switched on."""
 _ENDING = frozenset("finish end stop boil beep".split())
 _USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
 """States that tell whether somebody is there."""
