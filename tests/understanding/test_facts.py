@@ -232,3 +232,17 @@ def test_who_looks_how_much_something_is_so_checks_it() -> None:
 )
 def test_who_clears_up_or_has_gone_is_not_sent_anywhere(text: str, kinds: list[str]) -> None:
     assert [task.type for task in Interpreter.load().interpret(text).tasks] == kinds
+
+
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("Has anybody fed the hens? If not, feed them.", ["check_state", "change_state"]),
+        ("Did Lea put the jam in the cellar? If not, put it there.", ["check_state", "placing"]),
+        ("Have you shut the hatch? If not, shut it.", None),
+        ("Did you hear? Shut the hatch.", ["change_state"]),
+    ],
+)
+def test_a_question_whether_somebody_has_done_something_is_no_order(text: str, kinds: list[str] | None) -> None:
+    found = [task.type for task in Interpreter.load("household").interpret(text).tasks]
+    assert found[-1] == "change_state" if kinds is None else found == kinds

@@ -22,6 +22,11 @@ def interpreter() -> Interpreter:
         ("Ask Lea if she wants the hatch open. If she does, do so.", "change_state", "the hatch", "open"),
         ("Ask Lea whether she wants her milk warmed up, and if she says yes, do it.", "change_state", "her milk", None),
         ("Ask Lea to walk the dog. If she can't, do it yourself.", "following", "the dog", None),
+        ("Check whether I switched the fan off. If I didn't, please do it.", "change_state", "the fan", "off"),
+        ("See if the ferns have been watered, and if not, do it.", "change_state", "the ferns", None),
+        ("Has anybody shut the hatch? If not, do so.", "change_state", "the hatch", "shut"),
+        ("Did I feed the hens? If not please do it.", "change_state", "the hens", None),
+        ("Check if the shed is locked. If it isn't, do it.", "change_state", "the shed", "locked"),
     ],
 )
 def test_what_was_asked_about_is_done(

@@ -359,6 +359,20 @@ def _is_done_by_others(document: Document, at: int) -> bool:
     return False
 
 
+def _is_asked_done(document: Document, at: int) -> bool:
+    """Whether a question asks if somebody else has done what the verb says: "has anybody *fed* the cat?", "did I *lock*
+    the door?"."""
+    tokens, start = document.tokens, at
+    while start and tokens[start - 1].lower not in MARKS and document.sentences[start - 1] == document.sentences[at]:
+        start -= 1
+    words = [token.lower for token in tokens[start:at] if token.lower not in _BETWEEN]
+    if len(words) < 2 or words[1] in ("you", "u", "ya"):
+        return False
+    is_perfect = words[0] in _HAVING and (tokens[at].tag in _PAST or tokens[at].lower in _SAME_FORMS)
+    is_past = words[0] == "did" and tokens[at].tag in ("VB", "VBP")
+    return (is_perfect or is_past) and not any(token.pos == "VERB" for token in tokens[start + 1 : at])
+
+
 def _are_gone(document: Document, at: int) -> bool:
     """Whether who speaks has gone, which is no way of the robot's: "after *we've gone* to bed"."""
     words = [token.lower for token in document.tokens[max(0, at - 5) : at] if token.lower not in _BETWEEN | {"both"}]
@@ -390,6 +404,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     if task.type == "check_state" and is_assured(document, task.token):
         return "change_state"
     if task.type != "check_state" and _is_done_by_others(document, task.token):
+        return "check_state"
+    if task.type in _HANDLING and _is_asked_done(document, task.token):
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
         return "change_state"  # "hoover the stairs and clear up"

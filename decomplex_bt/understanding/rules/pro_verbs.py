@@ -18,6 +18,9 @@ _BEHIND = frozenset("if and then otherwise else but or please now right anyway t
 _WHETHER = frozenset(("if", "whether"))
 _LEADING = frozenset("to should can could may might must shall".split())
 _WANTING = frozenset(("want", "need", "like"))
+_ASKING = frozenset(("did", "has", "have", "had"))
+_PAST = frozenset(("VBD", "VBN"))
+_BE = frozenset("is are was were be been got get gets".split())
 _SWITCHING = frozenset(("on", "off"))
 _STATIVE = frozenset(("JJ", "VBN", "RP", "IN"))
 
@@ -38,6 +41,9 @@ def pro_verbs(observed: Observed, tasks: Mapping[int, str]) -> dict[int, ProVerb
     document, found = observed.document, dict[int, ProVerb]()
     for i, token in enumerate(document.tokens[1:-1], start=1):
         if token.lower != "do" or not _is_order(document, i):
+            continue
+        if (done := _done(observed, tasks, i)) is not None:
+            found[i] = done
             continue
         last = max((j for j, kind in tasks.items() if j < i and kind != "check_state"), default=None)
         if last is None or tasks[last] != "informing" or document.sentences[i] > document.sentences[last] + 1:
@@ -74,6 +80,36 @@ def _is_order(document: Document, do: int) -> bool:
     behind = tokens[do + 2 : do + 3]
     is_whole = tokens[do + 1].lower in _SO and (not behind or behind[0].lower in _BEHIND)
     return is_whole and tokens[do - 1].lower in _BEFORE
+
+
+def _done(observed: Observed, tasks: Mapping[int, str], do: int) -> ProVerb | None:
+    """What a check right before, or one that an echo takes up ("if he hasn't, do it"), asks whether it was done: "has
+    anybody *fed the cat*?", "see if *the plants have been watered*"; None where it asks no such thing."""
+    document, tokens = observed.document, observed.document.tokens
+    near = [j for j, kind in tasks.items() if j < do and document.sentences[j] + 1 >= document.sentences[do]]
+    if not near or any(tasks[j] != "check_state" for j in near[-2:]):
+        return None
+    chunks = list(noun_chunks(document))
+    for i in range(near[-2:][0], do):
+        is_past = tokens[i].tag in _PAST or _is_asked_past(document, i)
+        if not is_past or not observed.senses[i] or type_of(observed, i) in ("check_state", "motion"):
+            continue
+        behind = i + 1 + (tokens[i + 1].tag == "RP")
+        thing = next((chunk for chunk in chunks if chunk.start in (i + 1, behind)), None)
+        if thing is None and not _BE.isdisjoint(token.lower for token in tokens[max(0, i - 3) : i]):
+            thing = next((chunk for chunk in reversed(chunks) if chunk.stop <= i), None)
+        if thing is not None:
+            stop = next((j for j in range(i + 1, do) if tokens[j].text in MARKS), do)
+            state = next((j for j in range(i + 1, stop) if tokens[j].lower in _SWITCHING), i)
+            is_state = state != i or tokens[i].lower in observed.gazetteer.states
+            return ProVerb(type_of(observed, i), thing, range(state, state + is_state))
+    return None
+
+
+def _is_asked_past(document: Document, at: int) -> bool:
+    """Whether a verb is that of a "did" or "has" ahead of it in its sentence: "*did* I lock the door?"."""
+    ahead = (token for token in document.tokens[:at] if document.sentences[token.i] == document.sentences[at])
+    return document.tokens[at].tag in ("VB", "VBP") and any(token.lower in _ASKING for token in ahead)
 
 
 def _asked(observed: Observed, start: int, stop: int) -> ProVerb | None:
