@@ -633,3 +633,17 @@ def test_whether_what_was_fetched_works_is_no_mention_of_the_fetching(order: str
     found = clauses(f"{order}. If {check}, [call](3:informing) [Ann](3:recipient).")
     expected = ("task", "condition", "task") if roles == "apart" else ("condition", "mention", "task")
     assert stated_roles(found, ("condition", "mention", "task")) == expected
+
+
+@pytest.mark.parametrize(
+    ("order", "role"),
+    [
+        ("[start](2:change_state) [it](2:object)", "task"),
+        ("[load](2:change_state) [it](2:object)", "again"),
+    ],
+)
+def test_another_change_of_the_same_thing_is_not_the_same_order_again(order: str, role: str) -> None:
+    found = clauses(
+        f"[Load](1:change_state) [the van](1:object), but don't {order} until [it](3:object)'s [dry](3:check_state)."
+    )
+    assert stated_roles(found, ("task", "again", "task"))[1] == role

@@ -915,3 +915,19 @@ def test_an_exception_that_is_a_sentence_of_its_own_is_one_of_the_order_before(
         "[the door](4:object)."
     )
     assert stated_sides(found, ("task", "condition", "task", "task"), attachments) == expected
+
+
+@pytest.mark.parametrize(
+    ("waiting", "expected"),
+    [
+        ("and when [it](4:object)'[s](4:check_state) [full](4:state), ", "top"),
+        ("and if [it](4:object)'[s](4:check_state) [full](4:state), ", "<1+"),
+    ],
+)
+def test_what_is_done_when_something_is_so_stands_where_that_is_waited_for(waiting: str, expected: str) -> None:
+    found = clauses(
+        "If [the lamp](1:object) [is](1:check_state) [off](1:state), [switch](2:change_state) [it](2:object) "
+        f"[on](2:state), then [run](3:change_state) [a bath](3:object), {waiting}[call](5:informing) Ann."
+    )
+    roles = ("condition", "task", "task", "task", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "top", "top", "<1+"))[-1] == expected

@@ -140,7 +140,7 @@ class Clause:
     def is_absence_of(self, before: Clause) -> bool:
         """Whether it says no more than that whoever the task before should give or tell something to is not there:
         "take it to Anna, and if she's out, ..."."""
-        is_left_with = self.says_too and before.task.type == "placing" and self.is_of_person
+        is_left_with = self.says_too and self.is_of_person and before.task.type == "placing"
         is_handed = before.task.type in _HANDING or is_left_with  # "leave it with Tom, and if he isn't in either"
         if self.task.type != "check_state" or not is_handed or not self.is_of_somebody:
             return False
@@ -357,9 +357,12 @@ class Clause:
         return self.is_forbidden != before.is_forbidden and is_same and is_of_it and is_near
 
     def may_repeat(self, before: Clause) -> bool:
-        """Whether both may be one and the same order: of one type and of things that are not named apart."""
+        """Whether both may be one and the same order: of one type, to one effect, and of things that are not named
+        apart."""
         is_same = not (self.objects and before.objects) or self.names_same(before)
-        return self.task.type == before.task.type and is_same
+        is_other = self.verb != before.verb and self.effects != before.effects and "do" not in (self.verb, before.verb)
+        is_other_change = self.task.type == "change_state" and is_other  # "load it, but don't start it until ..."
+        return self.task.type == before.task.type and is_same and not is_other_change
 
     def is_opposite_of(self, first: Clause) -> bool:
         """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if

@@ -120,7 +120,7 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
 def _is_asked_after(clause: Clause, before: Clause, earlier: Sequence[Clause]) -> bool:
     """Whether an earlier condition asks where the one is who, by `clause`, is not there for the errand `before`: then
     it is that one which `clause` mentions."""
-    if clause.says_too:
+    if clause.says_too and clause.is_of_person:
         return False  # "and if she isn't in *either*"
     checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
     checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]

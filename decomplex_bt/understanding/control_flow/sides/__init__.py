@@ -33,6 +33,7 @@ _RULES = (
     scopes.precede,
     scopes.restrict,
     scopes.go_on,
+    scopes.wait_for,
     scopes.obstruct,
     scopes.leave_be,
     reversals.fall_back,

@@ -92,6 +92,16 @@ def go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k] = "top"
 
 
+def wait_for(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done when something is so that is only waited for is done where that is ("turn it on if it's off, then
+    run a bath, and *when it's ready* tell me")."""
+    awaited, clause = clauses[k - 1], clauses[k]
+    is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and "when" in awaited.near
+    is_next = clause.sentence == awaited.sentence and not clause.near and not clause.far
+    if is_awaited and is_next and sides[k - 1] == "top" and sides[k] in (HOLDS, FAILS):
+        sides[k] = "top"
+
+
 def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
     put it on the shelf"), and that is asked where it would have been put."""
