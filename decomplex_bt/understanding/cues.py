@@ -7,13 +7,15 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.rules.certain_cases import certain_cases
+from decomplex_bt.understanding.rules.concessions import concessions
 from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         # opens a condition with a verb of its own
         "if": (
-            "if", "in case", "just in case", "provided", "provided that", "providing", "providing that", "as long as", "so long as",
+            "if", "in case", "in case that", "in case of", "in the case that", "in the event of", "just in case", "provided", "provided that", "providing", "providing that", "as long as", "so long as",
             "assuming", "assuming that", "supposing", "suppose", "on condition that", "on the condition that", "in the event",
             "in the event that", "given that", "granted", "iff", "as far as", "if in fact", "if by any chance", "if ever", "if indeed",
             "subject to", "to the extent that", "on the off chance", "on the off chance that", "conditional on", "contingent on", "what if",
@@ -166,6 +168,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
+        if words[position : position + length] == _IN_CASE and not _opens_case(document, position):
+            length, names = 1, ()  # "put it in the case that is open"
         if length == 1 and _is_adjective(document, words, position):
             names = ()
         if names == ("instead",) and _counts(document, position):
@@ -179,10 +183,17 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     said = {i for cue in cues if cue.name in PRO_FORMS for i in range(cue.first, cue.last + 1)}
     cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
+    for conceded in concessions(document):  # "whether it is or not, ..." opens no condition
+        cues = [cue for cue in cues if cue.first not in conceded]
+        cues.append(Cue("either_way", conceded.start, conceded.stop - 1))
     if not _NO.isdisjoint(words):
         replaced = {i for order in replaced_orders(document) for i in order}
         cues = [cue for cue in cues if cue.first not in replaced]
     return tuple(sorted(cues, key=lambda cue: cue.first))
+
+
+def _opens_case(document: Document, position: int) -> bool:
+    return any(case.words.start == position for case in certain_cases(document))
 
 
 def _counts(document: Document, instead: int) -> bool:
@@ -375,6 +386,7 @@ def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
 _NO = frozenset(("no", "not", "nope", "nothing", "none", "nowhere", "neither", "nobody"))
 _YES = frozenset(("yes", "yep", "yeah"))
 _LONGEST_ANSWER = 4
+_IN_CASE = ["in", "the", "case", "that"]
 
 
 def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.rules.certain_cases import certain_cases
 from decomplex_bt.understanding.rules.conditions import untold
 
 
@@ -39,9 +41,52 @@ def test_an_untold_case_is_a_check(parser: Parser, text: str, word: str) -> None
         ("If there's no sign of it, go on.", {}),
         ("If there is nothing to sort out, go on.", {}),
         ("If you're done, come here.", {}),
+        ("In the case that the search fails, ring the bell.", {}),
     ],
 )
 def test_no_untold_case(parser: Parser, text: str, tasks: dict[str, str]) -> None:
     document = parser.parse(text)
     told = {token.i: tasks[token.text] for token in document.tokens if token.text in tasks}
     assert untold(document, told) == frozenset()
+
+
+@pytest.mark.parametrize(
+    ("text", "verbs"),
+    [
+        ("Tell Lea in the event that the pump is not running.", ["is"]),
+        ("Call me in the case that Lea wakes up.", ["wakes"]),
+        ("On condition that you cannot lift the crate, ask Tim.", ["lift"]),
+        ("Supposing the pipes are frozen, fetch the lamp.", ["are"]),
+        ("Ring the bell so long as nobody is asleep.", ["is"]),
+        # no case is opened
+        ("Lea says she may stay up so long as it isn't late.", []),
+        ("Lay the flute in the case that is open.", []),
+        ("Tell Lea of the event that starts at six.", []),
+        ("So long as you're in the attic, fetch the lamp.", []),
+        ("Use the brush they provided.", []),
+        ("I'm assuming the oats are dry. Fetch them.", []),
+        ("Look in the case of the flute.", []),
+        ("If the pipes are frozen, fetch the lamp.", []),
+    ],
+)
+def test_more_than_an_if_opens_a_case_for_certain(parser: Parser, text: str, verbs: list[str]) -> None:
+    document = parser.parse(text)
+    assert [document.tokens[case.verb].text for case in certain_cases(document)] == verbs
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Inform Lea in the event that the pump is not running.", [{"if": 2, "else": [1]}]),
+        ("Notify Tim on the condition that the crate has come.", [{"if": 2, "then": [1]}]),
+        ("Turn on the radio so long as nobody is sleeping.", [{"if": 2, "else": [1]}]),
+        ("Tell Tim that the pump is not running.", [1]),
+        ("Tell me if the pump is on, and shut the hatch.", [1, 2]),
+        ("Lay the flute in the case that Lea bought.", [1]),
+    ],
+)
+def test_what_is_told_in_a_case_is_no_message(text: str, flow: list[object]) -> None:
+    found = Interpreter.load().interpret(text)
+    assert found.flow.to_json() == flow
+    if len(flow) == 1 and flow != [1]:
+        assert found.tasks[0].value("message") is None

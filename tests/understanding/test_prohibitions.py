@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.rules.prohibitions import is_elided
 
 
 @pytest.fixture(scope="module")
@@ -25,6 +27,7 @@ def interpreter() -> Interpreter:
         ("Don't open the hatch even if somebody rings, and shut the gate.", "open", ["shut"]),
         ("Even when it's dark, don't light the lamp. Bring me a pen.", "light", ["Bring"]),
         ("Don't empty the bin; if it's full, tell me.", "empty", ["'s", "tell"]),
+        ("If the pie is done, take it out, otherwise don't open the oven.", "open", ["is", "take"]),
         ("Don't give the dog any cake, but if he's hungry, you may bring him a biscuit.", "give", ["'s", "bring"]),
     ],
 )
@@ -140,3 +143,38 @@ def test_another_order_in_a_case_lifts_no_prohibition(interpreter: Interpreter, 
 )
 def test_what_is_left_in_a_case_is_not_done_in_it(interpreter: Interpreter, text: str, flow: list[object]) -> None:
     assert interpreter.interpret(text).flow.to_json() == flow
+
+
+@pytest.mark.parametrize(
+    ("text", "is_said"),
+    [
+        ("Play the radio, and if Gran's in there don't, just shut the door.", True),
+        ("Light the lamp, but if it's day, then don't.", True),
+        ("Mow the lawn, and if it's wet please don't.", True),
+        ("If they don't, play the radio.", False),
+        ("If the boys who are upstairs don't, call them.", False),
+        ("If it's wet, don't mow the lawn.", False),
+        ("Don't. Play the radio.", False),
+    ],
+)
+def test_a_dont_may_say_no_verb(text: str, is_said: bool) -> None:
+    document = Parser().parse(text)
+    assert any(is_elided(document, i) for i in range(len(document))) == is_said
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Play the radio in the den, and if Gran's in there don't, just shut the door.",
+         [{"if": 2, "then": [3], "else": [1]}]),
+        ("Wake Lea if it's late, otherwise don't go in, and feed the hens.", [{"if": 2, "then": [1]}, 3]),
+        ("Tell Lea I'm out if she calls, otherwise don't say a word, and fold my coat.", [{"if": 2, "then": [1]}, 3]),
+        ("Air the room if it's stuffy, otherwise don't bother, and fold my coat.", [{"if": 2, "then": [1]}, 3]),
+        # done in the other case
+        ("Wake Lea if it's late, otherwise go out and feed the hens.", [{"if": 2, "then": [1], "else": [3, 4]}]),
+        ("If the soup is hot, serve it, otherwise don't serve it but heat it up.",
+         [{"if": 1, "then": [{"same": [2, 3]}], "else": [4]}]),
+    ],
+)  # fmt: skip
+def test_what_stands_beside_a_mere_dont(text: str, flow: list[object]) -> None:
+    assert Interpreter.load().interpret(text).flow.to_json() == flow

@@ -312,3 +312,80 @@ def test_what_is_done_instead_stands_in_place_of_the_last_order_of_its_kind(ahea
     roles = ("task", "condition")
     sides = stated_sides(found, ("task", *roles, "task"), (">1-", ">1-", "top", "<1+"))
     assert sides[0] == side
+
+
+PUT_AWAY = (
+    "[Pick](1:taking) [it](1:object) up and [put](2:placing) [it](2:object) [in the crate](2:goal). If "
+    "[{what}](3:object) [is](3:check_state) [{state}](3:state), [put](4:placing) [the coat](4:object) "
+    "[on the desk](4:goal){instead}."
+)
+
+
+@pytest.mark.parametrize(
+    ("what", "state", "instead", "expected"),
+    [
+        ("the crate", "full", " instead", ("top", ">1-", "top", "<1+")),
+        ("the crate", "dusty", " instead", ("top", ">1-", "top", "<1+")),
+        ("the crate", "dusty", "", ("top", "top", "top", "<1+")),
+        ("the attic", "full", " instead", ("top", "top", "top", "<1+")),
+    ],
+)
+def test_an_instead_stands_in_place_of_the_order_for_a_place(
+    what: str, state: str, instead: str, expected: tuple[str, ...]
+) -> None:
+    found = clauses(PUT_AWAY.format(what=what, state=state, instead=instead))
+    assert stated_sides(found, ("task", "task", "condition", "task"), ("top", "top", "top", "<1+")) == expected
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "side"),
+    [
+        ("[it](1:object)['s](1:check_state) [the phone](1:object)",
+         "it['s](3:check_state) [the bell](3:object)", "<1-"),
+        ("[Lea](1:object) [is](1:check_state) [in](1:state)",
+         "[a dog](3:object) [is](3:check_state) [there](3:location) instead", "<1-"),
+        ("[Lea](1:object) [is](1:check_state) [in](1:state)", "it['s](3:check_state) [the bell](3:object)", "<1+"),
+        ("[it](1:object)['s](1:check_state) [the phone](1:object)",
+         "[it](3:object)['s](3:check_state) [loud](3:state)", "<1+"),
+    ],
+)  # fmt: skip
+def test_a_rival_is_not_asked_where_the_first_holds(first: str, second: str, side: str) -> None:
+    found = clauses(f"If {first}, [answer](2:informing); if {second}, [go](4:motion) [out](4:goal).")
+    roles = ("condition", "task", "condition", "task")
+    assert stated_sides(found, roles, ("top", "<1+", "<1+", "<1+"))[2] == side
+
+
+@pytest.mark.parametrize(
+    ("state", "order", "content", "role"),
+    [
+        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
+         "[it](3:object) still [holds](3:check_state) [coal](3:object)", "mention"),
+        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
+         "there['s](3:check_state) [coal](3:object) [in it](3:location)", "mention"),
+        ("full", "[carry](2:bringing) [it](2:object) [down](2:goal)",
+         "there['s](3:check_state) [room](3:object) [in it](3:location)", "mention"),
+        ("empty", "[fill](2:change_state) [it](2:object)",
+         "there['s](3:check_state) [coal](3:object) [in it](3:location)", "condition"),
+        ("empty", "[carry](2:bringing) [it](2:object) [down](2:goal)",
+         "[it](3:object) [has](3:check_state) [a crack](3:object)", "condition"),
+        ("heavy", "[carry](2:bringing) [it](2:object) [down](2:goal)",
+         "[it](3:object) still [holds](3:check_state) [coal](3:object)", "condition"),
+    ],
+)  # fmt: skip
+def test_what_something_holds_is_the_other_side_of_its_being_empty(
+    state: str, order: str, content: str, role: str
+) -> None:
+    found = clauses(
+        f"If [the crate](1:object) [is](1:check_state) [{state}](1:state), {order}; if {content}, "
+        "[tell](4:informing) [Ann](4:recipient)."
+    )
+    assert stated_roles(found, ("condition", "task", "condition", "task"))[2] == role
+
+
+@pytest.mark.parametrize(("added", "side"), [("then also", "<1-"), ("then", "top"), ("also", "top")])
+def test_what_is_also_done_then_is_done_in_the_case(added: str, side: str) -> None:
+    found = clauses(
+        "[Call](1:informing) [me](1:recipient) if [the pump](2:object) [is](2:check_state)n't [on](2:state), and "
+        f"{added} [close](3:change_state) [the hatch](3:object)."
+    )
+    assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "top"))[2] == side

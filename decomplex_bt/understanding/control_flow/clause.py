@@ -121,6 +121,19 @@ class Clause:
     """Whether it ends in an "either" or "too": it is so of somebody or something else as well."""
     says_still: bool = False
     """Whether it asks if something is "still" so."""
+    is_in_it: bool = False
+    """Whether it asks what is in "it": "if there's room *in it*"."""
+    identified: str = ""
+    """The noun or name of who or what it asks if "it" is: "if it's the *plumber*"."""
+    says_instead: bool = False
+    """Whether it asks if something is so "instead": "if a child is there *instead*"."""
+    forbids_order: bool = False
+    """Whether a "don't" behind it forbids in its case what was ordered: "if she's in there *don't*, ..."."""
+    is_past_forbidden: bool = False
+    """Whether an "and" behind a comma goes on from an "otherwise" that only forbids: "otherwise don't wake her, *and
+    lock up*"."""
+    is_either_way: bool = False
+    """Whether what it hangs on is said right ahead to make no difference: "whether you find it or not, *come back*"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 
@@ -281,6 +294,27 @@ class Clause:
         are_places = self.is_of_whereabouts and first.is_of_whereabouts and bool(self.places) and bool(first.places)
         are_stated = not self.wording.is_negated and not first.wording.is_negated
         return is_of_them and are_places and are_stated and self.places.isdisjoint(first.places)
+
+    def is_rival_of(self, first: Clause) -> bool:
+        """Whether it asks what cannot be where the other holds: if it is another thing ("if it's the phone, ..., if
+        it's the doorbell, ..."), or if something is so instead."""
+        is_other = bool(self.identified and first.identified) and self.identified != first.identified
+        are_stated = not (self.wording.is_negated or first.wording.is_negated)
+        return self.is_check and are_stated and (is_other or self.says_instead)
+
+    def is_content_of(self, first: Clause) -> bool:
+        """Whether it asks if something is in what the other asks to be empty, or if there is room in what that asks to
+        be full: "if the basket is empty, ...; if *it still contains clothes*, ..."."""
+        words = {self.verb, *self.thing} if self.is_check else frozenset()
+        is_held = self.verb in _HOLDING or self.says_there_is
+        is_of_it = (self.has_pronoun and self.is_in_it) or (self.verb in _HOLDING and "it" in self.thing)
+        is_room = not _ROOM.isdisjoint(words)
+        state = first.wording.state
+        is_other = (state in _EMPTY and not is_room) or (state in _FILLED and is_room)
+        is_other = is_other and _DAMAGES.isdisjoint(words) and (self.verb != "have" or self.says_still or self.is_in_it)
+        are_stated = not (self.wording.is_negated or first.wording.is_negated)
+        is_one = bool(first.objects) and first.number != "many"
+        return self.is_check and first.is_check and is_held and is_of_it and is_other and are_stated and is_one
 
     def is_case_against(self, order: Clause) -> bool:
         """Whether it calls off the order before it in a case that does not come about through that: "mow the lawn, but
@@ -579,6 +613,12 @@ _NEEDED = {
     for verb in verbs.split()
 }  # fmt: skip
 """What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
+_HOLDING = frozenset("contain hold have".split())
+_DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
+"""What is in something though it may be empty."""
+_ROOM = frozenset(("room", "space"))
+_EMPTY = frozenset(("empty",))
+_FILLED = frozenset(("full", "packed", "crammed"))
 _ANSWERS = frozenset(("yes", "no"))
 _REPLYING = frozenset("refuse decline agree accept consent object comply oblige".split())
 _IFS = frozenset(("if", "unless", "only_if"))

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     calls_off,
     is_adverb,
     is_had_done,
+    is_past_forbidden,
     opens_matter,
     tells_matter,
     turns,
@@ -36,8 +37,10 @@ from decomplex_bt.understanding.control_flow.wording import (
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
-from decomplex_bt.understanding.rules.prohibitions import is_forbidden
+from decomplex_bt.understanding.rules.concessions import concessions
+from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidden
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
@@ -53,6 +56,7 @@ _NONE_OF_IT = frozenset(
     )
 )  # fmt: skip
 _TOO = frozenset(("either", "too"))
+_IN_IT = (["in", "it"], ["inside", "it"], ["in", "there"], ["inside"])
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _WAYS = frozenset(("back", "home", "out", "again"))
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
@@ -184,8 +188,30 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_unwilling=_is_unwilling(observed, task, first, own_last),
         says_too=says_too,
         says_still="still" in near or any(t.lower == "still" for t in document.tokens[first : own_last + 1]),
+        is_in_it=_is_in_it(document, task),
+        identified=_identified(document, task),
+        says_instead=task.type == "check_state" and any(cue == "instead" for cue in (*near, *own)),
+        forbids_order=any(is_elided(document, i) for i in range(token + 1, following)),
+        is_past_forbidden=is_past_forbidden(observed, previous, split, token),
+        is_either_way=any(previous < words.start < token for words in concessions(document)),
         turns=turns(document, ahead, token),
     )
+
+
+def _is_in_it(document: Document, task: MarkedTask) -> bool:
+    places = [indices for kind, indices in task.arguments if kind == "location"]
+    return any([document.tokens[j].lower for j in indices] in _IN_IT for indices in places)
+
+
+def _identified(document: Document, task: MarkedTask) -> str:
+    if task.type != "check_state":
+        return ""
+    identity = identity_of(document, task.token)
+    if identity is not None:
+        return document.tokens[identity.name.stop - 1].lemma if identity.is_pronoun(document) else ""
+    around = document.tokens[max(0, task.token - 1) : task.token + 2]
+    is_name = len(around) == 3 and around[0].lower in ITS and around[1].lower in _IS and around[2].tag == "NNP"
+    return around[2].lemma if is_name else ""
 
 
 def _says_only_whether(document: Document, task: MarkedTask, last: int) -> bool:

@@ -38,6 +38,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _find_first,
         _report,
         _name_other,
+        _hold,
         _find_nobody,
         _ask_of_order,
         _wish,
@@ -156,6 +157,18 @@ def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     clause = clauses[k]
     before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if roles[k] == "condition" and before is not None and "if" in clause.near and clause.is_opposite_of(before):
+        roles[k] = "mention"
+
+
+def _hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That something is in what was asked to be empty is its other side ("if the basket is empty, ...; if *it still
+    contains clothes*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
+        return
+    is_opened = "if" in clauses[k].near and clauses[k].boundary != "none"
+    is_changed = any(not clauses[j].effects.isdisjoint(("empty", "full")) for j in range(first + 1, k))
+    if is_opened and not is_changed and clauses[k].is_content_of(clauses[first]):
         roles[k] = "mention"
 
 

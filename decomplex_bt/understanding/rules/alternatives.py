@@ -237,7 +237,7 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
         return True
     if part.lead != "mark" or not _follows_condition(parts, k, tasks):
         return False
-    is_parted = document.tokens[parts[k - 1].opening.start - 1].lower == "or" and _goes_on(document, following)
+    is_parted = _joint(document, parts[k - 1]) == "or" and _goes_on(document, following)
     if not (part.is_last or is_parted):
         return False
     if document.tokens[part.body.start].lower == "and":
@@ -413,8 +413,16 @@ def _goes_on(document: Document, following: Sequence[_Part]) -> bool:
 
 def _is_joined(document: Document, parts: Sequence[_Part], k: int) -> bool:
     """Whether an "or" or "and" leads the condition that a part follows: "a beer, or if there is none, *lemonade*"."""
-    opening = parts[k - 1].opening.start
-    return opening > 0 and document.tokens[opening - 1].lower in ("or", "and", ",")
+    return _joint(document, parts[k - 1]) in ("or", "and", ",")
+
+
+def _joint(document: Document, condition: _Part) -> str:
+    """The word right ahead of a condition, be it that a comma parts them ("tea or, *if there is none*, water"); "" at
+    the beginning."""
+    tokens, i = document.tokens, condition.opening.start - 1
+    if i > 0 and tokens[i].text == "," and tokens[i - 1].lower in ("or", "and"):
+        i -= 1
+    return tokens[i].lower if i >= 0 else ""
 
 
 def _follows_condition(parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:

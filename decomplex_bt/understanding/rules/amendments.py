@@ -29,6 +29,7 @@ from decomplex_bt.understanding.rules.checks import (
     with_whole_state,
     without_left,
 )
+from decomplex_bt.understanding.rules.conditions import without_cases
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fragments import fragments
@@ -94,6 +95,7 @@ def amended(
     kept = [a for a in kept if a.tokens.start not in meant or _is_place_of_order(tasks, a)]
     how = means_of(document, tasks)
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
+    kept = without_cases(document, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.rules.concessions import either_way
 
 _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())
@@ -84,7 +85,7 @@ def concession(document: Document, at: int) -> range | None:
     tokens, sentences = document.tokens, document.sentences
     if tokens[at].lower in _CLAUSE_ENDS or document.words.isdisjoint(_TELLING[concession]):
         return None
-    either = _either(document, at)
+    either = either_way(document, at) or _either(document, at)
     if either is not None:
         return either
     start = stop = at
@@ -188,6 +189,6 @@ _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
     musing: frozenset(("let", "make")),
     reason: _REASONS,
-    concession: _FIRST_CONCEDING | {"or"},
+    concession: _FIRST_CONCEDING | {"or", "whether"},
 }
 """For each kind of aside words of which it has one."""

@@ -1,11 +1,13 @@
-"""Conditions: the case of somebody or something named is a check, be none of its words a task by itself ("if *the sun's
-gone*, ...", "when *Tom's taken the bins out*, ...")."""
+"""Conditions: the case of somebody or something named, or one that more than an "if" opens, is a check, be none of its
+words a task by itself ("if *the sun's gone*, ...", "when *Tom's taken the bins out*, ...", "in the event that ...")."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
+from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
 
 _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))
@@ -14,15 +16,19 @@ _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".spl
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
 """What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
+_OF_TASKS = frozenset("fail succeed manage".split())
+"""What tells how a task went: "in the case that this fails"."""
 _LONGEST = 6
 """The most words of a subject."""
 
 
 def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     """The "is" or "has" of every case that begins a clause, has a noun, a person or "there" for its subject, and none
-    of whose words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told."""
+    of whose words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told. Of
+    `certain_cases` any verb, wherever they stand."""
     tokens = document.tokens
-    return frozenset(
+    certain = frozenset(case.verb for case in certain_cases(document) if _is_untold(document, case, tasks))
+    return certain | frozenset(
         be
         for i, token in enumerate(tokens)
         if token.lower in _OPENING
@@ -32,6 +38,28 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         and (be := _be(document, range(i + 1, stop))) is not None
         and not _is_told(document, tasks, i)
     )
+
+
+def without_cases(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments but for those that tasks ahead of such a case have in it: "inform Tom *in the event that* ..." has
+    no message."""
+    checks = {i for i, kind in tasks.items() if kind == "check_state"}
+    cases = [case for case in certain_cases(document) if not checks.isdisjoint(case.words)]
+    return [
+        a
+        for a in arguments
+        if not any(a.owner < case.words.start <= a.tokens.stop - 1 <= case.words[-1] for case in cases)
+    ]
+
+
+def _is_untold(document: Document, case: CertainCase, tasks: Mapping[int, str]) -> bool:
+    """Whether no word up to the verb of a case is a task, and no check further on; not of how a task went."""
+    if document.tokens[case.verb].lemma in _OF_TASKS:
+        return False
+    is_told = any(i in tasks for i in range(case.words.start, case.verb + 1))
+    return not is_told and all(tasks.get(i) != "check_state" for i in case.words)
 
 
 def _be(document: Document, clause: range) -> int | None:

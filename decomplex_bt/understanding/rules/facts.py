@@ -13,6 +13,7 @@ from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import whole_state
+from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
@@ -24,7 +25,7 @@ from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
-from decomplex_bt.understanding.rules.prohibitions import is_left_alone
+from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
@@ -117,6 +118,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
+            or either_way(document, task.token) is not None
+            or is_elided(document, task.token)
             or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
             or is_planned(document, task.token, types_found)
             or is_hearsay(document, task.token)

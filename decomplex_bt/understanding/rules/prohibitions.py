@@ -30,6 +30,7 @@ _ALLOWING = frozenset(
 )  # fmt: skip
 """What says that something may be done after all, in the normal form of cues."""
 _BESIDE_ALLOWING = frozenset("then please by all means though however".split())
+_BESIDE_OTHERWISE = frozenset((",", "then", "please", "just", "well"))
 _LEFT = frozenset("it them that this 'em".split())
 _CASES = frozenset("if when unless otherwise else".split())
 _CONDITIONAL = frozenset(
@@ -43,7 +44,8 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     """The tokens of the verbs that are forbidden whatever happens, in text order.
 
     A rule of grammar: "do not", "must not", "never" and the like ahead of a bare verb, with no subject but "you", in a
-    clause without a condition, an order or a question; "without", "rather than" and "instead of" ahead of a gerund.
+    clause without a condition, an order or a question, or right behind an "otherwise"; "without", "rather than" and
+    "instead of" ahead of a gerund.
     """
     document = observed.document
     tokens = document.tokens
@@ -57,7 +59,9 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
     ]
     for i in negations:
-        if any(_may_govern(document, cue, i) for cue in cues) or observed.question[i]:
+        # of what an "otherwise" forbids only what stands behind may say more
+        governing = [cue for cue in cues if cue > i] if is_behind_otherwise(observed, i) else cues
+        if any(_may_govern(document, cue, i) for cue in governing) or observed.question[i]:
             continue
         if tokens[i].lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
             continue
@@ -72,6 +76,43 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         if is_named and _is_bare(document, verb) and not _has_subject(document, verb):
             found += [verb, *_joined(document, verb)]
     return tuple(sorted(set(found)))
+
+
+def is_behind_otherwise(observed: Observed, negation: int) -> bool:
+    """Whether a "don't" stands right behind an "otherwise" or "if not", so that it is all that is said of that case
+    ("otherwise *don't* open it"), and forbids nothing that is ordered before."""
+    tokens = observed.document.tokens
+    start = negation if tokens[negation].lower == "never" else negation - 1
+    last = start - 1
+    while last > 0 and tokens[last].lower in _BESIDE_OTHERWISE:
+        last -= 1
+    if start < 0 or not any(cue.name == "else" and cue.last == last for cue in observed.cues):
+        return False
+    ordered = {token.lemma for token in tokens[:last] if token.pos == "VERB" or token.tag.startswith("VB")}
+    return tokens[min(negation + 1, len(tokens) - 1)].lemma not in ordered
+
+
+def is_elided(document: Document, at: int) -> bool:
+    """Whether the "do" of a "don't" forbids in a case what was ordered before, and says no verb: "if she's in there
+    *don't*, ...", "if it's wet then *don't*"; not "if they *don't*, ..."."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[at].lower != "do" or at + 1 >= len(tokens) or tokens[at + 1].lower not in _NEGATIONS:
+        return False
+    behind = tokens[at + 2].lower if at + 2 < len(tokens) and sentences[at + 2] == sentences[at] else "."
+    if behind not in _ENDS:
+        return False
+    case = at - 1
+    while case >= 0 and sentences[case] == sentences[at] and tokens[case].lower not in _CASES:
+        case -= 1
+    if case < 0 or sentences[case] != sentences[at]:
+        return False
+    said = tokens[case + 1 : at]
+    asked = [t for t in said if t.tag in ("VBZ", "VBP", "VBD", "MD") or t.lower in ("'s", "is", "are")]
+    relative = [
+        t for t in said[1:] if t.tag in ("WDT", "WP") or t.lower == "that"
+    ]  # "if the cups that *are* left don't"
+    is_next = tokens[at - 1].text in MARKS or tokens[at - 1].lower in _BESIDE_OTHERWISE
+    return len(asked) > len(relative) and (is_next or tokens[at - 1].tag not in ("PRP", "WDT", "WP"))
 
 
 def is_left_alone(document: Document, verb: int, tasks: Collection[int]) -> bool:

@@ -1,4 +1,5 @@
-"""Verbless cases: checks that say only a noun ("if *no bread*, ...", "unless *Sunday*, ...", "*any bread*?")."""
+"""Verbless cases: checks that say only a noun ("if *no bread*, ...", "unless *Sunday*, ...", "in case
+of *frost*, ...", "*any bread*?")."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from decomplex_bt.understanding.references.phrases import head_of
 from decomplex_bt.understanding.rules.fragments import Fragment
 
 _OPENING = frozenset(("if", "unless"))
+_IN_CASE = (("in", "case", "of"), ("in", "the", "event", "of"))
 _TAKING_UP = frozenset("if otherwise else then yes no not when".split())
 """First words behind a question that say what comes of it."""
 _UNHEEDED = frozenset("still only just ever then".split())
@@ -21,7 +23,8 @@ _LONGEST = 6
 _NO_CASES = frozenset(
     "possible necessary necessity need needed required applicable available sure unsure true false positive negative "
     "successful unsuccessful lucky unlucky ok okay fine home luck joy good anything nothing doubt emergency course "
-    "thing time yes no aye yeah yep nope nay neither either answer reply response sign show dice".split()
+    "thing time yes no aye yeah yep nope nay neither either answer reply response sign show dice failure "
+    "success need".split()
 )
 """Heads of what stands behind an "if" and takes up what was said, or asks nothing."""
 
@@ -43,16 +46,34 @@ def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragm
         if head is not None and not any(i in tasks for i in phrase if i != head):
             is_of_day = tokens[head].lower in WEATHER
             thing, state = (range(0), phrase) if is_of_day else (phrase, range(0))
+            if tokens[first - 1].lower == "of":  # "in case of rain" names no state beside the word that carries it
+                state = range(0)
             yield Fragment(range(first, stop), head, thing, range(0), state=state)
 
 
 def _openings(document: Document) -> Iterator[int]:
-    """Where a case may begin: behind an "if", or with an "any" at the beginning of a sentence."""
+    """Where a case may begin: behind an "if" or "in case of", or with an "any" at the beginning of a sentence."""
     for i, token in enumerate(document.tokens):
-        if token.lower in _OPENING and i + 1 < len(document):
+        if token.lower == "in" and (first := _in_case(document, i)) is not None:
+            yield first
+        is_conceded = i > 0 and document.tokens[i - 1].lower == "even"
+        if token.lower in _OPENING and i + 1 < len(document) and not is_conceded:
             yield i + 1
         elif token.lower == _ASKING and (i == 0 or document.tokens[i - 1].text in ENDS):
             yield i
+
+
+def _in_case(document: Document, i: int) -> int | None:
+    """Where the case begins that "in case of" or "in the event of" opens; the former tells at the end of a sentence
+    what something is done against: "take a coat *in case of rain*"."""
+    tokens = document.tokens
+    for phrase in _IN_CASE:
+        first = i + len(phrase)
+        stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        is_said = tuple(t.lower for t in tokens[i:first]) == phrase and (i == 0 or tokens[i - 1].lower != "just")
+        if is_said and (len(phrase) > len(_IN_CASE[0]) or (stop < len(tokens) and tokens[stop].text == ",")):
+            return first
+    return None
 
 
 def _is_asked(document: Document, first: int, stop: int) -> bool:

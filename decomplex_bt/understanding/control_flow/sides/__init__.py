@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides import mentions, prohibitions, reversals, scopes, states
+from decomplex_bt.understanding.control_flow.sides import mentions, prohibitions, resumptions, reversals, scopes, states
 
 _RULES = (
     mentions.repeat,
@@ -35,6 +35,7 @@ _RULES = (
     scopes.go_on,
     scopes.wait_for,
     scopes.obstruct,
+    scopes.replace_there,
     scopes.leave_be,
     reversals.fall_back,
     reversals.follow,
@@ -44,6 +45,9 @@ _RULES = (
     scopes.check_ahead,
     scopes.ask_anew,
     scopes.come_first,
+    resumptions.disregard,
+    resumptions.rejoin,
+    resumptions.add_also,
     scopes.list_on,
     scopes.make_up,
     scopes.move_on,
@@ -55,6 +59,7 @@ _RULES = (
     scopes.go_ahead,
     prohibitions.stand_alone,
     prohibitions.call_off,
+    prohibitions.elide,
     prohibitions.allow,
     scopes.exclude,
     scopes.turn_away,

@@ -168,3 +168,21 @@ def allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         return
     if sides[k - 1] in ("top", ">1+", ">1-") and sides[k] in ("top", HOLDS):
         sides[k - 1], sides[k] = ">1+", "top"
+
+
+def elide(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is forbidden in a case by a "don't" without its verb is done in the other, and what follows is done in the
+    case ("put the radio on, and if she's asleep *don't*, just shut the door")."""
+    if roles[k - 1] not in CONDITION_ROLES or not clauses[k - 1].forbids_order or roles[k] != "task":
+        return
+    check = clauses[k - 1]
+    if "unless" in check.near:
+        return
+    if k > 1 and roles[k - 2] == "task" and sides[k - 2] == ">1+" and clauses[k - 2].sentence == check.sentence:
+        sides[k - 2] = ">1-"
+    for j in range(k, len(clauses)):
+        if j > k and not goes_on(clauses, roles, sides, j, check.sentence):
+            return
+        if clauses[j].sentence != check.sentence or sides[j] != FAILS or clauses[j].is_otherwise:
+            return
+        sides[j] = HOLDS

@@ -126,6 +126,30 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
+def replace_there(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done *instead*, in a case that is asked of the place or the person of the order ahead, stands in place of
+    that order alone, and is asked where that would be done ("pick it up and put it in the box. If the box is full, put
+    it on the bench *instead*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_instead = "instead" in (*other.near, *other.behind) and other.sentence == check.sentence
+    is_led = check.boundary in _PARTING and "if" in check.near and not {*other.far, *other.near} & TURNING
+    is_place = not (order.nouns - set(order.objects)).isdisjoint(check.objects)
+    is_receiver = check.is_of_person and any(kind in ("recipient", "goal") for kind, _ in order.task.arguments)
+    is_moved = order.task.type in MOVING and sides[k + 1] == HOLDS
+    is_moved = is_moved and (other.verb not in _LEAVING or bool(other.receivers))
+    if not (is_instead and is_led and is_moved and (is_place or is_receiver)) or order.is_forbidden:
+        return
+    if sides[k - 1] == ">1-" and order.has_pronoun and not order.objects and other.task.type in MOVING:
+        for j in range(k - 2, -1, -1):
+            if roles[j] != "task" or sides[j] != ">1-" or clauses[j].sentence != order.sentence:
+                return
+            sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+    elif sides[k - 1] in ("top", HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
 def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is left somewhere in a case is not moved in it ("bring the washing in. If it's damp, *leave it on the
     line*"); where only some of it is left, the rest is ("bring the milk in. If there are two, *leave one outside*")."""
@@ -375,11 +399,15 @@ def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
-    give it to her, but if she's at lunch, ...")."""
+    give it to her, but if she's at lunch, ..."); and whether it is another thing, or is so instead, never where the
+    first holds ("if it's the phone, ..., *if it's the doorbell*, ...")."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
         return
+    is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
+    if is_led and clause.is_rival_of(clauses[first]) and sides[k] == HOLDS:
+        sides[k] = FAILS
     if not {"but", "if"} <= {*clause.far, *clause.near} or not clause.is_elsewhere_than(clauses[first]):
         return
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):

@@ -1,0 +1,89 @@
+"""Concessions that tell both of two cases ("whether you find it or not", "no matter if it's on"): what is ordered
+beside them is done either way."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.document import MARKS, Document
+
+_NO_MATTER = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "no matter if", "no matter whether", "regardless of if", "regardless of whether", "irrespective of whether",
+        "irrespective of if", "independently of whether", "independent of whether", "it does n't matter if",
+        "it does n't matter whether",
+    )
+)  # fmt: skip
+"""What says by itself that it makes no difference."""
+_ALL_OPENERS = frozenset(phrase[0] for phrase in _NO_MATTER) | {"whether"}
+_JOINTS = frozenset(("and", "but", "so"))
+_NOT = frozenset(("not", "no", "n't", "n\u2019t", "nt"))
+_CONTRACTED = _NOT - {"not", "no"}
+_ASKED = frozenset(
+    "check see find look verify ask tell know wonder determine confirm ensure discover inspect test learn let figure "
+    "suss notice establish sure certain doubt report say examine decide choose remind inform text call message ring "
+    "question unclear unsure idea remember recall forget matter me us about on of as to depend depending care".split()
+)
+"""What a "whether" is asked, told or chosen by: "let me know whether it's on or not", "depending on whether"."""
+
+
+def either_way(document: Document, at: int) -> range | None:
+    """The words that token `at` is among in which both of two cases are told as making no difference: "whether there is
+    or not", "regardless of whether it's on", "no matter if it is"; or None."""
+    if document.words.isdisjoint(_ALL_OPENERS):
+        return None
+    return next((words for words in concessions(document) if at in words), None)
+
+
+def concessions(document: Document) -> tuple[range, ...]:
+    """Of all such concessions the words, in text order."""
+    if document.words.isdisjoint(_ALL_OPENERS):
+        return ()  # as with most instructions
+    words = [token.lower for token in document.tokens]
+    found: list[range] = []
+    for start, word in enumerate(words):
+        if word not in _ALL_OPENERS or (found and start < found[-1].stop):
+            continue
+        opener = next((phrase for phrase in _NO_MATTER if tuple(words[start : start + len(phrase)]) == phrase), ())
+        inside = start + (len(opener) or 1)
+        stop = _end(document, inside)
+        other = _other_case(document, range(inside, stop))
+        if opener or (word == "whether" and other is not None and not _is_asked(document, start)):
+            found.append(range(start, stop if other is None else other))
+    return tuple(found)
+
+
+def _end(document: Document, inside: int) -> int:
+    """Where a clause ends: at a mark, or at an "and" or the like."""
+    tokens, sentences = document.tokens, document.sentences
+    behind = range(inside, len(tokens))
+    ends = (
+        i
+        for i in behind
+        if tokens[i].text in MARKS or tokens[i].lower in _JOINTS or sentences[i] != sentences[inside - 1]
+    )
+    return next(ends, len(tokens))
+
+
+def _other_case(document: Document, clause: range) -> int | None:
+    """Where the second case of a clause ends: behind the "or not" or "or it isn't" of "whether there is or ...", at the
+    end of the clause behind "whether or not ..." and "whether it's wet or dry"; None where it has none."""
+    words = [token.lower for token in document.tokens[: clause.stop]]
+    joint = next((i for i in clause if words[i] == "or"), None)
+    if joint is None or joint + 1 >= clause.stop:
+        return None
+    if joint > clause.start + 1:
+        denied = next((i for i in range(joint + 1, min(joint + 4, clause.stop)) if words[i] in _NOT), None)
+        if denied is not None and (words[denied] in _CONTRACTED or denied == joint + 1):
+            return denied + 1
+    return clause.stop
+
+
+def _is_asked(document: Document, start: int) -> bool:
+    """Whether something ahead of a "whether" in its clause, up to a mark behind which it stands, asks or tells it."""
+    tokens, sentences = document.tokens, document.sentences
+    for i in range(start - 1, -1, -1):
+        if sentences[i] != sentences[start] or (tokens[i].text in MARKS and i < start - 1):
+            return False
+        if tokens[i].lemma in _ASKED or tokens[i].lower in _ASKED:
+            return True
+    return False
