@@ -179,8 +179,10 @@ class Clause:
         return is_change and is_of_it and "unless" not in self.near
 
     def says_broken(self, named: Clause) -> bool:
-        """Whether it asks if what was named last is out of order, which is found out by switching it on."""
+        """Whether it asks if what was named last is out of order, which is found out by switching it on; not where that
+        chooses between two orders ("switch it on, *or if it's broken* open the door")."""
         is_broken = self.is_check and self.wording.state in _BROKEN and not self.wording.is_negated
+        is_broken = is_broken and "or" not in (*self.far, *self.near)
         return is_broken and (self.names_same(named) or (self.has_pronoun and not self.objects))
 
     def tries_out(self, before: Clause) -> bool:
