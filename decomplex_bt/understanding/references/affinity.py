@@ -82,6 +82,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
+    if _is_of_somebody(document, gap) and options:
+        return options  # "bring me Mum's" leaves its noun to those before
     is_one = gap.tokens and gap.word == "one" and any(_is_halved(document, gap, c) for c in of_side["before"])
     if not options or not (
         pair or is_one or meant(context, gap) or is_pointing_back(document, gap) or containers_of(context, gap)
@@ -102,6 +104,10 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         red = tokens[candidate.head - 1].text if is_told else ""
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
         worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if _is_of_somebody(observed.document, gap):  # "Anna's" is none of those named
+        worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if words == {"some"} and tokens[candidate.tokens.start].lower == "enough":
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if words == {"one"} and _is_halved(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way == "one"] or worded
@@ -126,6 +132,13 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         return
     noun = next((text for text, way in worded if way == "modified.head"), worded[0][0])
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
+
+
+def _is_of_somebody(document: Document, gap: Gap) -> bool:
+    """Whether somebody's thing is handled whose noun was said before: "bring me *Mum's*"; no "cup of Barry's"."""
+    is_handled = gap.type == "object" and gap.task.type in ("bringing", "taking", "placing")
+    words = {document.tokens[i].lower for i in gap.tokens}
+    return is_handled and gap.word == "'s" and words.isdisjoint(("of", "yesterday", "today"))
 
 
 def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:

@@ -51,6 +51,7 @@ _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
 _GUARDING = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "then"))
+_ONES = frozenset(("one", "ones"))
 _ABSENT = frozenset(("missing", "gone", "lost"))
 
 
@@ -190,13 +191,31 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unwarmed, is_content)):
+    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unwarmed, is_content, _is_feature)):
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
     if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_feature(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate only tells which thing a statement is about: "you know that basket, the one with *the broken
+    handle*, well, it's in the cellar. Fetch *it*"."""
+    document, start = context.observed.document, candidate.tokens.start
+    tokens = document.tokens
+    if gap.word in _SOMEBODY or candidate.owner or candidate.mention or start < 2:
+        return False
+    is_one = tokens[candidate.head].lower in _ONES or (
+        tokens[start].lower in ("the", "that")
+        and (tokens[start + 1 : start + 2] != () and tokens[start + 1].lower in _ONES)
+    )
+    of = document.sentences
+    is_stated = not any(of[i] == of[start] and i < start for i in context.verbs)
+    before = tokens[start - 2]
+    is_told = tokens[start - 1].lower == "with" and (before.lower in _ONES)
+    return is_stated and (is_one or is_told)
 
 
 def _guarded(context: Context, gap: Gap) -> int:

@@ -8,8 +8,10 @@ from functools import cached_property
 
 from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
+from decomplex_bt.understanding.references.identity import identities
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import (
     PERSON_NOUNS,
@@ -47,6 +49,7 @@ class Context:
         document = self.observed.document
         told_by = {i for look in (*looks(document), *shouts(document)) for i in look.words}
         self.pool = [c for c in candidates_of(self.observed, self.tasks) if c.tokens.start not in told_by]
+        self.pool += _identified(document, self.pool)
         for candidate in self.pool:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
@@ -113,6 +116,15 @@ class Context:
         if path == other:
             return "same"
         return "inner" if len(other) > len(path) else "outer"
+
+
+def _identified(document: Document, known: Sequence[Candidate]) -> Iterator[Candidate]:
+    """What conditions say something is, where the tagger takes it for no noun: "if it's *the oven* turn it off"."""
+    places = {candidate.tokens for candidate in known}
+    for identity in identities(document):
+        if identity.name not in places:
+            text = document.span(identity.name.start, identity.name.stop - 1).of(document.text)
+            yield Candidate(text, identity.name, identity.name.stop - 1)
 
 
 def paths_of(flow: Flow) -> Mapping[int, tuple[tuple[int, str], ...]]:

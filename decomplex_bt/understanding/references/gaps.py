@@ -21,6 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
     is_pointing,
     noun_of,
     stripped,
+    whole_noun_of,
 )
 
 REFERRING = PRONOUNS
@@ -232,7 +233,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         return
     if gap.form == "own":
         own = _OWN.get(gap.word) or _text(document, gap.tokens)
-        yield f"{own} {noun_of(document, candidate, is_plural=None)}", "own"
+        noun = whole_noun_of(document, candidate) if gap.word == "'s" else noun_of(document, candidate, is_plural=None)
+        yield f"{own} {noun}", "own"
         yield text, "same"
         return
     is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])

@@ -20,6 +20,8 @@ _NAMES = frozenset(("NOUN", "PROPN"))
 _NO_NAMES = WEATHER | frozenset("case turn time morning afternoon evening night".split())
 _ONES = frozenset(("one", "ones"))
 _ORDINAL = frozenset("last only first final wrong right".split())
+_DONE_TO = frozenset(("it", "them", "him"))
+"""What only verbs have right behind them: no "me" or "her", as in "if it's *the one her* aunt sent"."""
 _BOTH = frozenset("open shut clean dry warm cool empty".split())
 """What is a state and an order, both of changing it."""
 
@@ -97,8 +99,11 @@ def _end(document: Document, start: int) -> int:
     stop = start + 1
     while stop < len(tokens) and (tokens[stop].pos in _PARTS or tokens[stop].tag in ("POS", "VBG")):
         stop += 1
+    if stop < len(tokens) and tokens[stop].lower in _DONE_TO and stop > start + 2:
+        stop -= 1  # "if it's the oven *turn* it off", where the tagger takes the verb for a noun
     heads = [i for i in range(start + 1, stop) if tokens[i].pos in _NAMES or tokens[i].lower in _ONES]
-    is_marked = stop == len(tokens) or tokens[stop].lower in MARKS
+    is_verbal = stop < len(tokens) and tokens[stop + 1 : stop + 2] != () and tokens[stop + 1].lower in _DONE_TO
+    is_marked = is_verbal or stop == len(tokens) or tokens[stop].lower in MARKS
     end = heads[-1] + 1 if heads else stop if is_marked else start
     is_more = end < len(tokens) and tokens[end].lower == "of"
     return start if is_more or tokens[end - 1].lower in _NO_NAMES else end

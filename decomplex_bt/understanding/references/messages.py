@@ -9,12 +9,17 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.context import paths_of
+from decomplex_bt.understanding.references.phrases import PRONOUNS
 
 _TELLING = frozenset(("tell", "let", "inform"))
 _SPEAKING = frozenset("say reply refuse object want agree ask complain mind".split())
 """What somebody answers by, which may be what is told on."""
 _SAYING = _TELLING | frozenset("say whisper shout repeat report".split())
 _SAID = frozenset(("it", "that", "this"))
+_FOUND = frozenset(("so", "that", "this"))
+_BE = frozenset("is are was were".split())
+_CONTRACTED = {"'s": "is", "\u2019s": "is", "'re": "are", "\u2019re": "are"}
+_DENYING = frozenset("not n't n\u2019t isn't isn\u2019t aren't aren\u2019t no never".split())
 _ADDING = frozenset(("too", "also"))
 _ONESELF = frozenset(("me", "us"))
 
@@ -29,6 +34,7 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
         between = found[found.index(before) + 1 :] if before is not None else []
         if before is not None:
             task = _said_again(document, task, before)
+        task = _found_out(document, task, tasks, flow)
         message = _passed_on(document, task, before, between, flow) if before is not None else None
         if message is not None:
             told = Argument("message", message.value, None, message.confidence)
@@ -51,6 +57,43 @@ def _said_again(document: Document, task: Task, before: Task) -> Task:
             for a in task.arguments
         ),
     )
+
+
+def _found_out(document: Document, task: Task, tasks: Sequence[Task], flow: Flow) -> Task:
+    """The task; a "so" or "that" that somebody is told in a case is what its condition found out: "if *the shelf is
+    empty*, tell me *so*"."""
+    path = paths_of(flow).get(task.id, ())
+    told = next((a for a in task.arguments if a.type == "message" and a.value.lower() in _FOUND), None)
+    check = next((one for one in tasks if path and one.id == path[-1][0] < task.id), None)
+    if task.type != "informing" or told is None or check is None or check.type != "check_state":
+        return task
+    clause = _clause(document, check)
+    is_denied = any(word in _DENYING for word in clause.lower().split())
+    if not clause or (path[-1][1] == "else") != is_denied:
+        return task
+    said = tuple(replace(a, value=clause) if a is told else a for a in task.arguments)
+    return replace(task, arguments=said)
+
+
+def _clause(document: Document, check: Task) -> str:
+    """What a check asks, as a statement: "the shelf is empty"; "" where its words make none."""
+    tokens, verb = document.tokens, document.indices(check.span).start
+    said = {a.type: a for a in check.arguments if a.span is not None}
+    thing = said.get("object")
+    rest = [said[name] for name in ("state", "location") if name in said]
+    if not rest or (thing is not None and thing.value.lower() in PRONOUNS):
+        return ""
+    if thing is None or thing.span is None:  # "if it's raining"
+        return f"it is {rest[0].value}" if verb and tokens[verb - 1].lower == "it" else ""
+    words, end = document.indices(thing.span), max(a.span.end for a in rest if a.span is not None)
+    start = words.stop
+    if words.start > verb and tokens[verb].lower in _BE:  # "is the shelf empty?"
+        return f"{thing.value} {tokens[verb].lower} {document.text[tokens[start].start : end]}"
+    if start >= len(tokens) or tokens[start].start >= end or tokens[start].tag == "VB":
+        return ""
+    be = _CONTRACTED.get(tokens[start].lower)
+    behind = document.text[tokens[start + 1].start : end] if be else document.text[tokens[start].start : end]
+    return " ".join([thing.value, *([be] if be else ()), behind])
 
 
 def _is_said(argument: Argument) -> bool:

@@ -199,7 +199,7 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             continue
         is_state = token.lower in observed.gazetteer.states or token.pos == "ADJ"
         is_verb = token.pos == "VERB" and token.tag != "MD"
-        if not (is_state or is_verb):
+        if not (is_state or is_verb) or token.lower in _LIKELY:
             continue
         number, kind = (owner.id, owner.type) if owner else (0, "")
         candidate = Candidate(token.text, range(i, i + 1), i, number, "state", kind, "verb" if is_verb else "adjective")
@@ -231,6 +231,8 @@ def noun_chunks(document: Document) -> Iterator[range]:
         start = None
 
 
+_LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
+"""How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""
 _TIMES = frozenset("yesterday today tonight tomorrow now later".split())
 
 
@@ -322,6 +324,14 @@ def noun_of(document: Document, candidate: Candidate, *, is_plural: bool | None)
         if document.tokens[i].dep == "compound" and document.tokens[i].head == candidate.head
     ]
     return " ".join([*compound, _inflected(head.text, head.lemma, head.tag, is_plural)])
+
+
+def whole_noun_of(document: Document, candidate: Candidate) -> str:
+    """As `noun_of`, with its compound also where the candidate is taken up by a pronoun."""
+    start = candidate.head
+    while start and document.tokens[start - 1].dep == "compound" and document.tokens[start - 1].head == candidate.head:
+        start -= 1
+    return document.span(start, candidate.head).of(document.text)
 
 
 def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
