@@ -32,6 +32,7 @@ from decomplex_bt.understanding.rules.checks import (
 from decomplex_bt.understanding.rules.conditions import without_cases
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
+from decomplex_bt.understanding.rules.extents import with_features, with_purposes, with_whole_places, without_questions
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
@@ -43,11 +44,11 @@ from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
-from decomplex_bt.understanding.rules.relatives import told_apart, without_excluded
-from decomplex_bt.understanding.rules.reports import with_reports
+from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
+from decomplex_bt.understanding.rules.reports import with_reports, without_times
 from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.second_cases import second_cases
-from decomplex_bt.understanding.rules.statements import without_places_of_others
+from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, kept_from
@@ -96,6 +97,9 @@ def amended(
     how = means_of(document, tasks)
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = without_cases(document, tasks, kept)
+    kept = without_questions(document, tasks, with_whole_places(document, kept))
+    kept = with_features(document, tasks, kept)
+    kept = with_relative_places(document, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
@@ -129,7 +133,7 @@ def amended(
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
         if kind == "informing":
-            kept = with_reports(document, tasks, kept, token)
+            kept = without_times(document, with_reports(document, tasks, kept, token), token)
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
@@ -170,7 +174,8 @@ def amended(
     kept = _at_either(document, tasks, _chosen(document, kept))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
-    kept = without_places_of_others(observed, tasks, kept)
+    kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
+    kept = with_nearer_places(document, tasks, kept)
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

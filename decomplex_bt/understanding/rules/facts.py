@@ -37,6 +37,9 @@ from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
+_PLAYED = frozenset("music song film movie tune album playlist podcast news".split())
+_COOKERS = frozenset("hob stove cooker range".split())
+"""What has power, and things are put on."""
 _BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
@@ -398,7 +401,9 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     lemma = document.tokens[task.token].lemma
     if task.type == "change_state" and lemma == "put":
         return "placing" if _is_put_somewhere(said) else task.type
-    if task.type == "placing" and (_is_put_on(said) if lemma == "put" else lemma in _LAYING and _is_the_table(said)):
+    if task.type == "placing" and (
+        _is_put_on(observed, said) if lemma == "put" else lemma in _LAYING and _is_the_table(said)
+    ):
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
@@ -431,10 +436,12 @@ def _is_put_somewhere(said: Sequence[Token]) -> bool:
     return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
 
 
-def _is_put_on(said: Sequence[Token]) -> bool:
+def _is_put_on(observed: Observed, said: Sequence[Token]) -> bool:
     """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch; not "put out
-    the plates on the table"."""
+    the plates on the table". What is played or switched is put on wherever it is ("put on a film in the kitchen")."""
     clause = said[: next((i for i, token in enumerate(said) if token.lower in _CLAUSE_ENDS), len(said))]
+    if _is_played(observed, clause):
+        return True
     if any(
         one.lower in ("on", "in", "onto", "into") and two.tag in ("DT", "PRP$") for one, two in pairwise(clause[2:])
     ):
@@ -442,6 +449,21 @@ def _is_put_on(said: Sequence[Token]) -> bool:
     if bool(said) and said[0].lower == "out" and _BURNING.isdisjoint(token.lemma for token in clause):
         return False
     return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
+
+
+def _is_played(observed: Observed, clause: Sequence[Token]) -> bool:
+    """Whether an "on" has something behind it that is played, or has power to be switched."""
+    if not clause or clause[0].lower != "on":
+        return False
+    behind = clause[1:]
+    parts = ("ADJ", "PROPN", "NOUN")  # with nothing behind: not "put on the shelf the radio"
+    noun = next((i for i, token in enumerate(behind) if token.pos not in parts and i), len(behind))
+    if not noun or any(token.tag in ("DT", "PRP$") for token in behind[noun : noun + 1]):
+        return False
+    lemma = behind[noun - 1].lemma
+    if lemma in _COOKERS:
+        return False
+    return lemma in _PLAYED or "power" in observed.gazetteer.changeable.get(lemma, ())
 
 
 def _is_the_table(said: Sequence[Token]) -> bool:

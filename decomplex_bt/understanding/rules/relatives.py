@@ -10,7 +10,13 @@ from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.relatives import ADVERBS, BE, clauses, exclusions, free_relatives
 
+_MOVING = frozenset(("placing", "bringing", "taking"))
 _STATES = frozenset(("state", "message", "manner"))
+_PLACES = frozenset(("goal", "source", "location", "path"))
+_RELATIVE = frozenset(("that", "which"))
+_POSTURES = frozenset("lie stand hang sit lean rest".split())
+_PLACED = frozenset("kept left stored put placed parked".split())
+_WHERE = frozenset("in on at by under behind beside inside into onto near over above below next".split())
 _NO_NOUNS = frozenset(("ADJ", "ADP", "ADV", "VERB"))
 
 
@@ -40,6 +46,54 @@ def _is_state(document: Document, at: int) -> bool:
     tokens = document.tokens
     is_last = at + 1 >= len(tokens) or tokens[at + 1].lower in MARKS | {"and", "then", "but"}
     return at < len(tokens) and tokens[at].pos in _NO_NOUNS and is_last
+
+
+def with_relative_places(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with the place by which a clause tells which thing is moved as no place where it ends up: "put the
+    cup that is *on the floor* on the table"; what stands behind that says where it does."""
+    kept = list(arguments)
+    for thing in arguments:
+        kind = tasks[thing.owner]
+        at = _relative_place(document, thing.tokens.stop) if thing.type == "object" and kind in _MOVING else 0
+        own = [a for a in kept if a.owner == thing.owner and a is not thing]
+        place = next((a for a in own if a.type in _PLACES and a.tokens.start == at and len(a.tokens) > 1), None)
+        if not at or place is None:
+            continue
+        goals = [a for a in own if a.type in ("goal", "recipient") and a is not place]
+        second = 0 if goals or kind == "taking" else _second_place(document, place.tokens)
+        kept.remove(place)
+        said = replace(place, type="location" if kind == "placing" else "source")
+        if second:
+            kept.append(replace(place, type="goal", tokens=range(second, place.tokens.stop)))
+            said = replace(said, tokens=range(place.tokens.start, second))
+        kept.append(said)
+    return kept
+
+
+def _relative_place(document: Document, at: int) -> int:
+    """Where the place of a "that is lying on the floor" begins whose first word is at a token; 0 where none is."""
+    tokens, end = document.tokens, len(document)
+    if at + 2 >= end or tokens[at].lower not in _RELATIVE:
+        return 0
+    verb = at + 1
+    if tokens[verb].lower in BE:
+        verb += 1
+        while verb < end and tokens[verb].lower in ADVERBS:
+            verb += 1
+        is_told = verb < end and (tokens[verb].lemma in _POSTURES or tokens[verb].lower in _PLACED)
+        place = verb + is_told
+    else:
+        place = verb + 1 if tokens[verb].lemma in _POSTURES else end
+    return place if place < end and (tokens[place].pos == "ADP" or tokens[place].lower in _WHERE) else 0
+
+
+def _second_place(document: Document, words: range) -> int:
+    """Where the last of several places begins that follow one another; 0 where there is one."""
+    tokens = document.tokens
+    starts = [i for i in words[2:-1] if tokens[i].lower in _WHERE and tokens[i - 1].pos in ("NOUN", "PROPN")]
+    return starts[-1] if starts else 0
 
 
 def without_stated(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:

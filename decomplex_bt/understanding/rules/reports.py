@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import noun_chunks
 
@@ -24,6 +24,12 @@ _CONTRACTED = frozenset("'s 're 'm 'll 've 'd \u2019s \u2019re \u2019m \u2019ll 
 _NEEDING = frozenset("need want like fancy".split())
 """Verbs by which a clause is an order again: "... and I need a towel"."""
 _TIMES = frozenset(("before", "when", "while", "until", "till", "after", "once"))
+_SAID = frozenset("so this that".split())
+_WHEN = frozenset(
+    "tonight tomorrow later today now soon morning afternoon evening night noon monday tuesday wednesday thursday "
+    "friday saturday sunday".split()
+)
+_AROUND_TIMES = frozenset("this in the on at again please first early late next right".split())
 _ABLE = frozenset("could can would will might may should".split())
 _OTHERWISE_DONE = frozenset("him her them if unless when".split())
 """What tells that a second order is not of who is asked, or leaves that open."""
@@ -78,6 +84,40 @@ def with_reports(
         return list(arguments)
     rest = [a for a in arguments if a is not message and set(a.tokens).isdisjoint(whole)]
     return [*rest, replace(message, tokens=whole)]
+
+
+def without_times(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
+    """The arguments of a verb of telling without a time alone as its message ("remind me *tonight*"), and with a "this"
+    that it tells as the message ("state *this* to Ann")."""
+    is_said = document.tokens[verb].lemma == "say"  # "say *good night*"
+    kept = [
+        a for a in arguments if is_said or (a.owner, a.type) != (verb, "message") or not _is_time(document, a.tokens)
+    ]
+    if any((a.owner, a.type) == (verb, "message") for a in kept):
+        return kept
+    said = range(verb + 1, verb + 2)
+    if _is_pointing(document, verb + 1) and not any(verb + 1 in a.tokens for a in kept):
+        return [*kept, FoundArgument("message", verb, said, CERTAIN)]
+    return [
+        replace(a, type="message")
+        if (a.owner, a.type) == (verb, "object") and {document.tokens[i].lower for i in a.tokens} <= _SAID
+        else a
+        for a in kept
+    ]
+
+
+def _is_pointing(document: Document, at: int) -> bool:
+    """Whether a "this" stands alone at a token, as no part of a phrase or a clause."""
+    tokens = document.tokens
+    if at >= len(tokens) or tokens[at].lower not in ("this", "that"):
+        return False
+    return at + 1 == len(tokens) or tokens[at + 1].pos in ("ADV", "ADP", "PUNCT", "CCONJ")
+
+
+def _is_time(document: Document, words: range) -> bool:
+    said = {document.tokens[i].lower for i in words}
+    is_date = any(document.tokens[i].tag == "POS" for i in words)  # "tomorrow's date"
+    return not is_date and bool(said & _WHEN) and said <= _WHEN | _AROUND_TIMES
 
 
 def _clause_end(document: Document, start: int) -> int:

@@ -3,8 +3,8 @@ my jacket.")."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import Document
@@ -16,6 +16,11 @@ _NOUNS = frozenset(("NOUN", "PROPN"))
 _NAMING = frozenset(("NN", "NNS", "NNP", "NNPS"))
 _OWNED = frozenset("his her its their 's \u2019s '".split())
 """What may make a thing that of somebody who was spoken of, and is then with them: "take *its* leash off"."""
+_PLACES = frozenset(("source", "location"))
+_FETCHING = frozenset(("bringing", "taking", "placing"))
+_TAKING = frozenset(("bringing", "taking", "searching", "motion"))  # "see if you can *reach it*"
+_IT = frozenset(("it", "them", "'em", "em", "those", "that"))
+_SAME = frozenset("one ones other others its their it them".split())
 _PESTS = frozenset("spider wasp bee fly ant beetle bug moth mosquito snail slug frog snake squirrel fox".split())
 
 
@@ -38,6 +43,57 @@ def without_places_of_others(
     stated = [found for a in arguments if a.type == "source" and (found := _stated(document, tasks, a)) is not None]
     strange = {id(found.source) for found in stated if _is_strange(observed, found, stated, arguments)}
     return [a for a in arguments if id(a) not in strange]
+
+
+def with_nearer_places(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with the place that a statement tells as that of the first order behind it that takes the thing up:
+    "my scarf's *on the piano*. Fetch it, and if you can't, bring me a shawl". Where that has a place of its own, it is
+    of nothing else that is fetched later."""
+    kept = list(arguments)
+    for place in arguments:
+        if place.type not in _PLACES or tasks[place.owner] not in _FETCHING:
+            continue
+        taker = _taker(document, tasks, arguments, place)
+        if taker is None:
+            continue
+        kind = "location" if tasks[taker] == "searching" else "source"
+        if not any(a.owner == taker and a.type in _PLACES for a in kept):
+            kept[kept.index(place)] = replace(place, owner=taker, type=kind)
+        elif _is_of_something_else(document, arguments, place):
+            kept.remove(place)
+    return kept
+
+
+def _taker(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument], place: FoundArgument
+) -> int | None:
+    """The first order between a statement of a place and the task that has it that takes up what is said to be there;
+    None where another thing was named before, or there is no such order."""
+    of, stop = document.sentences, place.tokens.stop
+    if of[stop - 1] == of[place.owner] or any(of[i] == of[stop - 1] for i in tasks):
+        return None
+    for task in sorted(i for i in tasks if stop <= i < place.owner):
+        objects = [a.tokens for a in arguments if a.owner == task and a.type in ("object", "goal")]
+        is_of_it = any(len(o) == 1 and document.tokens[o.start].lower in _IT for o in objects)
+        if is_of_it and tasks[task] in _TAKING:
+            return task
+        if tasks[task] == "searching" and not any(a.owner == task and a.type == "object" for a in arguments):
+            return task
+        if any(a.owner == task and a.type == "object" and not is_pronoun(document, a.tokens) for a in arguments):
+            return None
+    return None
+
+
+def _is_of_something_else(document: Document, arguments: Sequence[FoundArgument], place: FoundArgument) -> bool:
+    """Whether what is fetched is named, and not by any noun of the statement of a place."""
+    sentence = document.sentences[place.tokens.start]
+    said = _nouns(document, [t.i for t in document.tokens if document.sentences[t.i] == sentence])
+    things = [a.tokens for a in arguments if (a.owner, a.type) == (place.owner, "object")]
+    words = {document.tokens[i].lower for thing in things for i in thing}
+    nouns = frozenset[str]().union(*(_nouns(document, thing) for thing in things))
+    return bool(nouns) and nouns.isdisjoint(said) and words.isdisjoint(_SAME)
 
 
 def _stated(document: Document, tasks: Container[int], source: FoundArgument) -> _Stated | None:
