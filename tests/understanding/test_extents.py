@@ -117,6 +117,8 @@ def test_what_is_switched_off_is_what_the_condition_names(interpreter: Interpret
     ("text", "message"),
     [
         ("If the shelf is empty, tell me so.", "the shelf is empty"),
+        ("If the shelf is empty, tell me so, because I forget.", "the shelf is empty"),
+        ("If the shelf is empty, tell me so I can fill it.", None),
         ("If the cat's in the garden, let Ann know that.", "the cat is in the garden"),
         ("If the bin isn't full, tell me so.", "the bin isn't full"),
         ("If the milk is off, state this clearly to Anna.", "the milk is off"),

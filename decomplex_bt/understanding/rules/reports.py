@@ -95,9 +95,11 @@ def without_times(document: Document, arguments: Sequence[FoundArgument], verb: 
     ]
     if any((a.owner, a.type) == (verb, "message") for a in kept):
         return kept
-    said = range(verb + 1, verb + 2)
-    if _is_pointing(document, verb + 1) and not any(verb + 1 in a.tokens for a in kept):
-        return [*kept, FoundArgument("message", verb, said, CERTAIN)]
+    words = [token.lower for token in document.tokens[verb + 2 : verb + 4]]
+    is_so = words[:1] == ["so"] and (words[1:] == [] or words[1] in MARKS)  # "tell me so, because ..."
+    at = verb + 2 if is_so else verb + 1
+    if (is_so or _is_pointing(document, at)) and not any(at in a.tokens for a in kept):
+        return [*kept, FoundArgument("message", verb, range(at, at + 1), CERTAIN)]
     return [
         replace(a, type="message")
         if (a.owner, a.type) == (verb, "object") and {document.tokens[i].lower for i in a.tokens} <= _SAID
