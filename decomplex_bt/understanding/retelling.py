@@ -15,10 +15,17 @@ from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, head_of, is_pronoun
+from decomplex_bt.understanding.references.phrases import (
+    ANIMALS,
+    PERSON_NOUNS,
+    PLACE_ADVERBS,
+    PREPOSITIONS,
+    head_of,
+    is_pronoun,
+)
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
-from decomplex_bt.understanding.rules.likewise import PLACE_ADVERBS, Likewise, likewise
+from decomplex_bt.understanding.rules.likewise import Likewise, likewise
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -133,7 +140,8 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     sentences, place = observed.document.sentences, found.tokens.start
     openings = [cue.last for cue in observed.cues if cue.name in _OPENING]
     orders = _orders_before(observed, tasks, place)
-    is_vague = any(token.pos == "ADV" for token in observed.document.tokens[place : found.tokens.stop])
+    said = observed.document.tokens[place : found.tokens.stop]
+    is_vague = any(token.pos == "ADV" and token.lower not in PLACE_ADVERBS for token in said)
     if not orders or (is_vague and not _is_particle(observed.document, found.tokens)):
         return None  # "the charger's somewhere in here" names nothing to be plugged in
     last = orders[-1]
@@ -297,6 +305,8 @@ def _replaced(observed: Observed, own: Sequence[tuple[Argument, range]], words: 
         ]
         return next(reversed(alike or ending), None)
     by_type = {argument.type: tokens for argument, tokens in own}
+    if first.lower in PLACE_ADVERBS and len(words) == 1:
+        return next((tokens for argument, tokens in reversed(own) if argument.type in _ENDING), None)
     is_person = head.lemma in PERSON_NOUNS or (head.pos == "PROPN" and head.text[:1].isupper() and len(words) == 1)
     thing = by_type.get("object")
     if is_person and "recipient" in by_type:

@@ -10,6 +10,8 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.relatives import exclusions, free_relatives
 
+PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
+"""Where something is or goes, in one word."""
 PREPOSITIONS = frozenset(
     "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
     "down through along across around round between after towards toward above below upon w".split()

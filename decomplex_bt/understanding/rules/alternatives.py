@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -386,7 +386,7 @@ def _bare(document: Document, body: range, tasks: Mapping[int, str]) -> range:
 def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> bool:
     """Whether the tokens name a thing, a person or a place and nothing else."""
     words = document.tokens[body.start : body.stop]
-    if len(words) == 1 and words[0].lower in _POINTING | PARTICLES:
+    if len(words) == 1 and (words[0].lower in _POINTING | PARTICLES | PLACE_ADVERBS or words[0].tag == "CD"):
         return True
     if words[-1].lower in _SHARED and words[-2:-1] and words[-2].lower == "of":
         return len(words) == 3

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS
 
 _LEADS = (
     ("do", "exactly", "the", "same"),
@@ -23,7 +23,6 @@ _OF = frozenset(("with", "for", "to"))
 _ENDS = MARKS | frozenset("if unless when once before after then so but because while until as or".split())
 _BEFORE = MARKS | frozenset("and then please also but just".split())
 _NOUNS = frozenset(("NOUN", "PROPN", "PRON"))
-PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
 _POINTING = frozenset("one ones those these".split()) | PLACE_ADVERBS
 _GOING = frozenset(("thing", "goes"))
 
