@@ -34,7 +34,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         "else": (
             "otherwise", "or else", "else", "elsewise", "alternatively", "as an alternative", "if not", "or if not", "and if not", "if no",
-            "in the other case", "in the opposite case", "in the negative case", "if negative", "if not yet", "failing which", "in its absence", "if neither", "if none", "in case not",
+            "in the other case", "in any other case", "in all other cases", "in every other case", "in the opposite case", "in the negative case", "if negative", "if not yet", "failing which", "in its absence", "if neither", "if none", "in case not",
             "if not even that", "on the other hand", "if otherwise",
         ),
         "fail": (

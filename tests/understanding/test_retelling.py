@@ -191,3 +191,8 @@ def test_of_two_places_one_may_be_the_one(interpreter: Interpreter, text: str, t
     found = instruction.task(task)
     assert [*found.values("location"), *found.values("source")] == places
     assert not (places and instruction.warnings)
+
+
+def test_what_goes_with_a_thing_is_no_alternative_to_it(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Is there any rice left? Bring me a bowl if there is, with a spoon.")
+    assert not any(task.repeats for task in found.tasks)

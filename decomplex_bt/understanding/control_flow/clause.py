@@ -397,7 +397,9 @@ class Clause:
         apart."""
         is_same = not (self.objects and before.objects) or self.names_same(before)
         is_other = self.verb != before.verb and self.effects != before.effects and "do" not in (self.verb, before.verb)
-        is_other_change = self.task.type == "change_state" and is_other  # "load it, but don't start it until ..."
+        is_of_thing = self.has_pronoun or bool(self.objects)
+        # "load it, but don't start it until ...", not "don't start until ..."
+        is_other_change = self.task.type == "change_state" and is_other and is_of_thing
         return self.task.type == before.task.type and is_same and not is_other_change
 
     def is_opposite_of(self, first: Clause) -> bool:

@@ -390,8 +390,8 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
         return True
     if words[-1].lower in _SHARED and words[-2:-1] and words[-2].lower == "of":
         return len(words) == 3
-    if words[0].lower in _DENYING or words[-1].lemma in _IDLE:
-        return False
+    if words[0].lower in _DENYING | {"with"} or words[-1].lemma in _IDLE:
+        return False  # "bring me one if there is one, with a fork"
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
     if is_led and len(words) == 2 and words[1].pos == "NUM":
         return words[0].lower == "to"  # "to twenty, or *to eighteen* if nobody is in"

@@ -375,6 +375,9 @@ def _is_asked_done(document: Document, at: int) -> bool:
     if len(words) < 2 or words[1] in ("you", "u", "ya"):
         return False
     is_perfect = words[0] in _HAVING and (tokens[at].tag in _PAST or tokens[at].lower in _SAME_FORMS)
+    behind = tokens[at + 1 : at + 2]
+    is_object = bool(behind) and (behind[0].tag in ("DT", "PRP$", "CD") or behind[0].lower in _OBJECTS)
+    is_perfect = is_perfect and (words[0] != "have" or is_object)  # not "have the table laid by six"
     is_past = words[0] == "did" and tokens[at].tag in ("VB", "VBP")
     return (is_perfect or is_past) and not any(token.pos == "VERB" for token in tokens[start + 1 : at])
 
