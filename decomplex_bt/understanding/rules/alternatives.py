@@ -26,6 +26,7 @@ _IDLE = frozenset("case course mind time day thank bother worry love".split())
 _NO_PARTS = frozenset(("VERB", "AUX", "SCONJ", "INTJ"))
 _POINTING = frozenset(("that", "those"))
 _SOMETHING = frozenset(("anything", "something"))
+_CHOOSING = frozenset(("or", "else", "otherwise"))
 _SHARED = _POINTING | {"them", "these", "it"}
 """What some is taken of: "two of those"."""
 _DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
@@ -386,8 +387,10 @@ def _bare(document: Document, body: range, tasks: Mapping[int, str]) -> range:
 def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> bool:
     """Whether the tokens name a thing, a person or a place and nothing else."""
     words = document.tokens[body.start : body.stop]
-    if len(words) == 1 and (words[0].lower in _POINTING | PARTICLES | PLACE_ADVERBS or words[0].tag == "CD"):
+    if len(words) == 1 and words[0].lower in _POINTING | PARTICLES | PLACE_ADVERBS:
         return True
+    if len(words) == 1 and words[0].tag == "CD":
+        return body.start > 0 and document.tokens[body.start - 1].lower in _CHOOSING  # not "if we've at least six"
     if words[-1].lower in _SHARED and words[-2:-1] and words[-2].lower == "of":
         return len(words) == 3
     if words[0].lower in _DENYING | {"with"} or words[-1].lemma in _IDLE:
