@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.asides import (
     asides,
     means,
@@ -111,3 +112,15 @@ def test_how_somebody_goes_is_no_task(
     found = means(document, at, tasks)
     assert (None if found is None else " ".join(document.tokens[i].text for i in found)) == expected
     assert means_of(document, tasks) == frozenset(found or ())
+
+
+@pytest.mark.parametrize(
+    ("text", "verbs"),
+    [
+        ("If the lamp is red, which means that the mixer is done, stop it.", ["is", "stop"]),
+        ("If the tank is warm, which would mean the pump is on, call Lea.", ["is", "call"]),
+        ("If the tank is warm and the pump is on, call Lea.", ["is", "is", "call"]),
+    ],
+)
+def test_what_something_means_is_no_condition(text: str, verbs: list[str]) -> None:
+    assert [task.span.of(text) for task in Interpreter.load().interpret(text).tasks] == verbs

@@ -647,3 +647,11 @@ def test_another_change_of_the_same_thing_is_not_the_same_order_again(order: str
         f"[Load](1:change_state) [the van](1:object), but don't {order} until [it](3:object)'s [dry](3:check_state)."
     )
     assert stated_roles(found, ("task", "again", "task"))[1] == role
+
+
+@pytest.mark.parametrize(
+    ("check", "state"), [("nothing [lights](2:check_state) up", None), ("[Max](2:object) [is](2:check_state) up", "up")]
+)
+def test_the_particle_of_a_verb_is_no_state(check: str, state: str | None) -> None:
+    found = clauses(f"[Turn](1:change_state) [on](1:state) [the radio](1:object). If {check}, [call](3:informing) me.")
+    assert found[1].wording.state == state

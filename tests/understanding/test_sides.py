@@ -934,16 +934,17 @@ def test_what_is_done_when_something_is_so_stands_where_that_is_waited_for(waiti
 
 
 @pytest.mark.parametrize(
-    ("thing", "expected"),
+    ("thing", "order", "expected"),
     [
-        ("[the cans](1:object)", (">1-", "top", "<1+")),
-        ("[the can](1:object)", ("top", "top", "<1+")),  # which may be what is full
+        ("[the cans](1:object)", "[put](3:placing)", (">1-", "top", "<1+")),
+        ("[the cans](1:object)", "[take](3:bringing)", (">1-", "top", "<1+")),
+        ("[the can](1:object)", "[put](3:placing)", ("top", "top", "<1+")),  # which may be what is full
     ],
 )
-def test_where_many_things_do_not_fit_they_are_not_put(thing: str, expected: tuple[str, ...]) -> None:
+def test_where_many_things_do_not_fit_they_are_not_put(thing: str, order: str, expected: tuple[str, ...]) -> None:
     them = "them" if "cans" in thing else "it"
     found = clauses(
         f"[Put](1:placing) {thing} [in the crate](1:goal), and if [it](2:object)'[s](2:check_state) [full](2:state), "
-        f"[put](3:placing) [{them}](3:object) [on the sill](3:goal)."
+        f"{order} [{them}](3:object) [to the shed](3:goal)."
     )
     assert stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+")) == expected

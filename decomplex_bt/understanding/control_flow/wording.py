@@ -23,6 +23,7 @@ BEING = frozenset(("be", "'s", "'re", "s"))
 REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 _CLOSING = PUNCTUATION | {"but"}
+_COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
@@ -130,6 +131,8 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
         return tokens[task.token + 1].lower
     for j in range(min(task.token, last), last + 1):
         governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
+        if tokens[j].lower == "up" and tokens[task.token].lemma in _COMING_UP:
+            continue  # "if nothing lights up"
         if tokens[j].lower in OPPOSITES and not governs and tokens[j].tag not in ("VB", "VBP", "VBZ", "VBD"):
             return tokens[j].lower
     return None

@@ -79,6 +79,16 @@ def musing(document: Document, at: int) -> range | None:
     return range(at, at + 3) if said[3:] == [] or not said[3].isalpha() else None
 
 
+def is_explained(document: Document, at: int) -> bool:
+    """Whether the verb at token `at` is in a clause that only says what something means: "if it's warm, *which means
+    that the plots are done*, ..."."""
+    tokens, start = document.tokens, at
+    while start and tokens[start - 1].lower not in MARKS:
+        start -= 1
+    said = [token.lemma for token in tokens[start:at] if token.lower not in _MODALS]
+    return start > 0 and said[:1] == ["which"] and said[1:2] == ["mean"]
+
+
 def concession(document: Document, at: int) -> range | None:
     """The clause that token `at` is in, where it names what makes no difference ("even if it rains", "whether or not it
     is on", "dirty or not, ..."); or None. "Even if it is" takes a condition up."""
@@ -185,6 +195,7 @@ def _is_order(document: Document, at: int) -> bool:
     return tokens[at].tag in ("VB", "VBP") and tokens[at].pos == "VERB" and not is_led and not has_subject
 
 
+_MODALS = frozenset("would will might may could should probably usually of course".split())
 _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
     musing: frozenset(("let", "make")),

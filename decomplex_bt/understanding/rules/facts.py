@@ -10,7 +10,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
-from decomplex_bt.understanding.rules.asides import concession, means, musing, reason, tag_question
+from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
@@ -126,6 +126,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
             or is_planned(document, task.token, types_found)
             or is_hearsay(document, task.token)
+            or is_explained(document, task.token)
             or task.token in idle
             or (bool(found) and found[-1].token >= task.token)
             or _is_pause(document, task.token)

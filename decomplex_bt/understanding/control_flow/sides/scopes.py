@@ -110,11 +110,12 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     before, clause, after = clauses[k - 1 : k + 2]
     are_moves = before.task.type in MOVING and after.task.type in MOVING
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
-    is_one = before.number == "many" and clause.number == "one" and clause.has_pronoun and not clause.objects
+    is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
     is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
     is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
     is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
-    is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED  # "if the bin is full, take it out"
+    # "if the bin is full, take it out", not "take them out", of which one is not full
+    is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
     is_leading = after.sentence == clause.sentence and clause.boundary != "none"
     if (
         are_moves
