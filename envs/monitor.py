@@ -85,7 +85,7 @@ class Monitor:
         self.readings: tuple[Reading, ...] = (self._make_due(Reading(tuple(instruction.flow.nodes), {})),)
         self._ended: Reading | None = None
         self._violations: tuple[Violation, ...] = ()
-        self.has_asked = False
+        self.minds_leading = False
         self._view: Hashable = None
         self._watch: tuple[str, ...] = ()
         self.minds_position = True
@@ -164,7 +164,7 @@ class Monitor:
     def _is_still(self) -> bool:
         """Whether nothing has come into view that the judge could go by, since it last looked closely."""
         before, self._view = self._view, self.truth.view(self._watch)
-        return self._view == before and not self.has_asked and not self.minds_position
+        return self._view == before and not self.minds_leading and not self.minds_position
 
     # -- readings -----------------------------------------------------------------------------------------------------
 
@@ -326,8 +326,8 @@ class Monitor:
         """Ends every reading in which a task that is not due was brought about by no means to the one that is."""
         has_acted = event is not None and event.result is Result.OK
         if has_acted and event is not None and event.interaction is Interaction.SAY and event.goal is not None:
-            self.has_asked = self._has_following
-        if not has_acted and self.truth.room == self._room and not self.has_asked:
+            self.minds_leading = self._has_following
+        if not has_acted and self.truth.room == self._room and not self.minds_leading:
             return
         before, self._holds = self._holds, self._goals_that_hold()
         faults = [(reading, self._fault(reading, event if has_acted else None, before)) for reading in self.readings]
@@ -363,7 +363,7 @@ class Monitor:
         return self._holds[task.number] and not before[task.number]
 
     def _arrived(self, task: GroundTask, before: Mapping[int, bool]) -> bool:
-        if task.type == "following" and not self.has_asked:
+        if task.type == "following" and not self.minds_leading:
             return False
         return self._holds[task.number] and not before[task.number]
 

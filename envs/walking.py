@@ -27,7 +27,7 @@ ARRIVED = 0.12  # [m]
 DOOR_REACH = 0.7  # [m] from where a walker opens a closed door ahead
 COURTESY = 0.25  # [m] gap to the robot ahead at which a walker stops
 PATIENCE = 1.5  # [s] a walker waits for the robot to clear the way before they look for a way around it
-STRIDE = 0.10  # [m] side of the cells that ways are planned on: at 0.06, as the robot's, planning takes twice as long
+RESOLUTION = 0.10  # [m] side of the cells that ways are planned on; at 0.06, as the robot's, it takes twice as long
 MAX_SPOTS = 12  # spots near the goal tried for one that leaves the robot a way past everybody
 SQUEEZE = 0.03  # [m] by which a walker is planned for slimmer than their body, so that two pass where a robot does
 NEAR_GOAL = 1.2  # [m] a walker who goes to a place stops so near to it
@@ -197,4 +197,4 @@ def _floorplan(geometry: Geometry) -> Floorplan:
     from decomplex_bt.envs.floorplan import Floorplan
 
     # People squeeze through: they need no more room than the plan's margin leaves a robot.
-    return Floorplan(geometry, radius=PERSON_RADIUS - SQUEEZE, resolution=STRIDE)
+    return Floorplan(geometry, radius=PERSON_RADIUS - SQUEEZE, resolution=RESOLUTION)

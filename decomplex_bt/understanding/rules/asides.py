@@ -85,7 +85,7 @@ def is_explained(document: Document, at: int) -> bool:
     tokens, start = document.tokens, at
     while start and tokens[start - 1].lower not in MARKS:
         start -= 1
-    said = [token.lemma for token in tokens[start:at] if token.lower not in _MODALS]
+    said = [token.lemma for token in tokens[start:at] if token.lower not in _HEDGING]
     return start > 0 and said[:1] == ["which"] and said[1:2] == ["mean"]
 
 
@@ -195,7 +195,7 @@ def _is_order(document: Document, at: int) -> bool:
     return tokens[at].tag in ("VB", "VBP") and tokens[at].pos == "VERB" and not is_led and not has_subject
 
 
-_MODALS = frozenset("would will might may could should probably usually of course".split())
+_HEDGING = frozenset("would will might may could should probably usually of course".split())
 _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
     musing: frozenset(("let", "make")),

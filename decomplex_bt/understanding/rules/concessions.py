@@ -14,7 +14,9 @@ _NO_MATTER = tuple(
     )
 )  # fmt: skip
 """What says by itself that it makes no difference."""
-_ALL_OPENERS = frozenset(phrase[0] for phrase in _NO_MATTER) | {"whether"}
+_OPENERS = frozenset(phrase[0] for phrase in _NO_MATTER) | {"whether"}
+_TELLING = frozenset("whether matter regardless irrespective independently independent".split())
+"""Words of which every concession has one."""
 _JOINTS = frozenset(("and", "but", "so"))
 _NOT = frozenset(("not", "no", "n't", "n\u2019t", "nt"))
 _CONTRACTED = _NOT - {"not", "no"}
@@ -29,25 +31,25 @@ _ASKED = frozenset(
 def either_way(document: Document, at: int) -> range | None:
     """The words that token `at` is among in which both of two cases are told as making no difference: "whether there is
     or not", "regardless of whether it's on", "no matter if it is"; or None."""
-    if document.words.isdisjoint(_ALL_OPENERS):
-        return None
     return next((words for words in concessions(document) if at in words), None)
 
 
 def concessions(document: Document) -> tuple[range, ...]:
     """Of all such concessions the words, in text order."""
-    if document.words.isdisjoint(_ALL_OPENERS):
+    if document.words.isdisjoint(_TELLING):
         return ()  # as with most instructions
     words = [token.lower for token in document.tokens]
     found: list[range] = []
     for start, word in enumerate(words):
-        if word not in _ALL_OPENERS or (found and start < found[-1].stop):
+        if word not in _OPENERS or (found and start < found[-1].stop):
             continue
         opener = next((phrase for phrase in _NO_MATTER if tuple(words[start : start + len(phrase)]) == phrase), ())
+        if not opener and (word != "whether" or _is_asked(document, start)):
+            continue
         inside = start + (len(opener) or 1)
         stop = _end(document, inside)
         other = _other_case(document, range(inside, stop))
-        if opener or (word == "whether" and other is not None and not _is_asked(document, start)):
+        if opener or other is not None:
             found.append(range(start, stop if other is None else other))
     return tuple(found)
 

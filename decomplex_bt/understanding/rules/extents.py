@@ -115,12 +115,15 @@ def _purpose_end(document: Document, thing: FoundArgument, arguments: Sequence[F
 
 def with_whole_places(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments with the noun of a place that is cut off behind its preposition: "in *the drawer*"."""
-    starts = {a.tokens.start for a in arguments}
+    starts, tokens = {a.tokens.start for a in arguments}, document.tokens
+    places = [a for a in arguments if a.type in _PLACES and len(a.tokens) == 1 and a.tokens.stop not in starts]
+    if all(tokens[a.tokens.start].lower not in _CUT_OFF for a in places):
+        return list(arguments)  # as mostly
     stops = {chunk.start: chunk.stop for chunk in noun_chunks(document)}
     found = []
     for a in arguments:
-        is_cut = a.type in _PLACES and len(a.tokens) == 1 and document.tokens[a.tokens.start].lower in _CUT_OFF
-        stop = stops.get(a.tokens.stop, 0) if is_cut and a.tokens.stop not in starts else 0
+        is_cut = a in places and tokens[a.tokens.start].lower in _CUT_OFF
+        stop = stops.get(a.tokens.stop, 0) if is_cut else 0
         found.append(replace(a, tokens=range(a.tokens.start, stop)) if stop else a)
     return found
 

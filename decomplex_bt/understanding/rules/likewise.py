@@ -39,6 +39,8 @@ class Likewise:
 
 def likewise(document: Document) -> Iterator[Likewise]:
     """Every order that is said of something else by "the same", in text order."""
+    if "same" not in document.words:
+        return
     said = [token.lower for token in document.tokens]
     end = 0
     for i in range(len(said)):
