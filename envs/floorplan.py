@@ -6,12 +6,10 @@ World frame as in the house file, metres. Everything here follows from the map a
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
 from collections import OrderedDict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +69,6 @@ class Way:
     """A drivable polyline; `free` is the grid mask it was planned on, and says what else is drivable."""
 
     points: tuple[Point, ...]
-    length: float
     free: Mask
 
 
@@ -240,22 +237,28 @@ class Floorplan:
 
         `closed`: doors that are not to be driven through. `obstacles`: discs to keep clear of.
         """
-        free = self._mask(closed, obstacles)
-        goal = goal[free[goal]]
+        mapped = self._mask(closed)
+        goal = goal[mapped[goal]]
         if not goal.size:
             return None
-        if obstacles:
-            distance, previous = self._solve(goal, free)
-        else:
-            distance, previous = self._field(goal, free, closed)
-        cell = self._entry(start, free, distance)
-        if cell is None:
+        free = self._clear_of(obstacles, mapped)
+        cells = self._cells_along(start, free, *self._field(goal, mapped, closed))
+        if cells and not free[cells].all():  # if nothing stands on the way it is the shortest one past everything too
+            goal = goal[free[goal]]
+            cells = self._cells_along(start, free, *self._solve(goal, free)) if goal.size else []
+        if not cells:
             return None
-        cells = [cell]
-        while previous[cells[-1]] >= 0:
-            cells.append(int(previous[cells[-1]]))
-        points = [(float(self.cell_x[c]), float(self.cell_y[c])) for c in cells]
-        return Way(tuple(self._pull(points, free)), float(distance[cell]), free)
+        corners = self._pull(self.cell_x[cells] + 1j * self.cell_y[cells], free)
+        return Way(tuple((corner.real, corner.imag) for corner in corners), free)
+
+    def _cells_along(self, start: Point, free: Mask, distance: NDArray, previous: NDArray) -> list[int]:
+        """The cells of the shortest way in a field from where a way from `start` begins; none if none does."""
+        cell = self._entry(start, free, distance)
+        cells = []
+        while cell is not None and cell >= 0:
+            cells.append(cell)
+            cell = int(previous[cell])
+        return cells
 
     def is_clear(self, start: Point, end: Point, free: Mask) -> bool:
         """Whether the straight line between two points runs over free cells; the cell of `start` is not asked."""
@@ -266,12 +269,20 @@ class Floorplan:
         cells = rows * self.columns + columns
         return b"\0" not in free.take(cells, mode="clip").tobytes()
 
-    def _mask(self, closed: frozenset[str], obstacles: Iterable[Disc]) -> Mask:
-        if not closed and not obstacles:
+    def _mask(self, closed: frozenset[str]) -> Mask:
+        """What is free on the map with some doors closed."""
+        if not closed:
             return self.free
         free = self.free.copy()
         for name in sorted(closed):
             free[self._doors[name]] = False
+        return free
+
+    def _clear_of(self, obstacles: Sequence[Disc], free: Mask) -> Mask:
+        """What is free and clear of all obstacles."""
+        if not obstacles:
+            return free
+        free = free.copy()
         plane = free.reshape(self.rows, self.columns)
         for disc in obstacles:
             within = disc.radius + self.inflation
@@ -311,16 +322,18 @@ class Floorplan:
     def _solve(self, goal: Cells, free: Mask) -> tuple[NDArray, NDArray]:
         """Distance to the goal and the next cell on the way to it (-9999: none), for every cell."""
         graph = self._graph if free is self.free else self._graph_of(free)
-        distance, previous, _ = dijkstra(
-            graph, directed=False, indices=goal, min_only=True, return_predecessors=True, limit=_FARTHEST
-        )
+        distance, previous, _ = dijkstra(graph, indices=goal, min_only=True, return_predecessors=True, limit=_FARTHEST)
         return distance.astype(np.float32), previous.astype(np.int32)
 
     @cached_property
     def _graph(self) -> csr_matrix:
+        """Both ways along every edge: told that edges lead both ways, `dijkstra` would turn them around each time."""
         first, second, cost = self._edges
         size = self.rows * self.columns
-        return csr_matrix((cost, (first, second)), shape=(size, size))
+        one_way = csr_matrix((cost, (first, second)), shape=(size, size))
+        graph = (one_way + one_way.T).tocsr()
+        graph.sort_indices()
+        return graph
 
     @cached_property
     def _ends(self) -> tuple[NDArray, NDArray]:
@@ -334,29 +347,30 @@ class Floorplan:
         cost = np.where(free[first] & free[second], graph.data, math.inf)
         return csr_matrix((cost, graph.indices, graph.indptr), shape=graph.shape)
 
-    def _pull(self, points: list[Point], free: Mask) -> list[Point]:
-        """The polyline drawn tight: corners only where the straight line is not free."""
-        tight, anchor, index = [points[0]], 0, 1
+    def _pull(self, points: NDArray[np.complex128], free: Mask) -> list[complex]:
+        """The polyline drawn tight: corners only where the straight line is not free. Points are x + yi."""
+        tight, anchor, index = [0], 0, 1
         while index < len(points):
             beyond = points[index + 1 : index + 1 + _TRIED_AT_ONCE]
             clear = self._count_clear(points[anchor], beyond, free)
             index += clear
             if clear < _TRIED_AT_ONCE:
-                tight.append(points[index])
+                tight.append(index)
                 anchor, index = index, index + 1
-        return tight
+        return points[tight].tolist()
 
-    def _count_clear(self, start: Point, ends: Sequence[Point], free: Mask) -> int:
+    def _count_clear(self, start: complex, ends: NDArray[np.complex128], free: Mask) -> int:
         """How many of some points `is_clear` says yes to before it says no."""
-        if not ends:
+        if not len(ends):
             return 0
-        counts = [self._count_samples(math.dist(start, end)) for end in ends]
-        shares = np.concatenate([_shares(count) for count in counts])
-        across, along = ((np.array(ends) - start) / self.resolution).repeat(counts, axis=0).T
-        columns = ((start[0] - self.x0) / self.resolution + shares * across).astype(np.int32)
-        rows = ((start[1] - self.y0) / self.resolution + shares * along).astype(np.int32)
-        blocked = free.take(rows * self.columns + columns, mode="clip").tobytes().find(b"\0")
-        return len(ends) if blocked < 0 else bisect_right(list(accumulate(counts)), blocked)
+        lines = (ends - start) / self.resolution
+        counts = np.minimum((2 * np.abs(lines)).astype(np.int32) + 1, len(_COUNTED) - 1)
+        stops = counts.cumsum()
+        shares = (np.arange(1, stops[-1] + 1) - (stops - counts).repeat(counts)) / counts.repeat(counts)
+        cells = (start - complex(self.x0, self.y0)) / self.resolution + lines.repeat(counts) * shares
+        numbers = cells.imag.astype(np.int32) * self.columns + cells.real.astype(np.int32)
+        blocked = free.take(numbers, mode="clip").tobytes().find(b"\0")
+        return len(ends) if blocked < 0 else int(stops.searchsorted(blocked, side="right"))
 
     def _count_samples(self, length: float) -> int:
         """On how many cells a straight line of so many metres is looked at."""
