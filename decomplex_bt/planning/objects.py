@@ -39,7 +39,7 @@ class Objects:
             for phrase in self._referents.phrases(argument):
                 self._refuse_anything(task, phrase)
                 one = self._referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False)
-                every, places = self._several.read(phrase, one, task.type)
+                every, places = self._several.read(phrase, one, task)
                 objects.append(every)
                 inner.extend(places)
                 if phrase.place is not None and self._referents.may_move(objects[-1:]):

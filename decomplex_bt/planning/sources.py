@@ -1,4 +1,4 @@
-"""Sources: where everything is taken from, where a goal says that first ("everything on the couch in the box")."""
+"""Sources: where things are taken from, where a goal says that first ("put everything on the couch in the box")."""
 
 from __future__ import annotations
 
@@ -10,21 +10,32 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.planning.phrases import read_phrases
 from decomplex_bt.planning.prepositions import split_preposition
 
+_OFF_A_TOP = frozenset(("on", "off", "from"))
+_WHITHER = frozenset(("in", "into", "on", "onto"))
+
 
 def with_source(task: Task, domain: Domain) -> Task:
-    """The task with a source where "everything" is put and its goal or path says first where that is."""
+    """The task with a source where its goal or path says first where the things are.
+
+    Of everything that may be any place; of other things only what they lie on, for "in the box on the couch" tells
+    which box is meant.
+    """
     if task.type not in ("placing", "bringing") or task.argument("source", "location") is not None:
         return task
-    if not any(value.lower() in domain.lexicon.all_words for value in task.values("object")):
-        return task
+    is_of_all = any(value.lower() in domain.lexicon.all_words for value in task.values("object"))
     path, goal = task.argument("path"), task.argument("goal")
-    if path is not None and goal is not None and split_preposition(path.value, domain)[0]:
+    if is_of_all and path is not None and goal is not None and split_preposition(path.value, domain)[0]:
         return replace(task, arguments=tuple(replace(a, type="source") if a is path else a for a in task.arguments))
     halves = _halves(goal.value, domain) if goal is not None else None
-    if halves is None:
+    if halves is None or not (is_of_all or _leads_off(*halves, domain)):
         return task
     others = tuple(argument for argument in task.arguments if argument is not goal)
     return replace(task, arguments=(*others, Argument("source", halves[0]), Argument("goal", halves[1])))
+
+
+def _leads_off(first: str, second: str, domain: Domain) -> bool:
+    """Whether two places tell a way from the top of one to another: "on the counter in the sink"."""
+    return split_preposition(first, domain)[0] in _OFF_A_TOP and split_preposition(second, domain)[0] in _WHITHER
 
 
 def _halves(words: str, domain: Domain) -> tuple[str, str] | None:

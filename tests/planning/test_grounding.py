@@ -658,6 +658,23 @@ def test_everything_is_taken_from_where_a_goal_says_first(text: str) -> None:
     assert task.goal.candidates == ("box",)
 
 
+@pytest.mark.parametrize(
+    ("goal", "source", "end"),
+    [
+        ("on the counter in the sink", "counter", "sink"),
+        ("from the kitchen table into the dishwasher", "kitchen_table", "dishwasher"),
+        ("on the couch in the living room", None, "couch"),
+        ("in the box on the desk", None, "box"),
+        ("on the kitchen table by the window", None, "kitchen_table"),
+    ],
+)
+def test_things_on_one_place_go_to_the_next(goal: str, source: str | None, end: str) -> None:
+    task = first(f"[Put](1:placing) [the cups](1:object) [{goal}](1:goal)")
+    assert [place.candidates for place in task.places] == ([(source,)] if source is not None else [])
+    assert task.goal is not None
+    assert task.goal.candidates == (end,)
+
+
 @pytest.mark.parametrize("goal", ["in the box", "in the cupboard in the kitchen"])
 def test_everything_of_nowhere_is_refused(goal: str) -> None:
     with pytest.raises(UnknownWordError):

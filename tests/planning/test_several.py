@@ -1,4 +1,4 @@
-"""Any of several: an order behind a check means all that are so."""
+"""Any of several: an order behind a check means all that are so; all from a place are those that were there."""
 
 from __future__ import annotations
 
@@ -85,3 +85,33 @@ def test_a_check_of_what_is_at_a_place_asks_after_anything(word: str) -> None:
     )[0]
     assert check.objects[0].is_any
     assert len(check.objects[0].candidates) == len(DOMAIN.house.things)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"), [("everything", "it"), ("whatever is", "it"), ("all the mugs", "them"), ("the mugs", "them")]
+)
+def test_all_that_is_taken_from_a_place_is_meant_of_there_later(words: str, said: str) -> None:
+    take, put = tasks(
+        f"[Take](1:taking) [{words}](1:object) [off the desk](1:source) and [put](2:placing) "
+        f"[{said}](2:object={words}) [in the box](2:goal).",
+        [1, 2],
+    )
+    assert take.objects == put.objects
+    assert [place.candidates for place in (*take.places, *put.places)] == [("desk",)] * 2
+
+
+def test_one_that_is_taken_from_a_place_may_be_elsewhere_later() -> None:
+    put = tasks(
+        "[Take](1:taking) [a mug](1:object) [off the desk](1:source) and [put](2:placing) [it](2:object=a mug) "
+        "[in the box](2:goal).",
+        [1, 2],
+    )[1]
+    assert not put.places
+
+
+def test_everything_behind_a_check_of_anything_is_what_is_there() -> None:
+    text = "If there ['s](1:check_state) [anything](1:object) [on the desk](1:location), [take](2:taking) "
+    take = tasks(text + "[everything](2:object).", THEN)[1]
+    assert [place.candidates for place in take.places] == [("desk",)]
+    told = tasks(text + "[everything](2:object) [off the couch](2:source).", THEN)[1]
+    assert [place.candidates for place in told.places] == [("couch",)]
