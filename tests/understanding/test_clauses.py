@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from decomplex_bt.understanding.control_flow.failures import finds_out
+
 sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
@@ -82,7 +84,7 @@ def test_an_echo_affirms_and_says_no_more(words: str, is_echo: bool) -> None:
 
 
 @pytest.mark.parametrize(
-    ("check", "finds_out"),
+    ("check", "is_found_out"),
     [
         ("[the tongs](2:object) [are](2:check_state)n't [there](2:location)", True),
         ("[the tongs](2:object) [are](2:check_state) not [in the shed](2:location)", True),
@@ -92,11 +94,11 @@ def test_an_echo_affirms_and_says_no_more(words: str, is_echo: bool) -> None:
         ("[tongs](2:object) [are](2:check_state)n't [there](2:location)", False),
     ],
 )
-def test_what_was_to_be_fetched_may_be_missed_by_its_name(check: str, finds_out: bool) -> None:
+def test_what_was_to_be_fetched_may_be_missed_by_its_name(check: str, is_found_out: bool) -> None:
     found = clauses(
         f"[Get](1:taking) [the tongs](1:object) [from the shed](1:source). If {check}, [call](3:informing) me."
     )
-    assert found[0].finds_out(found[1]) == finds_out
+    assert finds_out(found[0], found[1]) == is_found_out
 
 
 @pytest.mark.parametrize(

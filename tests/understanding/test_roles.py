@@ -10,6 +10,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
+from decomplex_bt.understanding.control_flow.contrasts import is_of_another
+from decomplex_bt.understanding.control_flow.failures import finds_out, is_absence_of, is_failure_of
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.interpreter import Interpreter
@@ -34,7 +36,7 @@ GO = "[Go](1:motion) [out](1:goal)"
 def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> None:
     found = clauses(markup)
     later = next(k for k in range(1, len(found)) if found[k].task.type == "check_state")
-    assert found[later].is_of_another(found[0])
+    assert is_of_another(found[later], found[0])
     roles = ["condition", *["task"] * (len(found) - 1)]
     roles[later] = "mention"
     assert stated_roles(found, roles)[later] == "condition"
@@ -59,7 +61,7 @@ def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> Non
 )
 def test_what_says_the_same_again_or_its_opposite_stays_a_mention(markup: str) -> None:
     found = clauses(markup)
-    assert not found[2].is_of_another(found[0])
+    assert not is_of_another(found[2], found[0])
     roles = ("condition", "task", "mention", "task")
     assert stated_roles(found, roles) == roles
 
@@ -132,7 +134,7 @@ def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: s
 
 
 @pytest.mark.parametrize(
-    ("check", "finds_out"),
+    ("check", "is_found_out"),
     [
         ("[they](3:object)['re](3:check_state) not [there](3:location)", True),
         ("[they](3:object)['re](3:check_state) not [in the shed](3:location)", True),
@@ -142,14 +144,16 @@ def test_checks_under_one_if_are_one_condition_of_two_parts(markup: str, role: s
         ("[they](3:object)['re](3:check_state) not [clean](3:state)", False),
     ],
 )
-def test_that_something_is_not_there_tells_what_the_search_found_out(check: str, finds_out: bool) -> None:
+def test_that_something_is_not_there_tells_what_the_search_found_out(check: str, is_found_out: bool) -> None:
     found = clauses(
         "[Get](1:taking) [the tongs](1:object) [from the shed](1:source) and [hang](2:placing) [them](2:object) up. "
         f"If {check}, [call](4:informing) me."
     )
-    assert found[0].finds_out(found[2]) == finds_out
+    assert finds_out(found[0], found[2]) == is_found_out
     roles = stated_roles(found, ["task", "task", "condition", "task"])
-    assert roles == (("condition", "task", "mention", "task") if finds_out else ("task", "task", "condition", "task"))
+    assert roles == (
+        ("condition", "task", "mention", "task") if is_found_out else ("task", "task", "condition", "task")
+    )
 
 
 @pytest.mark.parametrize(
@@ -167,7 +171,7 @@ def test_that_somebody_is_out_tells_what_came_of_an_errand_to_them(check: str, i
     found = clauses(
         f"[Take](1:bringing) [the soup](1:object) [to Ann](1:recipient). If {check}, [leave](3:placing) [it](3:object)."
     )
-    assert found[1].is_absence_of(found[0]) == is_absence
+    assert is_absence_of(found[1], found[0]) == is_absence
     roles = stated_roles(found, ["task", "condition", "task"])
     assert roles == (("condition", "mention", "task") if is_absence else ("task", "condition", "task"))
 
@@ -178,7 +182,7 @@ def test_they_may_be_what_is_given(given: str, is_absence: bool) -> None:
         f"[Give](1:bringing) [{given}](1:object) [to the guests](1:recipient). If [they](2:object) "
         "[are](2:check_state)n't [there](2:location), [call](3:informing) me."
     )
-    assert found[1].is_absence_of(found[0]) == is_absence
+    assert is_absence_of(found[1], found[0]) == is_absence
 
 
 @pytest.mark.parametrize(
@@ -228,7 +232,7 @@ def test_whether_somebody_is_in_is_asked_once() -> None:
 )
 def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failure: bool) -> None:
     found = clauses(f"[Unlock](1:change_state) [the door](1:object). If {check}, [call](3:informing) me.")
-    assert found[1].is_failure_of(found[0], found[0]) == is_failure
+    assert is_failure_of(found[1], found[0], found[0]) == is_failure
     roles = stated_roles(found, ["task", "condition", "task"])
     assert roles == (("condition", "mention", "task") if is_failure else ("task", "condition", "task"))
 
@@ -254,7 +258,7 @@ def test_that_it_does_not_do_so_tells_what_came_of_a_change(check: str, is_failu
 def test_that_it_is_broken_tells_what_came_of_switching_it_on(order: str, check: str, is_failure: bool) -> None:
     check = check.replace("it's", "it](2:object) [is")
     found = clauses(f"{order}. If [{check}, [call](3:informing) me.")
-    assert found[1].is_failure_of(found[0], found[0]) == is_failure
+    assert is_failure_of(found[1], found[0], found[0]) == is_failure
 
 
 def test_that_a_thing_by_name_does_not_do_so_tells_of_what_was_done_to_it() -> None:
@@ -276,7 +280,7 @@ def test_that_where_things_were_put_does_not_start_tells_of_its_being_started(th
         "[it](2:object). "
         f"If [{thing}](3:object) doesn't [start](3:check_state), [call](4:informing) me."
     )
-    assert found[2].is_failure_of(found[1], found[0]) == is_failure
+    assert is_failure_of(found[2], found[1], found[0]) == is_failure
 
 
 @pytest.mark.parametrize(
@@ -431,7 +435,7 @@ def test_what_hangs_on_a_check_behind_it_is_not_what_it_tells_of() -> None:
         "[Take](1:taking) [the bag](1:object) [from the shed](1:source) if [it](2:object) [is](2:check_state)n't "
         "[there](2:location) any more."
     )
-    assert found[0].finds_out(found[1])
+    assert finds_out(found[0], found[1])
     assert stated_roles(found, ["task", "condition"]) == ("task", "condition")
 
 

@@ -7,6 +7,7 @@ from itertools import combinations
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.contrasts import is_case_beside
 from decomplex_bt.understanding.cues import OPPOSITES, are_alike
 
 _MANY = 3
@@ -27,7 +28,7 @@ def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[
     for k, role in enumerate(roles):
         if role not in CONDITION_ROLES:
             continue
-        if role in JOINTS or not all(clauses[k].is_case_beside(clauses[j]) for j in runs[-1]):
+        if role in JOINTS or not all(is_case_beside(clauses[k], clauses[j]) for j in runs[-1]):
             runs.append([])
         if role not in JOINTS and _opens_case(clauses[k]):
             runs[-1].append(k)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.repetitions import repeats
 
 
 def stated_orders(
@@ -113,7 +114,7 @@ def _surround(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[s
     ahead = next((j for j in range(k - 1, 0, -1) if _leads_back(clauses, roles, j)), k)
     first, between = ahead - 1, range(ahead + (roles[ahead] == "again"), k)
     are_plain = ahead < k and all(roles[j] == "task" and sides[j] == sides[first] for j in (first, *between))
-    is_same = are_plain and all(clauses[j].repeats(clauses[first]) for j in (ahead, k) if roles[j] == "again")
+    is_same = are_plain and all(repeats(clauses[j], clauses[first]) for j in (ahead, k) if roles[j] == "again")
     if not is_same or len({clauses[j].sentence for j in range(ahead, k + 1)}) > 1:
         return
     orders[first] = "keep"

@@ -8,6 +8,28 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wordin
 from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
+from decomplex_bt.understanding.control_flow.contrasts import (
+    asks_of,
+    is_apart_from,
+    is_asked_again_after,
+    is_content_of,
+    is_of_another,
+    is_of_other_matter,
+    is_of_other_state,
+    is_opposite_of,
+    is_other_case_than,
+    joining_role,
+)
+from decomplex_bt.understanding.control_flow.failures import (
+    finds_out,
+    is_absence_of,
+    is_case_against,
+    is_failure_of,
+    is_fallback_for,
+    tries_out,
+)
+from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found, turns_on_report
+from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import WISHING
 
 _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
@@ -62,8 +84,8 @@ def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Checks under one "if" or "unless" are one condition of several parts, and so are a mention of one and a further
     case ("if he isn't, or if he's late, ...", "if not, or if he's late, ...")."""
     if roles[k - 1] in CONDITION_ROLES:
-        roles[k] = clauses[k].joining_role(clauses[k - 1]) or roles[k]
-    if roles[k - 1] == "mention" and roles[k] in CONDITION_ROLES and clauses[k].is_other_case_than(clauses[k - 1]):
+        roles[k] = joining_role(clauses[k], clauses[k - 1]) or roles[k]
+    if roles[k - 1] == "mention" and roles[k] in CONDITION_ROLES and is_other_case_than(clauses[k], clauses[k - 1]):
         roles[k] = "or"
     if roles[k] == "condition" and roles[:k] == ["condition", *["task"] * (k - 1)] and clauses[k].is_added_to_otherwise:
         roles[k] = "or"
@@ -85,7 +107,7 @@ def _ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
         return
     is_done = any(clauses[j].task.type in _DOING for j in range(first + 1, k))
-    if clauses[first].is_check and is_done and clauses[k].is_asked_again_after(clauses[first]):
+    if clauses[first].is_check and is_done and is_asked_again_after(clauses[k], clauses[first]):
         roles[k] = "condition"
 
 
@@ -107,13 +129,13 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
     is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
-    is_failure = clause.is_failure_of(before, last_named(clauses, k))
-    is_outcome = (before.finds_out(clause) and is_own) or is_failure
+    is_failure = is_failure_of(clause, before, last_named(clauses, k))
+    is_outcome = (finds_out(before, clause) and is_own) or is_failure
     if is_outcome and not clause.is_trailing:
         return k - 1
-    if clause.is_absence_of(before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
+    if is_absence_of(clause, before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
         return k - 1
-    if k > 1 and roles[k - 1] == "task" and clauses[k - 2].finds_out(clauses[k]):
+    if k > 1 and roles[k - 1] == "task" and finds_out(clauses[k - 2], clauses[k]):
         return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
     return None
 
@@ -134,11 +156,11 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     burnt, ...")."""
     clause, before = clauses[k], clauses[k - 1]
     is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
-    is_order_to_check = is_bare and before.is_asked and clause.is_of_other_matter(before)
+    is_order_to_check = is_bare and before.is_asked and is_of_other_matter(clause, before)
     firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
-    if is_order_to_check or (is_bare and clause.is_of_other_state(before)):
+    if is_order_to_check or (is_bare and is_of_other_state(clause, before)):
         roles[k - 1 : k + 1] = "task", "condition"
-    elif roles[k] == "mention" and firsts and all(clause.is_of_another(first) for first in firsts):
+    elif roles[k] == "mention" and firsts and all(is_of_another(clause, first) for first in firsts):
         roles[k] = "condition"
 
 
@@ -148,7 +170,7 @@ def _try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if roles[k] != "mention" or first != k - 1 or roles[first] != "condition" or "mention" in roles[k + 1 :]:
         return
-    if clauses[k].tries_out(clauses[first]):
+    if tries_out(clauses[k], clauses[first]):
         roles[first : k + 1] = "task", "condition"
 
 
@@ -156,7 +178,7 @@ def _oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tests the opposite of the condition before, of the same thing, is a mention of it."""
     clause = clauses[k]
     before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if roles[k] == "condition" and before is not None and "if" in clause.near and clause.is_opposite_of(before):
+    if roles[k] == "condition" and before is not None and "if" in clause.near and is_opposite_of(clause, before):
         roles[k] = "mention"
 
 
@@ -168,7 +190,7 @@ def _hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     is_opened = "if" in clauses[k].near and clauses[k].boundary != "none"
     is_changed = any(not clauses[j].effects.isdisjoint(("empty", "full")) for j in range(first + 1, k))
-    if is_opened and not is_changed and clauses[k].is_content_of(clauses[first]):
+    if is_opened and not is_changed and is_content_of(clauses[k], clauses[first]):
         roles[k] = "mention"
 
 
@@ -185,7 +207,7 @@ def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if clauses[k].says_answer and clauses[k - 1].question and roles[k - 1 : k + 1] == ["condition", "mention"]:
         roles[k - 1 : k + 1] = "task", "condition"
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
-    if roles[k] == "mention" and others and clauses[k].is_answer_to(clauses[k - 1], others):
+    if roles[k] == "mention" and others and is_answer_to(clauses[k], clauses[k - 1], others):
         roles[k] = "condition"
 
 
@@ -212,19 +234,19 @@ def _is_other_reply(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> 
 def _repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
     all orders before, or names another thing, says none of them again."""
-    if roles[k] == "again" and not any(roles[j] == "task" and clauses[k].may_repeat(clauses[j]) for j in range(k)):
+    if roles[k] == "again" and not any(roles[j] == "task" and may_repeat(clauses[k], clauses[j]) for j in range(k)):
         roles[k] = "task"
     if roles[k] == "task" and any(roles[j] == "task" and _says_again(clauses[k], clauses[j]) for j in range(k)):
         roles[k] = "again"
 
 
 def _says_again(clause: Clause, before: Clause) -> bool:
-    return clause.repeats(before) or clause.forbids_same(before)
+    return repeats(clause, before) or forbids_same(clause, before)
 
 
 def _call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tells in which case an order is not to be carried out is a condition."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].is_case_against(clauses[k - 1]):
+    if (roles[k - 1], roles[k]) == ("task", "task") and is_case_against(clauses[k], clauses[k - 1]):
         roles[k] = "condition"
 
 
@@ -236,7 +258,7 @@ def _choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def _fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of several fallbacks in a row each is for where the one before it fails, too."""
-    if roles[k - 1] == "task" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
+    if roles[k - 1] == "task" and roles[k] in ("task", "condition") and is_fallback_for(clauses[k], clauses[k - 1]):
         roles[k - 1] = "condition"
 
 
@@ -284,14 +306,14 @@ def _ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def _find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].needs_found(clauses[k - 1]):
+    if (roles[k - 1], roles[k]) == ("task", "task") and needs_found(clauses[k], clauses[k - 1]):
         roles[k - 1] = "condition"
 
 
 def _report(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What is to be told is a condition of what is done in one case of it ("tell me if it's on and switch it off if
     so")."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and clauses[k].turns_on_report(clauses[k - 1]):
+    if (roles[k - 1], roles[k]) == ("task", "task") and turns_on_report(clauses[k], clauses[k - 1]):
         roles[k - 1] = "condition"
 
 
@@ -334,7 +356,7 @@ def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
     around = [j for j, clause in enumerate(clauses) if clause.sentence == sentence]
     is_chosen = any("depending" in (*clauses[j].far, *clauses[j].near) for j in around)
     is_asked = any(roles[j] in CONDITION_ROLES for j in around if j > k)
-    return roles[k] == "task" and clauses[k].is_choice_beside(clauses[k - 1]) and not (is_chosen or is_asked)
+    return roles[k] == "task" and is_choice_beside(clauses[k], clauses[k - 1]) and not (is_chosen or is_asked)
 
 
 def _name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -353,7 +375,7 @@ def _find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """That nobody is in a place is no failure of an order that has nothing to do with it ("wash the pan. If nobody is
     in the study, ...")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if roles[k] != "mention" or first is None or not clauses[k].is_apart_from(clauses[first]):
+    if roles[k] != "mention" or first is None or not is_apart_from(clauses[k], clauses[first]):
         return
     roles[k] = "condition"
     if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
@@ -365,7 +387,7 @@ def _ask_of_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     off, and close the window if *it's open*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if (roles[k - 1], roles[k]) == ("task", "mention") and first is not None:
-        roles[k] = "condition" if clauses[k].asks_of(clauses[k - 1], clauses[first]) else "mention"
+        roles[k] = "condition" if asks_of(clauses[k], clauses[k - 1], clauses[first]) else "mention"
 
 
 def _wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -8,6 +8,10 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
+from decomplex_bt.understanding.control_flow.contrasts import is_other_case_than
+from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
+from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found
+from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
 from decomplex_bt.understanding.control_flow.roles import replied_to, taken_up
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
@@ -19,10 +23,10 @@ def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         return
     orders = [j for j in range(k - 1, -1, -1) if roles[j] == "task"]
     meant = int(sides[k][1]) - 1 if sides[k] != "top" else 0
-    if orders and not clauses[k].may_repeat(clauses[orders[min(meant, len(orders) - 1)]]):
-        fitting = (rank for rank, j in enumerate(orders, start=1) if clauses[k].may_repeat(clauses[j]))
+    if orders and not may_repeat(clauses[k], clauses[orders[min(meant, len(orders) - 1)]]):
+        fitting = (rank for rank, j in enumerate(orders, start=1) if may_repeat(clauses[k], clauses[j]))
         sides[k] = f"<{min(9, next(fitting, 1))}"
-    rank = next((rank for rank, j in enumerate(orders, start=1) if clauses[k].repeats(clauses[j])), None)
+    rank = next((rank for rank, j in enumerate(orders, start=1) if repeats(clauses[k], clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
 
 
@@ -33,7 +37,7 @@ def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     if order is not None and is_told and sides[order] in ("top", HOLDS, FAILS):
         sides[k] = sides[order]
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
-    if roles[k] == "condition" and others and clauses[k].is_answer_to(clauses[k - 1], others):
+    if roles[k] == "condition" and others and is_answer_to(clauses[k], clauses[k - 1], others):
         sides[k] = sides[k - 1]
 
 
@@ -50,7 +54,7 @@ def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
         sides[k] = "<1" if roles[part + 1] == "task" or part + 1 == k else "<2"
     if not clause.objects:
         return
-    if roles[k - 1] == "condition" and clause.is_failure_of(clauses[k - 1], last_named(clauses, k)):
+    if roles[k - 1] == "condition" and is_failure_of(clause, clauses[k - 1], last_named(clauses, k)):
         sides[k] = "<1"
         return
     groups = _groups(roles, sides, k)
@@ -83,7 +87,7 @@ def pass_reply(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 def join(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A check that "and" or "or" joins to the one before it points there by a plain `<1+`, from which the construction
     makes the side on which it is asked."""
-    is_joined = bool(clauses[k].wording.joins) or clauses[k].is_other_case_than(clauses[k - 1])
+    is_joined = bool(clauses[k].wording.joins) or is_other_case_than(clauses[k], clauses[k - 1])
     if roles[k] in JOINTS and is_joined and roles[k - 1] in CONDITION_ROLES:
         sides[k] = HOLDS
     elif roles[k] in JOINTS and clauses[k].is_added_to_otherwise:
@@ -102,8 +106,8 @@ def depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), k)
     if roles[k] != "mention" or first >= k - 1 or roles[first] != "condition" or clauses[k].boundary == "none":
         return
-    is_sought = clauses[first].may_fail_as(clauses[k])
-    if not is_sought and (first < k - 2 or not clauses[first].finds_out(clauses[k])):
+    is_sought = may_fail_as(clauses[first], clauses[k])
+    if not is_sought and (first < k - 2 or not finds_out(clauses[first], clauses[k])):
         return
     for j in range(first + 1, k):
         if sides[j] == "top" and clauses[j].has_pronoun and not clauses[j].objects and not clauses[j].wording.orders:
@@ -112,7 +116,7 @@ def depend(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 def find_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched of what was checked to be there is fetched where it is."""
-    if (roles[k - 1], roles[k]) == ("condition", "task") and clauses[k].needs_found(clauses[k - 1]):
+    if (roles[k - 1], roles[k]) == ("condition", "task") and needs_found(clauses[k], clauses[k - 1]):
         sides[k] = HOLDS if sides[k] == "top" else sides[k]
 
 

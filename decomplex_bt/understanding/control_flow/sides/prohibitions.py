@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.failures import is_case_against
+from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on, hangs_ahead
 
 
@@ -137,7 +139,7 @@ def stand_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
         is_added = roles[j] == "task" and sides[j] == FAILS and clause.sentence == check.sentence and "and" in words
         if not is_added or words & (TURNING - {"not"} | {"then"}):
             return
-        is_of_it = order.task.type == "motion" or (clause.has_pronoun and not check.is_guard_of(order))
+        is_of_it = order.task.type == "motion" or (clause.has_pronoun and not is_guard_of(check, order))
         sides[j] = HOLDS if is_of_it and clause.task.type != "motion" else "top"
 
 
@@ -148,7 +150,7 @@ def call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if roles[k] != "condition" or roles[k - 1] != "task":
         return
     is_inverted = clauses[k].calls_off and sides[k - 1] == ">1+" and {*clauses[k].near} <= {"if", "and", "but"}
-    if not is_inverted and not clauses[k].is_case_against(clauses[k - 1]):
+    if not is_inverted and not is_case_against(clauses[k], clauses[k - 1]):
         return
     if sides[k - 1] not in ("top", ">1+", ">1-") or sides[k] not in ("top", HOLDS):
         return

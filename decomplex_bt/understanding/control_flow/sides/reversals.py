@@ -7,6 +7,8 @@ from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.failures import is_fallback_for
+from decomplex_bt.understanding.control_flow.outcomes import turns_on_report
 from decomplex_bt.understanding.control_flow.roles import may_choose, opened_if_not
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, goes_on
 
@@ -49,7 +51,7 @@ def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 def report(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if so" or "if not" behind what is to be told hangs on that."""
-    if (roles[k - 1], roles[k]) == ("condition", "task") and (case := clauses[k].turns_on_report(clauses[k - 1])):
+    if (roles[k - 1], roles[k]) == ("condition", "task") and (case := turns_on_report(clauses[k], clauses[k - 1])):
         sides[k] = HOLDS if case == "so" else FAILS
 
 
@@ -169,7 +171,8 @@ def fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_echoed = _is_echoed_before(clauses, roles, k)
     if roles[k] == "task" and sides[k] == HOLDS and _falls_back(clauses[k]) and not is_echoed:
         sides[k] = FAILS
-    if roles[k - 1] == "condition" and roles[k] in ("task", "condition") and clauses[k].is_fallback_for(clauses[k - 1]):
+    is_second = roles[k - 1] == "condition" and roles[k] in ("task", "condition")
+    if is_second and is_fallback_for(clauses[k], clauses[k - 1]):
         sides[k] = FAILS
 
 

@@ -7,6 +7,14 @@ from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.contrasts import (
+    asks_of,
+    is_apart_from,
+    is_elsewhere_than,
+    is_of_other_matter,
+    is_rival_of,
+)
+from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_guard_of, is_only_of, undoes
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -40,7 +48,7 @@ def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
     ferns. If nobody is in the study, ...")."""
     is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and clauses[k].boundary in _PARTING
     is_instead = k + 1 < len(clauses) and "instead" in (*clauses[k + 1].near, *clauses[k + 1].behind)
-    if is_behind and sides[k - 1][:2] == ">1" and clauses[k].is_apart_from(clauses[k - 1]) and not is_instead:
+    if is_behind and sides[k - 1][:2] == ">1" and is_apart_from(clauses[k], clauses[k - 1]) and not is_instead:
         sides[k - 1] = "top"
 
 
@@ -84,7 +92,7 @@ def go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     is_opened = clause.is_of_weather and not leading.isdisjoint(_IFS)
     if not (is_added or is_opened) or leading & TURNING - {"not", "whether"}:
         return
-    if not clause.is_of_other_matter(clauses[first]):
+    if not is_of_other_matter(clause, clauses[first]):
         return
     if first == k - 1:
         sides[k] = HOLDS
@@ -179,7 +187,7 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
     here")."""
     clause, order = clauses[k], clauses[k - 1]
-    is_guard = clause.is_guard_of(order) and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_guard = is_guard_of(clause, order) and (roles[k - 1], roles[k]) == ("task", "condition")
     is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
     if not is_behind or OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
         return
@@ -351,7 +359,7 @@ def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != "<1":
         return
-    if clauses[k].asks_of(clauses[k - 1], clauses[first]):
+    if asks_of(clauses[k], clauses[k - 1], clauses[first]):
         is_next = "then" in clauses[k - 1].near and clauses[k - 1].sentence == clauses[first].sentence
         sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
 
@@ -367,8 +375,8 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         return
     ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
     is_parted = order.boundary == "," and "and" in order.near and "when" not in clause.near
-    if any(order.undoes(clauses[j]) or clause.comes_through(clauses[j]) for j in ahead) or (
-        ahead and (is_parted or clause.is_only_of(order, clauses[ahead[0]]))
+    if any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead) or (
+        ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]]))
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
@@ -409,9 +417,9 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
         return
     is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
-    if is_led and clause.is_rival_of(clauses[first]) and sides[k] == HOLDS:
+    if is_led and is_rival_of(clause, clauses[first]) and sides[k] == HOLDS:
         sides[k] = FAILS
-    if not {"but", "if"} <= {*clause.far, *clause.near} or not clause.is_elsewhere_than(clauses[first]):
+    if not {"but", "if"} <= {*clause.far, *clause.near} or not is_elsewhere_than(clause, clauses[first]):
         return
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
         sides[first + 1 : k] = [HOLDS] * (k - first - 1)

@@ -1,0 +1,202 @@
+"""How a condition stands to an earlier one: another state, place, thing or matter, or a further case."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
+from decomplex_bt.understanding.cues import OPPOSITES, are_apart
+
+
+def is_asked_again_after(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if something is *still* as the condition before has it, in the same words, when something was
+    done about it: "if it's red, restart it. Still red?", not "if it's dry, fold it. If it's still damp, ..."."""
+    is_same = (clause.wording.state or clause.verb) == (first.wording.state or first.verb)
+    is_check = clause.task.type == "check_state"
+    return is_check and clause.says_still and is_same and clause.wording.is_negated == first.wording.is_negated
+
+
+def is_case_beside(clause: Clause, first: Clause) -> bool:
+    """Whether it tests another state of what the other tests, as far as its words say: "if it's lukewarm" beside
+    "if the soup is hot"."""
+    state, other = clause.wording.state or "", first.wording.state or ""
+    is_other_state = clause.said_state != first.said_state and not are_apart(state, other)
+    verbs = {clause.verb, first.verb}
+    is_same_verb = len(verbs) == 1 or verbs <= _BEING or (clause.is_wish and first.is_wish)
+    is_one = not (clause.number and first.number) or clause.number == first.number
+    # "that" may be another thing
+    is_of_it = (clause.is_of_somebody or (clause.is_of_it and bool(clause.number))) and not clause.objects
+    is_of_it = is_of_it or (clause.is_of_some and first.number != "one")
+    is_same = is_one and (clause.names_same(first) or is_of_it) and not clause.is_of_weather
+    return is_other_state and is_same_verb and (is_same or (clause.is_of_weather and first.is_of_weather))
+
+
+def is_elsewhere_than(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if who or what the other looks for is in another place."""
+    is_of_them = clause.names_same(first) or (clause.has_pronoun and not clause.objects)
+    are_places = clause.is_of_whereabouts and first.is_of_whereabouts and bool(clause.places) and bool(first.places)
+    are_stated = not clause.wording.is_negated and not first.wording.is_negated
+    return is_of_them and are_places and are_stated and clause.places.isdisjoint(first.places)
+
+
+def is_rival_of(clause: Clause, first: Clause) -> bool:
+    """Whether it asks what cannot be where the other holds: if it is another thing ("if it's the phone, ..., if
+    it's the doorbell, ..."), or if something is so instead."""
+    is_other = bool(clause.identified and first.identified) and clause.identified != first.identified
+    are_stated = not (clause.wording.is_negated or first.wording.is_negated)
+    return clause.is_check and are_stated and (is_other or clause.says_instead)
+
+
+def is_content_of(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if something is in what the other asks to be empty, or if there is room in what that asks to
+    be full: "if the basket is empty, ...; if *it still contains clothes*, ..."."""
+    words = {clause.verb, *clause.thing} if clause.is_check else frozenset()
+    is_held = clause.verb in _HOLDING or clause.says_there_is
+    is_of_it = (clause.has_pronoun and clause.is_in_it) or (clause.verb in _HOLDING and "it" in clause.thing)
+    is_room = not _ROOM.isdisjoint(words)
+    state = first.wording.state
+    is_other = (state in _EMPTY and not is_room) or (state in _FILLED and is_room)
+    is_inside = clause.verb != "have" or clause.says_still or clause.is_in_it
+    is_other = is_other and is_inside and _DAMAGES.isdisjoint(words)
+    are_stated = not (clause.wording.is_negated or first.wording.is_negated)
+    is_one = bool(first.objects) and first.number != "many"
+    return clause.is_check and first.is_check and is_held and is_of_it and is_other and are_stated and is_one
+
+
+def is_opposite_of(clause: Clause, first: Clause) -> bool:
+    """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
+    the tv is on, ..."."""
+    one, other = clause.wording, first.wording
+    is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
+    is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
+    is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
+    is_same = clause.names_same(first) or (clause.says_answer and clause.is_of_somebody)
+    return clause.is_check and first.is_check and is_turned and is_same and not is_of_other_place(clause, first)
+
+
+def is_of_other_place(clause: Clause, first: Clause) -> bool:
+    """Whether both say where the thing is of which they test a state, and that is not one place: "the glass on the
+    desk", "the glass on the shelf"."""
+    is_of_state = clause.wording.state is not None and first.wording.state is not None
+    places, others = clause.places - AROUND - _THERE, first.places - AROUND - _THERE
+    return is_of_state and bool(places) and bool(others) and places.isdisjoint(others)
+
+
+def joining_role(clause: Clause, before: Clause) -> str:
+    """The role, "and" or "or", of a check that is joined to the one before it under the same "if" or "unless" ("if
+    it is wet or the fan is off"), as parts are joined where both are as stated; "" where nothing settles that:
+    unless it ends the sentence ("open it if it is dry and the fan is on"), the second of two that "and" joins may
+    as well be a condition in the branch of the first."""
+    if not clause.is_joined_check or not before.is_check or clause.sentence != before.sentence:
+        return ""
+    if clause.is_excepted:
+        return clause.wording.joins
+    is_bare = clause.boundary == "none" and clause.opening == (clause.wording.joins,)
+    is_certain = is_bare and (clause.wording.joins == "or" or clause.ends_sentence)
+    return clause.wording.joins if is_certain and not _IFS.isdisjoint(before.near) else ""
+
+
+def is_other_case_than(clause: Clause, before: Clause) -> bool:
+    """Whether it is a further case for what the other, which only says whether something is so, is said for ("if he
+    isn't, *or if he's late*, ...")."""
+    is_added = clause.near[:2] == ("or", "if") or clause.opening == ("or",)
+    is_next = clause.sentence == before.sentence and clause.boundary in ("none", ",") and not clause.ends_sentence
+    return is_added and is_next and clause.is_check and before.says_only_whether and "if" in before.near
+
+
+def is_of_other_state(clause: Clause, first: Clause) -> bool:
+    """Whether it tests a state that has nothing to do with the one that an order to check asks ("check if it is
+    done, and if it's burnt, ...", but "if it's still wet": it is not done then)."""
+    state, other = clause.wording.state, first.wording.state
+    is_order = first.task.type == "check_state" and first.is_asked and not first.is_question
+    if state is None or other is None or not is_order or (clause.says_still and other in _ENDS):
+        return False
+    return not clause.objects and clause.has_pronoun and are_apart(state, other)
+
+
+def asks_of(clause: Clause, order: Clause, first: Clause) -> bool:
+    """Whether it asks right behind an order after the state of what that is to be done with, and that is another
+    thing, and another state, than the first asks ("is the tv on? ... close the window if *it's open*")."""
+    state, other = clause.wording.state, first.wording.state
+    is_behind = clause.boundary == "none" and clause.near[:1] == ("if",) and clause.has_pronoun and not clause.objects
+    if not (is_behind and clause.is_check and state is not None and other is not None and are_apart(state, other)):
+        return False
+    is_own = bool(order.objects) and order.objects[-1] not in first.nouns  # "the bathroom light", "... door"
+    return is_own and clause.sentence == order.sentence and "or" not in order.near
+
+
+def asks_same_of_another(clause: Clause, first: Clause) -> bool:
+    """Whether it asks of something that it names what the other asks of something else."""
+    is_same = (clause.verb, clause.places) == (first.verb, first.places)
+    is_same = is_same and clause.wording.state == first.wording.state
+    is_other = bool(clause.objects) and bool(first.objects) and set(clause.objects).isdisjoint(first.objects)
+    return clause.is_check and first.is_check and is_same and is_other and _NO_THINGS.isdisjoint(clause.objects)
+
+
+def asks_for_what_had_state(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if something is missing, where the other tests another state of it."""
+    is_of_state = any(kind == "state" for kind, _ in first.task.arguments)
+    return clause.wording.state in _MISSING and is_of_state and first.wording.state not in PRESENT
+
+
+def is_of_nobody_at(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if nobody is, or does, something, where the other tests a state of a thing that has nothing
+    to do with who is there: "if the trunk is shut, ..., and if nobody is sleeping, ..."."""
+    is_of_thing = first.task.type == "check_state" and bool(first.number) and first.wording.state is not None
+    is_of_users = first.wording.state in _USED or not clause.nouns.isdisjoint(first.objects)
+    return clause.is_check and clause.is_of_nobody and is_of_thing and not is_of_users
+
+
+def is_apart_from(clause: Clause, order: Clause) -> bool:
+    """Whether it asks if nobody is in a place that an order has nothing to do with."""
+    known = order.nouns | order.places | order.receivers
+    is_handed = order.task.type == "bringing" and bool(order.receivers)
+    is_order = order.task.type in LEADING | {"change_state"} and not is_handed
+    is_elsewhere = bool(clause.places) and clause.places.isdisjoint(known | _THERE)
+    return is_order and clause.is_check and clause.is_of_nobody and is_elsewhere
+
+
+def is_of_other_matter(clause: Clause, first: Clause) -> bool:
+    """Whether it has nothing to do with what the other asks: it asks about the weather, or if nobody is there, and
+    that about a thing."""
+    is_other_weather = clause.is_of_weather and first.task.type == "check_state" and not first.is_of_weather
+    return is_other_weather or is_of_nobody_at(clause, first)
+
+
+def is_of_another(clause: Clause, first: Clause) -> bool:
+    """Whether its words say that it is no mention of an earlier condition: it is of another matter or of a thing
+    elsewhere, or asks the same of another thing ("if there's no milk, ..., if there's no tea, ..."), or whether
+    something is missing whose state the other tests, or it tests a state, and that of many things where the other
+    is about one (or the other way round), or of what the other asks the place of."""
+    own = {kind for kind, _ in clause.task.arguments}
+    is_of_other = asks_same_of_another(clause, first) or is_of_other_matter(clause, first)
+    if is_of_other or asks_for_what_had_state(clause, first) or is_of_other_place(clause, first):
+        return True
+    if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
+        return False
+    state, other = clause.wording.state, first.wording.state
+    if state in PRESENT or set(clause.objects) & set(first.objects):
+        return False
+    if (
+        state is not None
+        and other is not None
+        and (state == other or OPPOSITES.get(state) == other or OPPOSITES.get(other) == state)
+    ):
+        return False
+    is_of_others = bool(clause.number and first.number) and clause.number != first.number
+    return is_of_others or (first.asks_where and "location" not in own)
+
+
+_HOLDING = frozenset("contain hold have".split())
+_DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
+"""What is in something though it may be empty."""
+_ROOM = frozenset(("room", "space"))
+_EMPTY = frozenset(("empty",))
+_FILLED = frozenset(("full", "packed", "crammed"))
+_IFS = frozenset(("if", "unless", "only_if"))
+_BEING = frozenset(("be", "'s", "\u2019s", "s"))
+_ENDS = frozenset("done finished ready over cooked baked clean dry".split())
+"""States that something comes to in the end: what is still otherwise has not."""
+_USED = frozenset("free busy empty available occupied taken use unused vacant unoccupied deserted quiet loud".split())
+"""States that tell whether somebody is there."""
+_MISSING = frozenset(("missing", "gone", "lost"))
+_THERE = frozenset(("there", "here"))
+_NO_THINGS = frozenset("none one some any drop".split())

@@ -1,0 +1,114 @@
+"""What says that something before it did not come about: an order that failed, a search without result, who is away."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.control_flow.clause import AROUND, CHOOSING, FINDING, Clause
+from decomplex_bt.understanding.control_flow.outcomes import comes_through
+from decomplex_bt.understanding.cues import OPPOSITES
+
+
+def is_absence_of(clause: Clause, before: Clause) -> bool:
+    """Whether it says no more than that whoever the task before should give or tell something to is not there:
+    "take it to Anna, and if she's out, ..."."""
+    is_left_with = clause.says_too and clause.is_of_person and before.task.type == "placing"
+    is_handed = before.task.type in _HANDING or is_left_with  # "leave it with Tom, and if he isn't in either"
+    if clause.task.type != "check_state" or not is_handed or not clause.is_of_somebody:
+        return False
+    if not clause.is_of_person and before.number == "many":
+        return False  # "they" may as well be what is given
+    kinds = {kind for kind, _ in before.task.arguments}
+    # not "in by six"
+    is_all = max((j for _, indices in clause.task.arguments for j in indices), default=0) >= clause.last
+    is_gone = clause.wording.state in _GONE and not clause.wording.is_negated
+    is_away = clause.wording.is_negated and (clause.wording.state in AROUND or not clause.places.isdisjoint(AROUND))
+    return bool(kinds & {"recipient", "goal"}) and "unless" not in clause.near and is_all and (is_gone or is_away)
+
+
+def is_failure_of(clause: Clause, before: Clause, named: Clause) -> bool:
+    """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
+    the trunk won't open"; `named`: the clause up to there that last names a thing, which may be put in what is
+    changed then ("put the shirts in the washing machine and start it. If *the machine* doesn't start, ...")."""
+    is_one = not (clause.number and before.number) or clause.number == before.number
+    is_opposite = clause.wording.state is not None and OPPOSITES.get(clause.wording.state) == before.wording.state
+    is_change = before.task.type == "change_state" and is_one and not is_opposite
+    is_where_put = before.has_pronoun and not before.objects and not named.receivers.isdisjoint(clause.objects[-1:])
+    is_of_it = clause.says_undone or (clause.says_named_undone and (clause.names_same(named) or is_where_put))
+    is_of_it = is_of_it or (before.wording.state == "on" and says_broken(clause, named))
+    return is_change and is_of_it and "unless" not in clause.near
+
+
+def says_broken(clause: Clause, named: Clause) -> bool:
+    """Whether it asks if what was named last is out of order, which is found out by switching it on; not where that
+    chooses between two orders ("switch it on, *or if it's broken* open the door")."""
+    is_broken = clause.is_check and clause.wording.state in _BROKEN and not clause.wording.is_negated
+    is_broken = is_broken and "or" not in (*clause.far, *clause.near)
+    return is_broken and (clause.names_same(named) or (clause.has_pronoun and not clause.objects))
+
+
+def tries_out(clause: Clause, before: Clause) -> bool:
+    """Whether it asks if what was handled before works; of what was moved with an effort ("lift it") "it doesn't
+    work" says that the effort failed."""
+    is_handled = before.task.type in _MOVED and before.verb not in _STRAINING
+    is_kept_out = clause.verb == "fit" and before.task.type == "placing"
+    is_of_thing = (
+        clause.is_check
+        and clause.verb in _FUNCTIONING
+        and not is_kept_out
+        and not clause.is_of_person
+        and bool(before.objects)
+    )
+    is_it = clause.has_pronoun and not clause.objects and "fail" not in clause.near
+    return is_handled and is_of_thing and (is_it or clause.names_same(before))
+
+
+def finds_out(clause: Clause, after: Clause) -> bool:
+    """Whether a later clause tells what it found out: "look in the box. If it isn't there, ...", "bring the tongs
+    from the shed, and if they're not in the shed, ...", "..., and if the tongs aren't there, ..."."""
+    is_place = "there" in after.places or not after.places.isdisjoint(clause.places)
+    is_thing = clause.task.type == "searching" or not after.is_of_person
+    says_absent = after.says_absent or (after.says_named_absent and after.names_same(clause))
+    return says_absent and is_thing and is_place and bool(clause.places) and clause.task.type in FINDING
+
+
+def may_fail_as(clause: Clause, after: Clause) -> bool:
+    """Whether it is a search of which a later clause tells that it failed: "find my keys. ... If you can't see
+    them"."""
+    are_searches = clause.task.type == after.task.type == "searching"
+    is_same = after.names_same(clause) or (after.has_pronoun and not after.objects)
+    return are_searches and is_same and after.wording.is_negated and "if" in after.near
+
+
+def is_fallback_for(clause: Clause, before: Clause) -> bool:
+    """Whether it is for where the order before fails, that is itself done where something else does: "look in the
+    shed; failing that, try the porch; *failing that*, ask Tom". An "otherwise" behind a "failing that" turns back
+    to where the first did not fail."""
+    ahead, own = {*before.far, *before.near}, {*clause.far, *clause.near}
+    are_orders = clause.task.type != "check_state" != before.task.type and clause.sentence - before.sentence < _FAR
+    is_opened = not own.isdisjoint(_FALLING_BACK) and clause.near != ("and",)
+    is_other = clause.is_otherwise and not before.is_otherwise and "fail" not in own
+    is_plain = own.isdisjoint(CHOOSING - _FALLING_BACK) and not (clause.is_forbidden or before.is_forbidden)
+    return are_orders and not ahead.isdisjoint(_FALLING_BACK) and is_opened and is_plain and not is_other
+
+
+def is_case_against(clause: Clause, order: Clause) -> bool:
+    """Whether it calls off the order before it in a case that does not come about through that: "mow the lawn, but
+    if it's wet, leave it", not "turn it on, and if it won't start, leave it"."""
+    is_gone = clause.wording.is_contrary and (clause.names_same(order) or not clause.objects)
+    is_outcome = clause.says_undone or clause.says_named_undone or is_gone or "fail" in clause.near
+    is_plain = clause.is_check and not is_outcome and not comes_through(clause, order) and not clause.wording.is_echo
+    return clause.calls_off and is_plain and order.task.type in _CALLED_OFF and not order.is_forbidden
+
+
+_FALLING_BACK = frozenset(("else", "fail"))
+_FAR = 2
+"""From so many sentences on a "failing that" is not about the order before [sentences]."""
+_BROKEN = frozenset("broken faulty busted bust kaput knackered damaged order blink".split())
+"""States in which nothing can be switched on: "out of *order*", "on the *blink*"."""
+_CALLED_OFF = frozenset("taking placing bringing change_state".split())
+"""The types of orders that may be called off: not what is looked for, asked or waited for."""
+_HANDING = frozenset(("bringing", "informing"))
+_MOVED = frozenset(("taking", "placing", "bringing"))
+_STRAINING = frozenset("lift pull push drag move shift heave pry remove peel hide fish squeeze stuff".split())
+_FUNCTIONING = frozenset("work function write run fit light start ring".split())
+"""What a thing does that is as it should be."""
+_GONE = frozenset(("out", "away", "gone"))

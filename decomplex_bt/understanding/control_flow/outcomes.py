@@ -1,0 +1,105 @@
+"""What comes of an order, or is needed for it: a condition or another order that speaks of that."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.clause import FINDING, LEADING, PRESENT, Clause
+
+
+def is_guard_of(clause: Clause, before: Clause) -> bool:
+    """Whether it asks no more than whether the change before it is needed: "wash it if it's dirty", "fill it unless
+    it's full", "turn the tv off if it's on"."""
+    if before.task.type != "change_state" or not clause.is_check or clause.wording.state is None:
+        return False
+    is_needed = clause.wording.state in (before.effects if clause.wording.is_negated else before.needs)
+    return is_needed and (clause.names_same(before) or (clause.has_pronoun and not clause.objects))
+
+
+def undoes(clause: Clause, before: Clause) -> bool:
+    """Whether it takes back what the order before brings about: "light it" and "blow it out", "put it in the oven"
+    and "take it out", "go there" and "come back"."""
+    is_of_it = clause.names_same(before) or (clause.is_of_it and not clause.objects)
+    one, other = before.task.type, clause.task.type
+    if one == other == "change_state":  # but "turn it off and on again", "empty it and fill it" is done at a stretch
+        is_renewed = not clause.ways.isdisjoint(("again", "back")) or "empty" in before.effects
+        return is_of_it and not is_renewed and not before.effects.isdisjoint(clause.needs)
+    is_return = not (clause.ways.isdisjoint(_RETURNING) or clause.nouns - _RETURNING)
+    is_gone = one in LEADING and before.ways.isdisjoint(_RETURNING)
+    if other == "motion" and is_return:
+        return is_gone
+    return is_of_it and ((one == "placing" and other == "taking") or (other in LEADING and is_return and is_gone))
+
+
+def comes_through(clause: Clause, before: Clause) -> bool:
+    """Whether what it asks is what the order before brings about: "fill it" and "it's full", "start it" and "it's
+    done", "turn the oven on" and "it's hot", "let her out" and "she's back", "put them in the oven" and "when
+    they're brown"."""
+    is_of_thing = clause.names_same(before) or (clause.is_of_it and not clause.objects)
+    is_sent = before.verb in _SENDING or before.task.type == "following" or "out" in before.ways
+    if "back" in clause.ways and is_sent:
+        return is_of_thing or (clause.is_of_somebody and not clause.objects)
+    is_reached = clause.wording.state in before.effects and not clause.wording.is_negated
+    is_over = clause.wording.state in _OVER or (clause.wording.state is None and clause.verb in _ENDING)
+    is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(_WORKING) and "when" in clause.near
+    if is_worked and clause.wording.state is not None and clause.number == before.number:
+        return True
+    is_heated = clause.wording.state in _HEATED and not _HEATERS.isdisjoint(before.objects[-1:])
+    is_run = "running" in before.effects and (is_over or (is_heated and not clause.wording.is_negated))
+    return is_of_thing and (is_reached or is_run)
+
+
+def is_only_of(clause: Clause, order: Clause, before: Clause) -> bool:
+    """Whether it asks about the thing of an order alone, and not about that of the order before: "turn the tv off
+    and water the fern if it's dry", "fold the shirts and hang up the socks if they're damp". What is fetched or
+    turned on may be so for the sake of the other order."""
+    are_two = bool(before.nouns) and bool(order.objects) and before.nouns.isdisjoint(order.objects)
+    is_fetched = before.task.type in FINDING and order.task.type == "change_state"
+    is_handed = any(kind == "recipient" for kind, _ in before.task.arguments)
+    is_prepared = (is_fetched and not is_handed) or "running" in before.effects
+    is_of_it = is_guard_of(clause, order) or (clause.is_check and (clause.names_same(order) or clause.takes_up(order)))
+    return are_two and is_of_it and not is_prepared
+
+
+def needs_found(clause: Clause, check: Clause) -> bool:
+    """Whether it fetches what an order to check asks for, so that there must be such a thing: "see if there's any
+    milk *and bring me some*"."""
+    is_asked = check.task.type == "check_state" and check.is_asked and "whether" in check.behind
+    is_of_place = check.wording.state is None or check.wording.state in PRESENT | _ARRIVED
+    is_joined = clause.boundary == "none" and clause.near[-1:] == ("and",) and {"if", "so"}.isdisjoint(clause.near)
+    is_of_it = clause.has_pronoun and not clause.objects and clause.task.type in ("bringing", "taking", "placing")
+    is_plain = not clause.is_forbidden and not check.wording.is_negated and bool(check.thing)
+    return is_asked and is_of_place and is_joined and is_of_it and is_plain
+
+
+def turns_on_report(clause: Clause, report: Clause) -> str:
+    """ "so" or "else", by which it is done in one case of what is to be told right ahead of it ("tell me if it's on
+    and switch it off *if so*", "... and get some *if not*"); "" where it is not."""
+    asking = {"whether", "if"} & {*clause.far, *clause.near}
+    is_told = report.task.type == "informing" and bool(asking) and clause.sentence == report.sentence
+    return clause.behind[-1] if is_told and clause.behind[-1:] in (("so",), ("else",)) else ""
+
+
+def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bool:
+    """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
+    does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things."""
+    is_fitting = clause.verb == "do" or not before.question.isdisjoint((clause.verb, "'s", "\u2019s"))
+    is_of_them = clause.is_of_somebody and not any(other.number == "many" for other in others)
+    is_answer = clause.says_only_whether and bool(before.question) and is_fitting
+    is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
+    is_told = clause.sentence == before.sentence and clause.is_of_somebody
+    return is_answer and (is_told or (is_of_things and (clause.is_of_person or is_of_them)))
+
+
+_SENDING = frozenset(("let", "send"))
+_RETURNING = frozenset(("back", "home"))
+_OVER = frozenset("done finished ready over complete through".split())
+_WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
+"""Places where a thing is put for what becomes of it there."""
+_HEATED = frozenset("hot warm heated preheated".split())
+_HEATERS = frozenset(
+    "oven stove hob hotplate iron kettle grill barbecue heater heating radiator boiler griddle sauna".split()
+)
+"""What gets hot once it is switched on."""
+_ENDING = frozenset("finish end stop boil beep".split())
+_ARRIVED = frozenset("left come arrived delivered".split())
