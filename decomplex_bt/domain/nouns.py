@@ -13,9 +13,10 @@ _IRREGULAR = {
     "knives": "knife", "shelves": "shelf", "bookshelves": "bookshelf", "loaves": "loaf", "children": "child",
     "men": "man", "women": "woman", "people": "person", "scarves": "scarf", "mice": "mouse", "feet": "foot",
     "dishes": "dish", "leaves": "leaf", "wives": "wife", "clothes": "garment", "clothing": "garment",
+    "fruit": "piece of fruit", "cutlery": "piece of cutlery", "silverware": "piece of cutlery",
 }  # fmt: skip
 
-_ALWAYS_SINGULAR = frozenset(("news", "gas", "lens", "clothing"))
+_ALWAYS_SINGULAR = frozenset(("news", "gas", "lens", "clothing", "fruit", "cutlery", "silverware"))
 _ONE = frozenset(("a", "an", "one", "each", "every", "either", "neither", "this", "that"))
 _SEVERAL_OF = frozenset(("all", "both", "some", "most", "two", "three", "four", "five", "none"))
 _BEHIND_A_NOUN = frozenset(
@@ -47,7 +48,7 @@ class Nouns:
         heads: dict[str, list[str]] = defaultdict(list)
         for word, entities in found.items():
             head = word.rpartition(" ")[2]
-            if head not in found and not head.isdigit():
+            if head not in found and head not in _IRREGULAR and not head.isdigit():
                 heads[head].extend(entities)
         return cls({word: tuple(dict.fromkeys(entities)) for word, entities in {**found, **heads}.items()})
 

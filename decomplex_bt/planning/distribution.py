@@ -17,6 +17,7 @@ _EACH_BEHIND = re.compile(r"\s+each\b(?!\s+(?:of|time)\b)", re.IGNORECASE)
 _EACH_OF = re.compile(r"^(to )?(?:each of|both) ", re.IGNORECASE)
 _EACH_IN = re.compile(r"^each (?=an? |one |two )| each$", re.IGNORECASE)
 _AND = re.compile(r"\s*,\s*(?:and\s+)?|\s+and\s+", re.IGNORECASE)
+_TOO = re.compile(r"[\s,]*\b(?:as well|too|also|likewise)\b", re.IGNORECASE)
 _ANEW = re.compile(r"(?:a|an|one|some|two|three|four|another)\s", re.IGNORECASE)
 
 
@@ -73,6 +74,7 @@ def _rounds(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
         if argument.type in _THINGS | _PAIRED and any(a.type == argument.type for a in rounds[-1]):
             rounds.append([])
         rounds[-1].append(argument)
+    rounds = _whole(rounds, text) if len(rounds) > 1 else rounds
     kinds = [{argument.type for argument in arguments} for arguments in rounds]
     paired = set.intersection(*kinds) & _PAIRED
     if len(rounds) < 2 or not paired or not all(kind & _THINGS for kind in kinds):
@@ -83,6 +85,25 @@ def _rounds(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
         (*arguments, *(a for a in first if a.type not in kind), *silent)
         for arguments, kind in zip(rounds, kinds, strict=True)
     )
+
+
+def _whole(rounds: list[list[Argument]], text: str) -> list[list[Argument]]:
+    """The rounds with those that have no place or the like of their own taken in by the next that has one, or by the
+    one before: "the shoes in the wardrobe, *the jacket as well*, and the umbrella on the table"; as they are where one
+    is left over."""
+    whole: list[list[Argument]] = []
+    waiting: list[Argument] = []
+    for arguments in rounds:
+        span = arguments[-1].span
+        is_complete = any(argument.type in _PAIRED for argument in arguments)
+        if is_complete:
+            whole.append([*waiting, *arguments])
+            waiting = []
+        elif whole and span is not None and _TOO.match(text, span.end):
+            whole[-1].extend(arguments)
+        else:
+            waiting = [*waiting, *arguments]
+    return whole if len(whole) > 1 and not waiting else rounds
 
 
 def _people(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:

@@ -1,4 +1,4 @@
-"""Exclusions: what a text says behind a task's objects about which of them are meant: those left out ("all the lights
+"""Exclusions: what a text says beside a task's objects about which of them are meant: those left out ("all the lights
 except the one in the hall", "a mug that is not red"), those that are something ("the windows that are open").
 """
 
@@ -17,6 +17,12 @@ _EXCEPT = re.compile(
     r"(?P<clause>(?:that|which)(?: (?:is|are)(?:n['\u2019]t| not)|['\u2019](?:s|re) not)(?: yet)?))\s+",
     re.IGNORECASE,
 )
+_FRONTED = re.compile(
+    r"(?:^|[.;!?,:])\s*(?:(?:and|but|then|so)\s+)?"
+    r"(?:except(?:ing)?(?: for)?|excluding|apart from|aside from|save for)\s+(?P<words>[^.;!?,]+?)(?:,[^.;!?]*|\s*)$",
+    re.IGNORECASE,
+)
+"""Ahead of the verb: "*except for the kitchen*, turn all the lights off"."""
 _WHOLE = re.compile(r"\b(?:all|every\w*|any\w*|each|no|nothing|both)\b", re.IGNORECASE)
 _BEING = re.compile(
     r",?\s+(?:that|which)(?:\s+(?:is|are)|['\u2019](?:s|re))(?:\s+(?:still|already|currently))?"
@@ -24,6 +30,7 @@ _BEING = re.compile(
     re.IGNORECASE,
 )
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
+_JOINT = re.compile(r"\b(?:and|but|then|so)[\s,]*$", re.IGNORECASE)
 _ENDS_IN_ONE = re.compile(r"\bones?\s*$", re.IGNORECASE)
 _ONE = re.compile(r"\bones?\b", re.IGNORECASE)
 
@@ -46,7 +53,7 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
     end = scope = min([t.span.start for t in instruction.tasks if t.span.start > said[0].start], default=len(text))
     match = next((m for m in _EXCEPT.finditer(text, said[0].start, end) if _is_left_out(text, said[0].start, m)), None)
     if match is None:
-        return task, None
+        return _without_fronted(instruction, task)
     dropped = {"object", "location", *(("state",) if match["clause"] else ())}
     dropped |= {a.type for a in task.arguments if a.span is None or a.span.start < match.start()}
     aside_end = match.end() + _END.search(text[match.end() : scope]).start()  # type: ignore[union-attr]
@@ -72,9 +79,22 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
     return replace(task, arguments=tuple(kept)), Exclusion(words, bool(match["aside"])) if words else None
 
 
+def _without_fronted(instruction: Instruction, task: Task) -> tuple[Task, Exclusion | None]:
+    """The same where that is said ahead of the verb, and behind the order before."""
+    before = max((t.span.end for t in instruction.tasks if t.span.end <= task.span.start), default=0)
+    match = _FRONTED.search(instruction.text[: task.span.start], before)
+    if match is None:
+        return task, None
+    first, last = match.span("words")
+    kept = tuple(a for a in task.arguments if a.span is None or not first <= a.span.start < last)
+    return replace(task, arguments=kept), Exclusion(match["words"].strip())
+
+
 def _is_left_out(text: str, start: int, match: re.Match[str]) -> bool:
-    """Whether a "but" leaves out something of all that is named before it ("every lamp but the one in the hall")."""
-    return match["but"] is None or _WHOLE.search(text, start, match.end()) is not None
+    """Whether it leaves out something of what is named before it, and not of what an order behind it names ("open the
+    curtains *and, except for the hall,* turn ..."); a "but" of all ("every lamp but the one in the hall")."""
+    is_ahead = _JOINT.search(text, start, match.start()) is not None
+    return not is_ahead and (match["but"] is None or _WHOLE.search(text, start, match.end()) is not None)
 
 
 def with_clauses(instruction: Instruction, task: Task) -> Task:

@@ -34,6 +34,7 @@ __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 FILL, FULL, EMPTY = "fill", "full", "empty"
 SOMEBODY, ANYTHING = "somebody", "anything"
 
+_ASKED_FOR = frozenset(("who", "who is", "who's", "who\u2019s"))
 _JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
 """What joins two states into words that are none: "clean and dry", not "nice and warm"."""
 
@@ -162,6 +163,9 @@ class _Grounder:
 
     def _searching(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
+        # "see who is in the kitchen" is a look around there
+        is_said = [a.type != "object" or a.value.lower() not in _ASKED_FOR for a in task.arguments]
+        task = replace(task, arguments=tuple(a for a, said in zip(task.arguments, is_said, strict=True) if said))
         objects, inner = self.objects.find(task, lambda name: True, "be looked for")
         fixed = [r for r in objects if all(self.referents.is_fixed(name) for name in r.candidates)]
         if fixed and not places:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
@@ -15,6 +16,8 @@ from decomplex_bt.planning.others import too_few
 from decomplex_bt.planning.phrases import read_phrases
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.several import Several
+
+_POSSESSIVE = re.compile(r"['\u2019]s$", re.IGNORECASE)
 
 
 class Objects:
@@ -68,7 +71,13 @@ class Objects:
         """The grounded task without the objects that are left out."""
         noun = read_phrases(task.values("object")[0], self._domain)[0].noun
         words = excluded_phrase(left_out, noun, self._domain.lexicon.prepositions)
-        phrases = read_phrases(words, self._domain)
+        phrases = read_phrases(_POSSESSIVE.sub("", words), self._domain)
+        rooms = self._domain.house.rooms
+        if all(name in rooms for phrase in phrases for name in phrase.entities or phrase.plurals):
+            # "the lights, except for the kitchen", "the lights except the kitchen's"
+            phrases = read_phrases(f"the {noun} in {_POSSESSIVE.sub('', words)}", self._domain)
+        elif _POSSESSIVE.search(words):
+            raise ImpossibleGoalError(f"whose {noun} is which is not known here ({left_out!r}); say which by its place")
         wanted = {pair: self._domain.kinds.opposite(value) for phrase in phrases for pair, value in phrase.wanted}
         is_told_by_state = len(wanted) == len(phrases) == 1 and not any(o.is_all for o in grounded.objects)
         if any(phrase.place for phrase in phrases) and not self._referents.may_move(grounded.objects):

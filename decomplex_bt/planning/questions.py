@@ -6,13 +6,20 @@ import re
 
 from decomplex_bt.instruction import Argument
 
-_BE = r"(?:is|are)(?:n['\u2019]t| not)?(?: still| already| really)?"
+_BE = r" (?:is|are)(?:n['\u2019]t| not)?(?: still| already| really)?"
+_CONTRACTED = r"['\u2019](?:s|re)(?: not)?(?: still| already| really)?"
 _THERE = re.compile(
-    rf"(?:whether|if) there {_BE} (?P<object>.+?)(?: (?P<location>(?:in|on|at|inside) .+))?$", re.IGNORECASE
+    rf"(?:whether|if) there(?:{_BE}|{_CONTRACTED}) (?P<object>.+?)(?: (?P<location>(?:in|on|at|inside) .+))?$",
+    re.IGNORECASE,
 )
-_SO = re.compile(rf"(?:whether|if) (?P<object>.+?) {_BE} (?P<rest>.+)$", re.IGNORECASE)
-_WHERE = re.compile(r"where (?P<object>.+?) (?:is|are)$", re.IGNORECASE)
-_WHAT = re.compile(r"what(?:['\u2019]s| is| are)? (?:there )?(?P<location>(?:in|on|at|inside) .+)$", re.IGNORECASE)
+_SO = tuple(
+    re.compile(rf"(?:whether|if) (?P<object>.+?){be} (?P<rest>.+)$", re.IGNORECASE) for be in (_BE, _CONTRACTED)
+)
+"""A contracted "is" only where no other is said: "if Anna's phone is on"."""
+_WHERE = re.compile(r"where(?:['\u2019](?:s|re))? (?P<object>.+?)(?: (?:is|are))?$", re.IGNORECASE)
+_WHAT = re.compile(
+    r"wh(?:at|o)(?:['\u2019](?:s|re)| is| are)? (?:there )?(?P<location>(?:in|on|at|inside) .+)$", re.IGNORECASE
+)
 _HOW_MANY = re.compile(
     r"how (?:many|much) .+? (?:there )?(?:is|are) (?:there )?(?P<location>(?:in|on|at|inside) .+)$", re.IGNORECASE
 )
@@ -26,7 +33,7 @@ def question_of(message: str) -> tuple[str, tuple[Argument, ...]] | None:
     words = _TAIL.sub("", message.strip())
     if match := _THERE.match(words):
         return "check_state", _arguments(match, "object", "location")
-    if match := _SO.match(words):
+    if match := next(filter(None, (pattern.match(words) for pattern in _SO)), None):
         kind = "location" if _AT.match(match["rest"]) else "state"
         return "check_state", (Argument("object", match["object"]), Argument(kind, match["rest"]))
     if match := _WHERE.match(words):

@@ -76,7 +76,7 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     if argument.span is None or argument.value != argument.span.of(observed.document.text):
         return False
     gap = gap_of(observed.document, task, argument)
-    if gap is None or gap.word in _NAMING:
+    if gap is None or gap.word in _NAMING or not _LEAVING_OUT.isdisjoint(argument.value.lower().split()):
         return False
     # "if the big one's broken", "if Mia's is empty"; what is to be taken or changed must be known
     is_told = task.type == "check_state" and gap.form in ("one", "own") and len(gap.tokens) > 1
@@ -86,6 +86,10 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
 _NAMING = frozenset(("machine", "place", "inside"))
 """What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free",
 "go inside"."""
+
+
+_LEAVING_OUT = frozenset(("except", "excepting", "excluding", "but"))
+"""What sets a possessive beside the noun it goes with: "every door except the kitchen's"."""
 
 
 def _asks_who(observed: Observed, task: Task) -> bool:

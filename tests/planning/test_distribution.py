@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Span, Task
 from decomplex_bt.planning.distribution import distributed
@@ -41,3 +43,25 @@ def test_each_pair_is_a_task_and_what_is_said_once_holds_for_all() -> None:
 def test_what_is_told_of_all_is_one_task(arguments: tuple[tuple[str, str], ...]) -> None:
     instruction = Instruction("...", (_task(1, *arguments),), Flow.from_json([1]))
     assert distributed(instruction) == instruction
+
+
+@pytest.mark.parametrize(
+    ("said", "wardrobe", "table"),
+    [
+        ("{}, [the bag](1:object) too, and [the camera](1:object) {}", ("the shoes", "the bag"), ("the camera",)),
+        ("{}, [the bag](1:object) as well, but [the camera](1:object) {}", ("the shoes", "the bag"), ("the camera",)),
+        ("{}, [the bag](1:object), and [the camera](1:object) {}", ("the shoes",), ("the bag", "the camera")),
+    ],
+)
+def test_what_has_no_place_of_its_own_goes_with_its_neighbour(
+    said: str, wardrobe: tuple[str, ...], table: tuple[str, ...]
+) -> None:
+    text = said.format("[the shoes](1:object) [in the wardrobe](1:goal)", "[on the table](1:goal)")
+    found = distributed(read_markup(f"[Put](1:placing) {text}.", load_domain().ontology, flow=[1]))
+    assert [task.values("object") for task in found.tasks] == [wardrobe, table]
+
+
+def test_what_is_left_over_leaves_all_in_one() -> None:
+    text = "[Put](1:placing) [the shoes](1:object) [in the wardrobe](1:goal), [the bag](1:object) and [it](1:object)."
+    (task,) = distributed(read_markup(text, load_domain().ontology, flow=[1])).tasks
+    assert len(task.values("object")) == 3

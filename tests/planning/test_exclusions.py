@@ -27,6 +27,11 @@ def candidates(text: str, count: int = 1) -> set[str]:
         (CLOSE + "[every window but the one in the kitchen](1:object).", {"kitchen_window"}),
         (CLOSE + "[the windows](1:object), all but the bedroom window.", {"bedroom_window"}),
         (CLOSE + "[every window](1:object) except [in the kitchen](1:location).", {"kitchen_window"}),
+        (CLOSE + "[every window](1:object) except for the kitchen.", {"kitchen_window"}),
+        (CLOSE + "[every window except the kitchen's](1:object).", {"kitchen_window"}),
+        ("Except for the bedroom window, " + CLOSE + "[all the windows](1:object).", {"bedroom_window"}),
+        ("Apart from the bedroom, please " + CLOSE + "[all the windows](1:object).", {"bedroom_window"}),
+        ("Hurry! Save for the bedroom one " + CLOSE + "[the windows](1:object).", {"bedroom_window"}),
         (
             CLOSE + "[the windows](1:object) except the kitchen one and the bedroom one",
             {"kitchen_window", "bedroom_window"},
@@ -114,3 +119,13 @@ def test_leaving_out_everything_is_refused() -> None:
 def test_a_condition_is_no_exclusion() -> None:
     text = CLOSE + "[the windows](1:object), but not if [the heater](2:object) [is](2:check_state) [on](2:state)."
     assert candidates(text, 2) == WINDOWS
+
+
+def test_what_is_left_out_ahead_of_an_order_is_of_that_order() -> None:
+    text = "[Close](1:change_state) [all the windows](1:object) and, except for the kitchen, [turn](2:change_state) "
+    both = ground(
+        read_markup(text + "[off](2:state) [all the lights](2:object).", DOMAIN.ontology, flow=[1, 2]), DOMAIN
+    ).tasks
+    assert set(both[0].objects[0].candidates) == WINDOWS
+    assert "kitchen_light" not in both[1].objects[0].candidates
+    assert "bedroom_light" in both[1].objects[0].candidates
