@@ -23,6 +23,7 @@ Output:
 """
 
 import gymnasium as gym
+from py_trees.common import Status
 
 import decomplex_bt
 from decomplex_bt.behaviour.export import to_text
@@ -33,17 +34,21 @@ agent = decomplex_bt.TreeAgent(env)
 agent.reset(observation, info)
 print(to_text(agent.tree.root))
 
+tree, session = agent.tree, agent.session
 terminated = truncated = False
 said = ""
-while not (terminated or truncated or agent.done):
-    action = agent.act(observation)
-    leaf = agent.tree.tip()  # the node that decided this tick
+while not (terminated or truncated):
+    session.begin_tick(observation)
+    tree.tick()  # at most one leaf runs, and leaves in the session what it wants done
+    is_running = tree.root.status is Status.RUNNING
+    action = session.action if is_running else session.embodiment.finish()
+    leaf = tree.tip()  # the node that decided this tick
     if leaf is not None and leaf.feedback_message != said:
         said = leaf.feedback_message
         print(f"{leaf.name}: {said}")
     observation, _, terminated, truncated, info = env.step(action)
 
-belief = agent.session.belief  # what was observed and, of what was not seen yet, where it is likeliest
+belief = session.belief  # what was observed and, of what was not seen yet, where it is likeliest
 print(f"tv: {belief.state('tv', 'power')}")
 print(f"the remote is believed at: {belief.place_of('remote')}")
 print(f"success: {info['is_success']}")

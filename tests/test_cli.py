@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import json
 import subprocess
 import sys
 from dataclasses import replace
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -14,6 +16,7 @@ import pytest
 import decomplex_bt
 from decomplex_bt.cli import main
 
+INSTRUCTIONS = Path(__file__).parent / "behaviour" / "instructions.yaml"
 PEN = "Bring me a pen if you can find it on the table, if you cannot find one then search in the drawer."
 
 
@@ -200,6 +203,59 @@ def test_a_failure_that_nothing_explains_is_not_put_down_to_the_time(is_out_of_t
     assert said in episode.verdict
 
 
+def test_a_film_that_is_not_finished_leaves_nothing(tmp_path: Path) -> None:
+    import numpy as np
+
+    from decomplex_bt.cli.film import Film
+
+    for ending in (".gif", ".mp4") if find_spec("imageio_ffmpeg") else (".gif",):
+        path = tmp_path / f"film{ending}"
+        path.write_text("what was there before")
+        film = Film(path)
+        film.add(np.zeros((64, 64, 3), dtype=np.uint8))
+        film.discard()
+        assert path.read_text() == "what was there before"
+        assert [file.name for file in tmp_path.iterdir()] == [path.name]
+        film = Film(path)
+        film.close(np.zeros((64, 64, 3), dtype=np.uint8))
+        film.discard()
+        assert path.stat().st_size > 50
+        assert [file.name for file in tmp_path.iterdir()] == [path.name]
+        path.unlink()
+
+
+@pytest.mark.parametrize("ending", [".gif", ".mp4"])
+def test_a_folder_is_no_film(ending: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / f"film{ending}"
+    folder.mkdir()
+    assert main(["run", "Go to the kitchen.", "--record", str(folder)]) == 2
+    assert "this is a folder" in capsys.readouterr().err
+
+
+def test_no_input_and_no_room_for_output_are_no_program_errors(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", None)
+    assert main(["parse"]) == 2
+    assert "standard input is closed" in capsys.readouterr().err
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("decomplex_bt.cli.plan.print_json", full)
+    assert main(["plan", "Go to the kitchen.", "--json"]) == 2
+    assert "cannot be written: No space left" in capsys.readouterr().err
+
+
+def test_who_interrupts_is_told_so(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("decomplex_bt.cli.plan.print_json", interrupted)
+    assert main(["plan", "Go to the kitchen.", "--json"]) == 130
+    assert capsys.readouterr().err.strip().endswith("interrupted")
+
+
 def test_video_needs_its_extra(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("decomplex_bt.cli.film.find_spec", lambda name: None)
     assert main(["run", "Go to the kitchen.", "--record", "film.mp4"]) == 2
@@ -228,6 +284,7 @@ BAD = {
     "negative seed": ["run", "Go to the kitchen.", "--seed", "-1"],
     "film of unknown kind": ["run", "Go to the kitchen.", "--record", "film.avi"],
     "film in no folder": ["run", "Go to the kitchen.", "--record", "/nowhere/at/all/film.gif"],
+    "an agent twice": ["evaluate", str(INSTRUCTIONS), "--limit", "1", "-n", "1", "--agent", "idle", "--agent", "idle"],
     "no such file": ["parse", "/nowhere/at/all"],
     "no such corpus": ["corpus", "check", "/nowhere/at/all"],
     "unknown domain": ["parse", "-", "--domain", "spaceship"],

@@ -17,7 +17,7 @@ from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.session import Session
-from decomplex_bt.behaviour.settling import Ask, settle, understood, with_tasks
+from decomplex_bt.behaviour.settling import Ask, check_threshold, settle, understood, with_tasks
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
@@ -47,7 +47,8 @@ class TreeAgent:
     are for the robot alone; whose judge has no reading but the robot's settles the instruction first (`settle`) and
     gives both the same. `planner`: solves the PDDL problems of all tasks (`planning.planner.Planner`; None: pyperplan).
 
-    Raises `InputError` for an environment without a body, and for a `flow` that is no instruction.
+    Raises `InputError` for an environment without a body, for a `flow` that is no instruction, and for an `ask`,
+    `threshold` or `planner` that is none.
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
     by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
@@ -64,6 +65,7 @@ class TreeAgent:
         planner: Planner | None = None,
     ) -> None:
         self._body = _body_of(env)
+        _check(ask, threshold, planner)
         self._planner = planner or PyperplanPlanner()
         self._gold = _annotated(flow)
         self._ask = ask
@@ -77,8 +79,9 @@ class TreeAgent:
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         """Begins an episode: understands `info["instruction"]`, grounds it and compiles the tree.
 
-        Raises `InputError` for an instruction without a known task, `UnknownWordError`, `ImpossibleGoalError` and
-        `MissingArgumentError` for what cannot be grounded in this house; the agent then stays as it was.
+        Raises `InputError` for an instruction without a known task and for what is no observation of the body's
+        environment, `UnknownWordError`, `ImpossibleGoalError` and `MissingArgumentError` for what cannot be grounded in
+        this house; the agent then stays as it was.
         """
         if self._gold is None and "instruction" not in info:
             raise InputError("info has no instruction; give the info that reset of the environment returned")
@@ -87,10 +90,11 @@ class TreeAgent:
         if self._ask is not None:
             instruction = settle(instruction, self._ask, domain=domain, threshold=self._threshold)
         grounded = ground(instruction, domain)
-        self.compiled = compile_instruction(instruction, grounded, domain)
+        compiled = compile_instruction(instruction, grounded, domain)
+        self._body.reset(observation)  # the last that may refuse
+        self.compiled = compiled
         self.instruction: Instruction = instruction
         self.grounded: GroundInstruction = grounded
-        self._body.reset(observation)
         prior = Prior.of(domain).told(grounded.named_places(), domain)
         self._session = Session(self._body, Belief(domain, prior=prior), self._planner)
         self.tree = BehaviourTree(self.compiled.root)
@@ -104,7 +108,7 @@ class TreeAgent:
         Raises `InputError` for what is no observation of the body's environment.
         """
         session = self.session
-        if self._has_finished:
+        if self._has_finished or self._has_concluded:
             return self._body.finish()
         self._tick(session, observation)
         if self.tree.root.status is Status.RUNNING:
@@ -117,7 +121,8 @@ class TreeAgent:
         """Ticks the tree once; where all that comes of it is an action of the leaf that runs, only that leaf."""
         session.begin_tick(observation)
         tree, leaf = self.tree, self._running
-        if leaf is not None and leaf.status is Status.RUNNING and not _is_watched(tree) and leaf.work():
+        is_alone = leaf is not None and not _is_watched(tree) and _is_led_to(leaf, tree)
+        if leaf is not None and is_alone and leaf.work():
             tree.count += 1
             return
         tree.tick()
@@ -166,7 +171,12 @@ class TreeAgent:
         return tuple(self.session.failures)
 
     def branches(self) -> tuple[tuple[int, bool | None, str | None], ...]:
-        """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken."""
+        """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken.
+
+        Raises `RuntimeError` before the first `reset`, as `failures` does.
+        """
+        if self._session is None:
+            raise RuntimeError("call reset(observation, info) first")
         self._conclude()
         judged = []
         for _, node in sorted(self.compiled.nodes.items()):
@@ -194,6 +204,14 @@ def _body_of(env: Any) -> Embodiment:
             f"{name} has no embodiment() to make a body of; give TreeAgent a household, as decomplex_bt/Household-v0"
         ) from None
     return make_body()
+
+
+def _check(ask: Any, threshold: Any, planner: Any) -> None:
+    if ask is not None and not callable(ask):
+        raise InputError(f"ask is {ask!r}; expected a function that answers a question, or None")
+    if planner is not None and not callable(getattr(planner, "solve", None)):
+        raise InputError(f"planner is {planner!r}; expected something with a method solve(problem), or None")
+    check_threshold(threshold)
 
 
 def _annotated(flow: Any) -> Instruction | None:
@@ -232,16 +250,24 @@ def _is_watched(tree: BehaviourTree) -> bool:
 
 
 def _running_leaf(tree: BehaviourTree) -> PlannedTask | None:
-    """The leaf that runs, where all nodes above it hand its status on and remember where they are."""
+    """The leaf that runs, where nothing but its work comes of a tick."""
     leaf = tree.root.tip() if tree.root.status is Status.RUNNING else None
-    if not isinstance(leaf, PlannedTask) or leaf.status is not Status.RUNNING:
-        return None
-    node = leaf.parent
-    while node is not None:
-        if not (isinstance(node, IfThenElse) or (type(node) is InOrder and node.memory)):
-            return None
-        node = node.parent
-    return leaf
+    return leaf if isinstance(leaf, PlannedTask) and _is_led_to(leaf, tree) else None
+
+
+def _is_led_to(leaf: PlannedTask, tree: BehaviourTree) -> bool:
+    """Whether a leaf runs and all nodes from the root of the tree, as it is now, to the leaf hand its status on and
+    remember where they are."""
+    if leaf.status is not Status.RUNNING:
+        return False
+    node: Any = leaf
+    while node is not tree.root:
+        above = node.parent
+        is_passing = isinstance(above, IfThenElse) or (type(above) is InOrder and above.memory)
+        if not is_passing or above.current_child is not node:
+            return False
+        node = above
+    return True
 
 
 def _as_spoken(task: Task, instruction: Instruction) -> Task:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import uuid
 from collections.abc import Iterator
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite
+
+_ROLES = ("condition", "then", "orelse")
+_NO_ROLE = "{!r} is neither condition nor branch of {!r}; replace one of these, or construct the node anew"
 
 
 class IfThenElse(Composite):
@@ -24,6 +28,8 @@ class IfThenElse(Composite):
     `orelse` runs when the condition fails, never when `then` fails. The condition is judged once, when the node is
     reached, and its outcome (`truth`) stays until the node is entered anew: there is memory, always. A condition that
     can tell "no" from "cannot be known" has an attribute `is_undecided`; where that is true, its FAILURE is neither.
+    Stopped from outside (INVALID) it has judged nothing. Its children can be replaced and its branches removed; further
+    ones have no role here and are refused with `TypeError`.
 
     This differs from BehaviorTree.CPP's IfThenElse in one row: with the third child missing, that one fails where the
     condition fails. The XML export therefore writes the missing branch out.
@@ -49,9 +55,46 @@ class IfThenElse(Composite):
         branch = self._branch() if self.truth is not None else None
         return None if branch is None else "then" if branch is self.then else "else"
 
+    def insert_child(self, child: Behaviour, index: int) -> uuid.UUID:
+        raise TypeError(_NO_ROLE.format(child.name, self.name))
+
+    def prepend_child(self, child: Behaviour) -> uuid.UUID:
+        raise TypeError(_NO_ROLE.format(child.name, self.name))
+
+    def add_child(self, child: Behaviour) -> uuid.UUID:
+        if hasattr(self, "orelse"):
+            raise TypeError(_NO_ROLE.format(child.name, self.name))
+        return super().add_child(child)  # the constructor's
+
+    def replace_child(self, child: Behaviour, replacement: Behaviour) -> None:
+        index = self.children.index(child)
+        role = next(role for role in _ROLES if getattr(self, role) is child)
+        is_current = self.current_child is child
+        super().remove_child(child)
+        super().insert_child(replacement, index)
+        setattr(self, role, replacement)
+        self.current_child = replacement if is_current else self.current_child
+
+    def remove_child(self, child: Behaviour) -> int:
+        if child is self.condition:
+            raise TypeError(f"{self.name!r} is nothing without its condition {child.name!r}; replace it instead")
+        role = next((role for role in _ROLES if getattr(self, role) is child), None)
+        index = super().remove_child(child)
+        if role is not None:
+            setattr(self, role, None)
+        return index
+
+    def terminate(self, new_status: Status) -> None:
+        if new_status is Status.INVALID:
+            self.truth = None
+
     def tick(self) -> Iterator[Behaviour]:
         if self.status != Status.RUNNING:
             self._enter()
+        if self.current_child is None:  # it was removed while it ran
+            self.stop(Status.SUCCESS)
+            yield self
+            return
         if self.current_child is self.condition:
             yield from self.condition.tick()
             if self.condition.status == Status.RUNNING:

@@ -13,6 +13,7 @@ from py_trees.visitors import VisitorBase
 
 from decomplex_bt.behaviour.compiler import CompiledTree
 from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import escaped
 from decomplex_bt.planning.ground_task import GroundTask
 
@@ -86,7 +87,8 @@ def to_behaviortree_cpp(root: Behaviour) -> str:
 
     BehaviorTree.CPP's IfThenElse fails where the condition fails and the third child is missing; ours succeeds. So a
     missing branch is written out as AlwaysSuccess. What has no counterpart there: a condition that cannot be decided,
-    which fails the whole here and runs the third child there.
+    which fails the whole here and runs the third child there. Raises `InputError` for a tree with other composites or
+    decorators than IfThenElse and sequences.
     """
     document = ElementTree.Element("root", BTCPP_format="4", main_tree_to_execute="Instruction")
     tree = ElementTree.SubElement(document, "BehaviorTree", ID="Instruction")
@@ -216,6 +218,8 @@ def _append_xml(parent: ElementTree.Element, node: Behaviour) -> None:
             _append_xml(element, child)
         if not node.children:
             ElementTree.SubElement(element, "AlwaysSuccess", name="nothing was asked for")
+    elif node.children:
+        raise InputError(f"{node.name!r} is a {type(node).__name__}, for which the XML has no node")
     else:
         attributes = {"ID": "PlannedTask", "name": _printable(node.name)}
         if task := _task_of(node):

@@ -42,6 +42,7 @@ class PlannedTask(Behaviour):
         self.task = task
         self.is_condition = is_condition
         self._session: Session | None = None
+        self._said: Any = None
         self._outcome: Status | None = None
         self._clear()
 
@@ -91,7 +92,7 @@ class PlannedTask(Behaviour):
             if self._skill is None:
                 action = self._go_on()
             if action is not None:
-                session.action = action
+                session.action = self._said = action
                 return Status.RUNNING
         session.action = session.embodiment.rest()
         return Status.RUNNING
@@ -99,7 +100,8 @@ class PlannedTask(Behaviour):
     def terminate(self, new_status: Status) -> None:
         """Stops the skill at once; interrupted, the body comes to rest unless somebody else has use for it."""
         action = self._drop_plan()
-        if new_status == Status.INVALID and action is not None and self.session.action is None:
+        is_free = action is not None and (self.session.action is None or self.session.action is self._said)
+        if new_status == Status.INVALID and is_free:
             self.session.action = action
 
     # -- what is seen from outside ------------------------------------------------------------------------------------
@@ -131,6 +133,7 @@ class PlannedTask(Behaviour):
         self._goal: tuple[Atom, ...] = ()
         self._position = 0
         self._skill: Skill | None = None
+        self._said = None
         self._waited = 0
         self._attempts = 0
         self._last_problem: tuple[GroundAction | None, str] = (None, "")
@@ -207,7 +210,9 @@ class PlannedTask(Behaviour):
         last = self._steps[-1] if self._steps else None
         self._last_problem = (last, "its effect did not show")
         if last is None:
-            self.session.belief.give_up(self._goal, "what was planned for holds already, and the task is not done")
+            reason = "what was planned for holds already, and the task is not done"
+            self._last_problem = (None, reason)
+            self.session.belief.give_up(self._goal, reason)
         else:
             self.session.belief.failed(last, "its effect did not show")
         self._drop_plan()

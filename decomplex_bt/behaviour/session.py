@@ -11,9 +11,10 @@ from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.foresight import leads_to_goal
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
-from decomplex_bt.planning.planner import Planner, PlanResult
+from decomplex_bt.planning.planner import Planner, PlanResult, PlanStatus
 from decomplex_bt.planning.problem import Problem, belief_problem
 from decomplex_bt.planning.pursuit import Bindings
+from decomplex_bt.planning.schemas import read_schemas
 
 Fingerprint = tuple[str | None, ...]
 
@@ -68,4 +69,9 @@ class Session:
     def plan(self, goal_atoms: tuple[Atom, ...], forbidden: tuple[GroundAction, ...] = ()) -> PlanResult:
         """A plan from what is believed now, without the forbidden steps."""
         self.plans += 1
-        return self.planner.solve(self.make_problem(self.belief, goal_atoms, forbidden=forbidden))
+        result = self.planner.solve(self.make_problem(self.belief, goal_atoms, forbidden=forbidden))
+        known = read_schemas(self.belief.domain.domain_pddl)
+        odd = next((step for step in result.steps if step.name not in known), None)
+        if odd is None:
+            return result
+        return PlanResult(PlanStatus.UNSUPPORTED, reason=f"{odd} is no action of this domain; one is {min(known)!r}")

@@ -15,8 +15,8 @@ from decomplex_bt.planning.grounding import ground
 from decomplex_bt.understanding.doubt import THRESHOLD, settled
 
 Ask = Callable[[Missing | Doubt], str | None]
-"""Answers the `question` of what is missing or in doubt; None if it has no answer. A choice of a doubt is named by its
-number, from 1, or by its words."""
+"""Answers the `question` of what is missing or in doubt; None or blank text if it has no answer. A choice of a doubt is
+named by its number, from 1, or by its words."""
 
 
 def settle(
@@ -32,8 +32,11 @@ def settle(
     each argument that is missing. Its answers are arguments without words of their own. Given to `reset` as the
     instruction and to `TreeAgent` as the flow, robot and judge go by the same.
 
-    Raises `InputError` for text without a known task, unknown words, impossible goals and unanswered questions.
+    Raises `InputError` for text without a known task, unknown words, impossible goals, unanswered questions, answers
+    that are no text, and a threshold beyond 0 and 1.
     """
+    check_threshold(threshold)
+    ask = _in_words(ask)
     known = domain if isinstance(domain, Domain) else load_domain(domain)
     reading = understood(instruction, known) if isinstance(instruction, str) else instruction
     chosen = distributed(settled(reading, known.ontology, ask, threshold=threshold))
@@ -47,6 +50,24 @@ def settle(
 
     ground(chosen, known, ask=answer)
     return _completed(chosen, answers) if answers else chosen
+
+
+def check_threshold(threshold: float) -> None:
+    """Raises `InputError` for what is no number from 0 to 1."""
+    if not isinstance(threshold, (int, float)) or not 0 <= threshold <= 1:
+        raise InputError(f"threshold is {threshold!r}; expected a number from 0 (never ask) to 1")
+
+
+def _in_words(ask: Ask) -> Ask:
+    """The same, its answers checked to be text and blank ones taken for none."""
+
+    def answer(asked: Missing | Doubt) -> str | None:
+        said = ask(asked)
+        if said is not None and not isinstance(said, str):
+            raise InputError(f"the answer to {asked.question!r} is {said!r}; expected text or None")
+        return said if said is not None and said.strip() else None
+
+    return answer
 
 
 def understood(text: str, domain: Domain) -> Instruction:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from collections.abc import Sequence
@@ -64,6 +65,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     try:
         result = typer.main.get_command(app).main(arguments, prog_name="decomplex-bt", standalone_mode=False)
+        if result == INTERRUPTED:  # typer has caught what `except` is for below
+            _complain("interrupted")
         return result if isinstance(result, int) else OK
     except _ClickError as error:
         if type(error).__name__ == _NoArguments:
@@ -83,11 +86,20 @@ def main(argv: Sequence[str] | None = None) -> int:
         # here); keep Python from complaining about it when it exits.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EIO, errno.EDQUOT):
+            return _report(error)
+        _complain(f"the output cannot be written: {error.strerror}")
+        return BAD_INPUT
     except Exception as error:
-        if os.environ.get(DEBUG):
-            raise
-        _complain(f"internal error: {type(error).__name__}: {error}; run with {DEBUG}=1 to see where, and report it")
-        return FAILED
+        return _report(error)
+
+
+def _report(error: Exception) -> int:
+    if os.environ.get(DEBUG):
+        raise error
+    _complain(f"internal error: {type(error).__name__}: {error}; run with {DEBUG}=1 to see where, and report it")
+    return FAILED
 
 
 def _complain(message: str) -> None:

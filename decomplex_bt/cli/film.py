@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,9 +28,10 @@ SWATCH = 16
 
 
 class Film:
-    """A film being taken; `add` each step, `close` at the end.
+    """A film being taken; `add` each step, `close` at the end, `discard` in any case.
 
-    Raises `InputError` at once where the file name's ending or its folder will not do.
+    It is written beside `path` and moved there once it is whole: until then what has that name stays as it is. Raises
+    `InputError` at once where the file name's ending or its folder will not do, later where it cannot be written.
     """
 
     def __init__(self, path: Path) -> None:
@@ -35,12 +39,13 @@ class Film:
         self._take: _Gif | _Video
         if not path.parent.is_dir():
             raise InputError(f"--record {path}: there is no folder {path.parent}; make it first")
-        if path.suffix.lower() == ".gif":
-            self._take = _Gif(path)
-        elif path.suffix.lower() == ".mp4":
-            self._take = _Video(path)
-        else:
+        if path.is_dir():
+            raise InputError(f"--record {path}: this is a folder; expected the name of a file")
+        ending = path.suffix.lower()
+        if ending not in (".gif", ".mp4"):
             raise InputError(f"--record {path}: expected a name that ends in .gif or .mp4")
+        self._draft = path.with_name(f".{path.stem}.{os.getpid()}{ending}")
+        self._take = _Gif(self._draft) if ending == ".gif" else _Video(self._draft, path)
 
     def is_due(self, step: int) -> bool:
         """Whether a frame is taken after this step (from 0)."""
@@ -48,14 +53,27 @@ class Film:
 
     def add(self, frame: NDArray[np.uint8]) -> None:
         """A frame `(height, width, 3)`."""
-        self._take.add(frame)
+        with self._writing():
+            self._take.add(frame)
 
     def close(self, last: NDArray[np.uint8]) -> None:
-        """Ends with a frame that stays for a while, and writes the file. Raises `InputError` where that fails."""
-        try:
+        """Ends with a frame that stays for a while, and writes the file."""
+        with self._writing():
             self._take.close(last)
+            self._draft.replace(self.path)
+
+    def discard(self) -> None:
+        """Leaves nothing of a film that was not closed."""
+        self._take.abandon()
+        self._draft.unlink(missing_ok=True)
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
         except OSError as error:
-            raise InputError(f"--record {self.path}: cannot be written: {error.strerror or error}") from None
+            reason = error.strerror or str(error).strip().partition("\n")[0]
+            raise InputError(f"--record {self.path}: cannot be written: {reason}") from None
 
 
 class _Gif:
@@ -83,6 +101,9 @@ class _Gif:
         times = [step] * (len(self._frames) - 1) + [step * LINGER_FRAMES]
         first, *rest = self._frames
         first.save(self._path, save_all=True, append_images=rest, duration=times, loop=0, optimize=False)
+
+    def abandon(self) -> None:
+        """Nothing was begun before all is written."""
 
 
 def _palette(picture: Any) -> Any:
@@ -117,10 +138,10 @@ def _palette(picture: Any) -> Any:
 class _Video:
     thinning = 1
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, name: Path) -> None:
         if find_spec("imageio") is None or find_spec("imageio_ffmpeg") is None:
             raise InputError(
-                f"--record {path}: .mp4 needs the extra 'video' (pip install 'decomplex-bt[video]'); .gif needs nothing"
+                f"--record {name}: .mp4 needs the extra 'video' (pip install 'decomplex-bt[video]'); .gif needs nothing"
             )
         import imageio.v2 as imageio
 
@@ -133,3 +154,7 @@ class _Video:
         for _ in range(LINGER_FRAMES):
             self._writer.append_data(last)
         self._writer.close()
+
+    def abandon(self) -> None:
+        with suppress(OSError):
+            self._writer.close()

@@ -117,6 +117,8 @@ def _decode(raw: bytes, *, is_first: bool) -> str:
 @contextmanager
 def _open(source: str) -> Iterator[BinaryIO]:
     if source == "-":
+        if sys.stdin is None:
+            raise InputError("standard input is closed; give the text as an argument, or a file")
         yield sys.stdin.buffer
         return
     try:

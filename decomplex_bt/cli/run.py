@@ -76,6 +76,8 @@ def run(
             print_json(episode.to_json())
         return 0 if episode.outcome == "success" else 1
     finally:
+        if film is not None:
+            film.discard()
         display.close()
         env.close()
 

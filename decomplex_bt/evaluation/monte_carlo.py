@@ -127,7 +127,12 @@ def evaluate_agents(
     setup: Setup | None = None,
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
-    """As `evaluate` for several agents in the same worlds; `summary.tabulate` shows them beside each other."""
+    """As `evaluate` for several agents in the same worlds; `summary.tabulate` shows them beside each other.
+
+    Raises `InputError` also where one is named twice: its episodes would count as twice as many.
+    """
+    if twice := next((name for name in agents if agents.count(name) > 1), None):
+        raise InputError(f"the agent {twice!r} is named twice; name each once")
     _check_jobs(jobs)
     setup = setup or Setup()
     domain = load_domain(setup.domain)

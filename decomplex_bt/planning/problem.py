@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.loader import Domain
@@ -17,11 +18,12 @@ from decomplex_bt.planning.symbolic import SymbolicState
 TOOLED = ("hot", "cold", "clean", "full", "empty")
 """Fluents that a thing comes by at a device or a place, a place by a rag."""
 _FACT_SEPARATOR = "__"
+_DOMAIN = re.compile(r"\(\s*define\s+\(\s*domain\s+([^\s()]+)", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
 class Problem:
-    """What a planner is given. All parts are sorted, so that equal problems are equal texts (the key of the cache).
+    """What a planner is given. All parts are sorted, so that equal problems of one domain are equal texts.
 
     `objects`: (name, PDDL type). `forbidden`: steps that the plan must not contain.
     """
@@ -38,10 +40,17 @@ class Problem:
         objects = "\n    ".join(f"{name} - {of}" for name, of in self.objects)
         init = "\n    ".join(map(str, self.init))
         goal = " ".join(map(str, self.goal))
+        domain = _domain_name(self.domain_pddl)
         return (
-            f"(define (problem task)\n  (:domain household)\n  (:objects\n    {objects})\n  (:init\n    {init})\n"
+            f"(define (problem task)\n  (:domain {domain})\n  (:objects\n    {objects})\n  (:init\n    {init})\n"
             f"  (:goal (and {goal})))\n"
         )
+
+
+@lru_cache(maxsize=8)
+def _domain_name(domain_pddl: str) -> str:
+    match = _DOMAIN.search(domain_pddl)
+    return match[1] if match is not None else "household"
 
 
 def fact_name(pair: str, entity: str) -> str:

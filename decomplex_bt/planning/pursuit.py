@@ -24,6 +24,8 @@ from dataclasses import replace
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, GroundTask
 from decomplex_bt.planning.handling import Handling
+from decomplex_bt.planning.pddl import Atom
+from decomplex_bt.planning.problem import belief_problem
 from decomplex_bt.planning.standing import Bindings, NothingLeftError, Pursuit, PursuitStatus
 from decomplex_bt.planning.whereabouts import next_place
 
@@ -168,6 +170,16 @@ class _Pursuer(Handling):
         roles |= {"goal": self.task.goal} if self.task.goal is not None else {}
         roles |= {"recipient": self.task.recipients[0]} if self.task.recipients else {}
         goal = self._goal({role: self._meant(referent)[0] for role, referent in roles.items()})
-        if all(self.belief.noted(atom) > self.since for atom in goal):
+        if all(self.belief.noted(atom) > self.since for atom in goal) or self._is_so(goal):
             return self._done({})
         return self._bring_about([goal], self.task.phrase)
+
+    def _is_so(self, goal: tuple[Atom, ...]) -> bool:
+        """Whether a goal holds by what is believed; of states none that is only assumed."""
+        pairs = {value: pair for pair, both in self.domain.kinds.state_pairs.items() for value in both.values}
+        is_known = all(
+            self.belief.state(atom.objects[0], pairs[atom.predicate]) == atom.predicate
+            for atom in goal
+            if atom.predicate in pairs
+        )
+        return is_known and set(goal) <= set(belief_problem(self.belief, goal).init)

@@ -31,15 +31,15 @@ CACHE_SIZE = 4096
 
 
 class PyperplanPlanner:
-    """Weighted A* with the FF heuristic, as pyperplan has them; results are cached by the problem's text."""
+    """Weighted A* with the FF heuristic, as pyperplan has them; results are cached by the texts of both files."""
 
     def __init__(self, *, max_evaluations: int = MAX_EVALUATIONS) -> None:
         self.max_evaluations = max_evaluations
-        self._cache: dict[tuple[str, tuple[GroundAction, ...]], PlanResult] = {}
+        self._cache: dict[tuple[str, str, tuple[GroundAction, ...]], PlanResult] = {}
 
     def solve(self, problem: Problem) -> PlanResult:
         """A plan for the problem; from the cache if an equal problem was solved before."""
-        key = (problem.text, problem.forbidden)
+        key = (problem.domain_pddl, problem.text, problem.forbidden)
         found = self._cache.get(key)
         if found is not None:
             return replace(found, seconds=0.0)

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import gymnasium as gym
 import numpy as np
 import pytest
+from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
+from py_trees.composites import Selector
 
 import decomplex_bt
 from decomplex_bt.corpus import read_corpus, read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.errors import InputError, UnknownWordError
 from decomplex_bt.instruction import Instruction
+from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
 DOMAIN = load_domain("household")
 EXAMPLES = {e.id: e for e in read_corpus(Path(__file__).parent / "instructions.yaml", DOMAIN.ontology)}
@@ -271,3 +276,75 @@ def test_a_recorder_writes_down_what_changes():
     assert recorder.entries[0]["event"] == "started"
     assert recorder.entries[0]["feedback"].startswith("(move ")
     assert len(recorder.entries) < 15
+
+
+def test_a_guard_put_above_a_running_tree_is_ticked():
+    env = make_env()
+    instruction = markup("[Go](1:motion) [to the study](1:goal).", [1])
+    observation, info = env.reset(seed=0, options={"instruction": instruction})
+    agent = decomplex_bt.TreeAgent(env, flow=instruction)
+    agent.reset(observation, info)
+    for _ in range(5):
+        observation, *_ = env.step(agent.act(observation))
+    guard = StatusQueue("guard", [Status.FAILURE], eventually=Status.FAILURE)
+    agent.tree.root = Selector("safe", memory=False, children=[guard, agent.tree.root])
+    for _ in range(5):
+        observation, *_ = env.step(agent.act(observation))
+        assert guard.status is Status.FAILURE
+        assert agent.status is Status.RUNNING
+
+
+def test_an_agent_whose_episode_has_ended_begins_nothing_anew():
+    env = make_env()
+    instruction = markup("[Say](1:informing) [hello](1:message) [to me](1:recipient).", [1])
+    agent, _, actions = run(env, instruction, 1)
+    assert agent.done
+    status = agent.status
+    again = agent.act(None)
+    assert again["interact"] == Interaction.FINISH
+    assert agent.status is status
+    assert actions
+
+
+def test_a_refused_observation_leaves_the_agent_as_it_was():
+    env = make_env()
+    first = markup("[Go](1:motion) [to the study](1:goal).", [1])
+    observation, info = env.reset(seed=0, options={"instruction": first})
+    agent = decomplex_bt.TreeAgent(env, flow=first)
+    agent.reset(observation, info)
+    compiled, instruction = agent.compiled, agent.instruction
+    with pytest.raises(InputError):
+        agent.reset({"x": 1}, info)
+    assert agent.compiled is compiled
+    assert agent.instruction is instruction
+
+
+@pytest.mark.parametrize(
+    "odd", [{"threshold": 7}, {"threshold": "x"}, {"threshold": float("nan")}, {"planner": "fd"}, {"ask": 5}]
+)
+def test_what_no_agent_can_use_is_refused_at_once(odd):
+    with pytest.raises(InputError, match=next(iter(odd))):
+        decomplex_bt.TreeAgent(make_env(), **odd)
+
+
+def test_before_a_reset_there_are_neither_failures_nor_branches():
+    agent = decomplex_bt.TreeAgent(make_env())
+    for ask in (lambda: agent.failures, agent.branches):
+        with pytest.raises(RuntimeError, match="reset"):
+            ask()
+
+
+class Shouting:
+    """A planner that names its actions as other planners do."""
+
+    def solve(self, problem):
+        result = PyperplanPlanner().solve(problem)
+        return replace(result, steps=tuple(replace(step, name=step.name.upper()) for step in result.steps))
+
+
+def test_actions_that_the_domain_lacks_are_a_failure_with_a_reason():
+    env = make_env()
+    instruction = markup("[Go](1:motion) [to the study](1:goal).", [1])
+    agent = decomplex_bt.TreeAgent(env, flow=instruction, planner=Shouting())
+    agent, _, _ = run(env, instruction, 0, agent=agent)
+    assert "no action of this domain" in str(agent.failures[0])

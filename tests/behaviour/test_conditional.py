@@ -116,3 +116,59 @@ def test_tip_is_the_running_leaf():
     node = make(Recorder("condition", S), Recorder("then", R))
     tick(node)
     assert node.tip() is node.then
+
+
+def test_what_was_stopped_has_judged_nothing():
+    node = make(Recorder("condition", S), Recorder("then", R))
+    assert tick(node) == R
+    assert (node.truth, node.taken) == (True, "then")
+    node.stop(INVALID)
+    assert (node.truth, node.taken) == (None, None)
+
+
+@pytest.mark.parametrize("role", ["condition", "then", "orelse"])
+def test_a_child_that_is_replaced_is_ticked_no_more(role):
+    truth = S if role != "orelse" else F
+    node = make(Recorder("condition", truth), Recorder("then", S), Recorder("else", S))
+    old, new = getattr(node, role), Recorder("new", S)
+    node.replace_child(old, new)
+    assert tick(node) == S
+    assert (old.ticks, new.ticks) == (0, 1)
+    assert [child.name for child in node.children].count("new") == 1
+    assert new.parent is node
+
+
+def test_a_running_branch_that_is_replaced_goes_on_with_the_new_one():
+    node = make(Recorder("condition", S), Recorder("then", R))
+    assert tick(node) == R
+    new = Recorder("new", S)
+    node.replace_child(node.then, new)
+    assert tick(node) == S
+    assert (node.condition.ticks, new.ticks) == (1, 1)
+
+
+def test_a_branch_that_is_removed_is_missing():
+    node = make(Recorder("condition", S), Recorder("then", F))
+    node.remove_child(node.then)
+    assert tick(node) == S
+    assert node.taken is None
+
+
+def test_a_branch_that_is_removed_while_it_runs_asks_for_nothing_more():
+    node = make(Recorder("condition", S), Recorder("then", R))
+    tick(node)
+    node.remove_child(node.then)
+    assert tick(node) == S
+
+
+def test_children_without_a_role_are_refused():
+    node = make(Recorder("condition", S), Recorder("then", S))
+    for change in (
+        lambda: node.add_child(Recorder("more", S)),
+        lambda: node.insert_child(Recorder("more", S), 0),
+        lambda: node.prepend_child(Recorder("more", S)),
+        lambda: node.remove_child(node.condition),
+    ):
+        with pytest.raises(TypeError):
+            change()
+    assert [child.name for child in node.children] == ["condition", "then"]

@@ -2,11 +2,13 @@ import json
 import xml.etree.ElementTree as ElementTree
 
 import py_trees
+import pytest
 from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 
 from decomplex_bt.behaviour.compiler import compile_flow
 from decomplex_bt.behaviour.export import TraceRecorder, to_behaviortree_cpp, to_dot, to_json, to_mermaid, to_text
+from decomplex_bt.errors import InputError
 from decomplex_bt.flow import Flow
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 
@@ -118,3 +120,9 @@ def test_trace_holds_changes_only():
         (2, "", "success", "finished"),
     ]
     assert recorder.entries[2]["sim_seconds"] == 0.2
+
+
+def test_xml_has_no_node_for_other_composites():
+    selector = py_trees.composites.Selector("either", memory=False, children=[compiled().root])
+    with pytest.raises(InputError, match="Selector"):
+        to_behaviortree_cpp(selector)

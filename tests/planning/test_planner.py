@@ -7,6 +7,7 @@ import logging
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 
@@ -153,3 +154,19 @@ def test_a_problem_is_its_text() -> None:
 if __name__ == "__main__":
     plans = "\n".join(str(solve(goal)) for goal in GOALS)
     print(hashlib.sha256(plans.encode()).hexdigest())
+
+
+def test_a_problem_is_of_the_domain_that_it_is_given() -> None:
+    problem = belief_problem(belief(), atoms("(at study_floor)"))
+    assert "(:domain household)" in problem.text
+    other = replace(problem, domain_pddl=problem.domain_pddl.replace("(domain household)", "(domain workshop)"))
+    assert "(:domain workshop)" in other.text
+    assert PLANNER.solve(other).is_solved
+
+
+def test_plans_of_another_domain_are_not_remembered_for_this_one() -> None:
+    problem = belief_problem(belief(), atoms("(at study_floor)"))
+    planner = PyperplanPlanner()
+    assert "move" in {step.name for step in planner.solve(problem).steps}
+    other = replace(problem, domain_pddl=problem.domain_pddl.replace("(:action move", "(:action stroll"))
+    assert "stroll" in {step.name for step in planner.solve(other).steps}
