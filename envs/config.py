@@ -11,6 +11,9 @@ from decomplex_bt.envs.values import choice, number, positive, whole
 from decomplex_bt.errors import InputError, among
 
 REWARDS = ("success", "progress")
+MAX_SPEED = 2.0  # [m/s] observed speeds are clipped to it; the robot's own is lower, a push may be faster
+MAX_TURN_RATE = 10.0  # [rad/s]
+MAX_SUBSTEP = 0.05  # [s]
 Config = TypeVar("Config")
 
 
@@ -19,9 +22,11 @@ class WorldConfig:
     """What the robot can do, and how time runs.
 
     `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
-    rad/s². `reach` [m]: from the robot's centre to the nearest point of what it handles; `speak_reach` [m]: from centre
-    to centre, to speak and to hand over. `tray_slots`: things the tray holds. The tree's skills get everywhere with a
-    `reach` from 0.7 and a `speak_reach` from 1.0; with less they do not, and the judge calls it feasible all the same.
+    rad/s², up to `MAX_SPEED` and `MAX_TURN_RATE`, which is what observations can tell; a `substep` up to `MAX_SUBSTEP`,
+    beyond which bodies jump over walls. `reach` [m]: from the robot's centre to the nearest point of what it handles;
+    `speak_reach` [m]: from centre to centre, to speak and to hand over. `tray_slots`: things the tray holds. The tree's
+    skills get everywhere with a `reach` from 0.7 and a `speak_reach` from 1.0; with less they do not, and the judge
+    calls it feasible all the same.
     """
 
     substep: float = 0.01
@@ -35,7 +40,10 @@ class WorldConfig:
     tray_slots: int = 4
 
     def __post_init__(self) -> None:
-        _check(self, positive, "substep", "max_speed", "max_turn_rate", "max_acceleration", "max_turn_acceleration")
+        _check(self, positive, "max_acceleration", "max_turn_acceleration")
+        _check(self, positive, "substep", high=MAX_SUBSTEP)
+        _check(self, positive, "max_speed", high=MAX_SPEED)
+        _check(self, positive, "max_turn_rate", high=MAX_TURN_RATE)
         _check(self, number, "reach", "speak_reach")
         _check(self, whole, "tray_slots")
         _check(self, whole, "substeps", low=1)
@@ -65,7 +73,7 @@ class SensingConfig:
     def __post_init__(self) -> None:
         _check(self, number, "range", "inside_range", "memory")
         _check(self, positive, "field_of_view", high=360.0)
-        _check(self, whole, "every", "looks", low=1)
+        _check(self, whole, "every", "looks", low=1, high=1000)
 
 
 @dataclass(frozen=True, slots=True)

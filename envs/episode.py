@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from decomplex_bt.envs.config import MAX_SPEED, MAX_TURN_RATE
 from decomplex_bt.envs.hands import interact
 from decomplex_bt.envs.interface import ROBOT_FIELDS, Interaction, Result
 from decomplex_bt.envs.meddling import Meddler, Move
 from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, Sensor
-from decomplex_bt.envs.spaces import MAX_SPEED, MAX_TURN_RATE, encode, read_action, shown
+from decomplex_bt.envs.spaces import encode, read_action, shown
 from decomplex_bt.envs.walking import advance
 from decomplex_bt.envs.world import World
 

@@ -38,6 +38,7 @@ class Home:
         self, domain: str | Path | Domain, *, house: str | Path | None, size: str | None, house_seed: int | None
     ) -> None:
         path, self.seed = read_house({"house": house, "house_seed": house_seed})
+        self._own_seed = self.seed
         self.base = domain if isinstance(domain, Domain) else load_domain(domain)
         check_skills(self.base)
         self.house: tuple[str | None, int | None] = path, self.seed
@@ -50,11 +51,14 @@ class Home:
         self.rows, self.bounds = self._residence.extent(self.setting.geometry)
 
     def choose(self, options: Mapping[str, Any] | None, request: Request | None, rng: Generator) -> None:
-        """Moves into the house that the options name, or that is due, or that is drawn.
+        """Moves into the house that the options name, or that is due, or that is drawn; with a `house_seed` of None that is
+        as the environment was made.
 
         A house is drawn until the request, where there is one, can be asked for in it. Raises `InputError`.
         """
         path, seed = read_house(options)
+        if options and options.get("house_seed", seed) is None and "house_seed" in options:
+            self.seed = self._own_seed
         seed = self.seed if seed is None else seed
         if path is not None or seed is not None or not self._residence.is_generated:
             self.move((path, seed if path is None else None))

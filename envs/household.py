@@ -39,6 +39,7 @@ __all__ = ["HouseholdConfig", "HouseholdEnv"]
 DEFAULT_DOMAIN = "household"
 _MADE_ANEW = frozenset({"_home", "_episode", "_judge", "_camera", "_bodies"})
 """Attributes that a pickle leaves out: they hold what does not pickle, or belong to somebody else."""
+_CONFIG = ("max_seconds", "balance", "reward")
 _ARGUMENTS = ("instruction", "gold", "domain", "house", "size", "house_seed", "config", "render_mode")
 Action = Mapping[str, Any]
 Observation = dict[str, Any]
@@ -579,12 +580,17 @@ def _plain(argument: Any) -> Any:
 
 
 def _refuse(arguments: Mapping[str, Any]) -> None:
-    """Raises `InputError` for arguments that are reset options, `TypeError` for any other."""
+    """Raises `InputError` for arguments that are fields of the config or reset options, `TypeError` for any other."""
     from decomplex_bt.envs.options import KEYS
 
     unknown = [name for name in arguments if name not in KEYS]
     if unknown:
         raise TypeError(f"HouseholdEnv takes no argument {unknown[0]!r}{among(unknown[0], _ARGUMENTS)}")
+    if all(name in _CONFIG for name in arguments):
+        raise InputError(
+            f"{', '.join(arguments)}: no argument of the environment but a field of its config; "
+            f"call gym.make(..., config={arguments!r}), or env.reset(options={arguments!r}) for one episode"
+        )
     given = ", ".join(f"{name!r}: {value!r}" for name, value in arguments.items())
     raise InputError(
         f"{', '.join(arguments)}: no argument of the environment but an option of each reset; "

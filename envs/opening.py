@@ -19,8 +19,9 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.balance import Test
     from decomplex_bt.envs.randomness import Generators
 
-INSTRUCTION_TRIES = 200
-"""Corpus examples tried before none is found that can be asked for in a house."""
+INSTRUCTION_TRIES = 3000
+"""Corpus examples drawn before none is found that can be asked for in a house; those that do not suit it are known from
+then on. In a small house of two rooms one in a hundred does."""
 
 
 def judge_for(request: Request, domain: Domain) -> Judge:
@@ -53,7 +54,7 @@ def draw_asked(base: Domain, setting: Setting, rng: Generator) -> tuple[Request,
             return request, judge_for(request, setting.domain)
         except InputError:
             setting.misfits.add(request)  # most corpora ask for more than one house has
-    raise InputError(f"none of {INSTRUCTION_TRIES} corpus examples suits this house; give an instruction")
+    raise InputError(f"none of {INSTRUCTION_TRIES:,} corpus examples drawn suits this house; give an instruction")
 
 
 def draw_start(

@@ -40,7 +40,8 @@ class Options:
     exactly these devices are broken. `people`: person to room, None for out. `noise`: False switches slips and misses
     off. `grasp_slip`, `missed_detection` in [0, 1]: how likely a grasp slips, a look misses a thing; they hold whatever
     `noise` says. `meddling`: how often in a minute of simulated time somebody else moves a thing, on average, from 0 to
-    60. `chance`: False switches all chance off that is not noise: everything is as it is most often.
+    60. `chance`: False switches all chance off, noise included: everything is as it is most often, and only a
+    `grasp_slip`, `missed_detection` or `meddling` that is given leaves something to chance.
     """
 
     request: Request | None = None

@@ -12,6 +12,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from decomplex_bt.envs.config import MAX_SPEED, MAX_TURN_RATE
 from decomplex_bt.envs.geometry import Rect
 from decomplex_bt.envs.interface import COLUMNS, STATE_PAIRS, Interaction, Result
 from decomplex_bt.envs.options import MAX_CHARACTERS
@@ -20,8 +21,6 @@ from decomplex_bt.errors import InputError
 
 CHARSET = "".join(chr(code) for code in (*range(32, 127), *range(160, 256)))
 """What the observed instruction is made of: printable ASCII and Latin-1."""
-MAX_SPEED = 2.0  # [m/s] observed speeds are clipped to it; the robot's own is lower, a push may be faster
-MAX_TURN_RATE = 10.0  # [rad/s]
 MAX_SECONDS = 1e6  # [s]
 _CHARACTERS = frozenset(CHARSET)
 _INTERACTIONS = tuple(Interaction)

@@ -29,10 +29,10 @@ def positive(name: str, value: Any, high: float | None = None) -> float:
     raise InputError(f"{name} is {value!r}; expected a number above 0{_up_to(high)}")
 
 
-def whole(name: str, value: Any, low: int = 0) -> int:
-    if _is_number(value, Integral) and value >= low:
+def whole(name: str, value: Any, low: int = 0, high: int | None = None) -> int:
+    if _is_number(value, Integral) and value >= low and (high is None or value <= high):
         return int(value)
-    raise InputError(f"{name} is {value!r}; expected a whole number from {low}")
+    raise InputError(f"{name} is {value!r}; expected a whole number from {low}{_up_to(high)}")
 
 
 def flag(name: str, value: Any) -> bool:

@@ -48,7 +48,7 @@ class Setup:
     `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
     `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
     `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
-    Raises `InputError` for a number out of its range.
+    Raises `InputError` for a number out of its range, and for a `noise` that is neither True nor False.
     """
 
     env_id: str = "decomplex_bt/Household-v0"
@@ -63,8 +63,11 @@ class Setup:
     def __post_init__(self) -> None:
         for name, highest in _HIGHEST.items():
             value = getattr(self, name)
-            if value is not None and not 0.0 <= value <= highest:
+            is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+            if value is not None and not (is_number and 0.0 <= value <= highest):
                 raise InputError(f"{name} is {value!r}; expected a number from 0 to {highest:g}")
+        if not isinstance(self.noise, bool):
+            raise InputError(f"noise is {self.noise!r}; expected True or False")
 
     def options(self) -> dict[str, Any]:
         """The reset options that they come to."""
@@ -131,6 +134,8 @@ def evaluate_agents(
 
     Raises `InputError` also where one is named twice: its episodes would count as twice as many.
     """
+    if isinstance(agents, str):
+        raise InputError(f"agents is {agents!r}; expected a sequence of names, as in ({agents!r},)")
     if twice := next((name for name in agents if agents.count(name) > 1), None):
         raise InputError(f"the agent {twice!r} is named twice; name each once")
     _check_jobs(jobs)
@@ -176,6 +181,8 @@ def plan_episodes(
         raise InputError(f"episodes is {episodes}; expected at least one world for each instruction")
     if seed < 0:
         raise InputError(f"seed is {seed}; expected 0 or more")
+    if reading not in ("own", "gold"):
+        raise InputError(f"reading is {reading!r}; expected 'own' or 'gold'")
     if not examples:
         raise InputError("the corpus holds no example; give one with at least one instruction")
     source: ReadingSource = reading if agent == "tree" else "gold"

@@ -708,6 +708,9 @@ def test_one_that_was_never_reset_survives_pickling():
         ({"world": {"tray_slots": -1}}, "tray_slots is -1"),
         ({"world": {"max_speed": 0}}, "max_speed is 0; expected a number above 0"),
         ({"world": {"reach": float("inf")}}, "reach is inf"),
+        ({"world": {"max_speed": 5.0}}, "max_speed is 5.0; expected a number above 0 to 2"),
+        ({"world": {"substep": 0.5}}, "substep is 0.5; expected a number above 0 to 0.05"),
+        ({"sensing": {"looks": 10**9}}, "looks is 1000000000; expected a whole number from 1 to 1000"),
         ({"world": 3}, "world is 3; expected a WorldConfig or a mapping"),
         ({"sensing": {"every": 1.5}}, "every is 1.5"),
         ({"sensing": {"field_of_view": 720}}, "above 0 to 360"),
@@ -718,6 +721,11 @@ def test_one_that_was_never_reset_survives_pickling():
 def test_a_configuration_that_cannot_be_is_refused_at_once(config, says):
     with pytest.raises(InputError, match=says):
         gym.make(HOUSEHOLD, config=config)
+
+
+def test_what_a_config_holds_is_named_so_where_it_is_given_as_an_argument():
+    with pytest.raises(InputError, match=r"reward: .* a field of its config; .*config=\{'reward': 'progress'\}"):
+        gym.make(HOUSEHOLD, reward="progress")
 
 
 def test_a_configuration_is_a_value_or_a_mapping_of_plain_values():

@@ -185,6 +185,27 @@ def test_a_seed_of_a_house_stays_until_another_is_given():
     assert env.unwrapped.domain.house is not first
 
 
+def test_without_a_seed_again_houses_are_drawn():
+    env = gym.make("decomplex_bt/HouseholdSmall-v0", instruction="Go to the kitchen.").unwrapped
+
+    def house(seed, **options):
+        env.reset(seed=seed, options=options)
+        return env.domain.house.name
+
+    assert house(1, house_seed=3) == house(2)
+    assert len({house(3, house_seed=None), house(4), house(5)}) > 1
+
+
+def test_a_house_of_a_seed_is_that_of_the_environment_again():
+    env = gym.make("decomplex_bt/HouseholdSmall-v0", instruction="Go to the kitchen.", house_seed=7).unwrapped
+    env.reset(seed=0)
+    first = env.domain.house.name
+    env.reset(seed=1, options={"house_seed": 3})
+    assert env.domain.house.name != first
+    env.reset(seed=2, options={"house_seed": None})
+    assert env.domain.house.name == first
+
+
 def test_a_house_comes_from_a_file(tmp_path):
     house = generate_house(DOMAIN, 3, 0)
     path = tmp_path / "house.yaml"

@@ -142,6 +142,7 @@ def test_an_episode_that_breaks_off_is_a_row(monkeypatch):
         ({"agent": "clever"}, "no agent 'clever'; known: tree, oracle"),
         ({"episodes": 0}, "episodes is 0"),
         ({"seed": -1}, "seed is -1"),
+        ({"reading": "both"}, "reading is 'both'; expected 'own' or 'gold'"),
         ({"examples": ()}, "holds no example"),
     ],
 )
@@ -166,6 +167,19 @@ OUT_OF_RANGE = [("grasp_slip", 3.0), ("missed_detection", float("nan")), ("meddl
 def test_a_setup_refuses_what_no_reset_would_take(option: str, value: float):
     with pytest.raises(InputError, match=f"{option} is {value}; expected a number from 0 to"):
         Setup(**{option: value})
+
+
+@pytest.mark.parametrize("noise", [0, "no", None])
+def test_a_setup_has_noise_or_has_not(noise):
+    with pytest.raises(InputError, match=r"noise is .* expected True or False"):
+        Setup(noise=noise)
+
+
+def test_agents_are_named_once_each():
+    with pytest.raises(InputError, match="named twice"):
+        evaluate_agents(EXAMPLES, ("idle", "idle"), episodes=1, reading="gold")
+    with pytest.raises(InputError, match="expected a sequence of names"):
+        evaluate_agents(EXAMPLES, "tree", episodes=1, reading="gold")
 
 
 def test_no_processes_are_refused_at_once():
