@@ -36,6 +36,7 @@ _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
 _NEAR = 3
 """Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""
+_PARTING = PUNCTUATION | frozenset("and but then so or first before please just".split())
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
@@ -152,6 +153,20 @@ def is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
         return opening.name == "after" and not words
     is_perfect = not _PERFECT.isdisjoint(words) or opening.name == "after"
     return words[:1] in (["you"], ["u"]) and _DONE_SO_FAR.issuperset(words[1:]) and is_perfect
+
+
+def is_waited_for(document: Document, cues: Sequence[Cue], i: int) -> bool:
+    """Whether an order to wait opens the clause of the verb at token `i` ("*wait until* it's hot", "and *hang on till*
+    she's back"); not behind a "but" or "first", which may say to wait before."""
+    tokens = document.tokens
+    opening = max((cue for cue in cues if cue.first < i), key=lambda cue: cue.last, default=None)
+    if opening is None or opening.name != "until":
+        return False
+    start = next((j + 1 for j in range(opening.first - 1, -1, -1) if tokens[j].lower in _PARTING), 0)
+    words = [token.lower for token in tokens[start : opening.first]]
+    is_wait = words[:1] in (["wait"], ["stay"]) or words[:2] in (["hang", "on"], ["hold", "on"], ["stand", "by"])
+    ahead = tokens[start - 1].lower if start else "."
+    return is_wait and ahead not in ("but", "first", "before") and "first" not in words
 
 
 def is_past_forbidden(observed: Observed, previous: int, split: int, token: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from decomplex_bt.flow import Flow
+from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.context import paths_of
@@ -30,7 +30,7 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
     told on: "ask Ann what she wants and tell Bea", "if she says no, tell Bea"."""
     found: list[Task] = []
     for task in tasks:
-        before = next((one for one in reversed(found) if one.type != "check_state"), None)
+        before = next((one for one in reversed(found) if not _is_case(one, flow)), None)
         between = found[found.index(before) + 1 :] if before is not None else []
         if before is not None:
             task = _said_again(document, task, before)
@@ -41,6 +41,12 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
             task = replace(task, arguments=(*task.arguments, told))
         found.append(task)
     return tuple(found)
+
+
+def _is_case(task: Task, flow: Flow) -> bool:
+    """Whether a task only says of what case is spoken; of an order to look for something that says more."""
+    is_condition = any(isinstance(node, If) and task.id in node.tasks for node, _ in flow.walk())
+    return task.type == "check_state" or (task.type == "searching" and is_condition)
 
 
 def _said_again(document: Document, task: Task, before: Task) -> Task:
@@ -112,5 +118,8 @@ def _passed_on(document: Document, task: Task, before: Task, between: Sequence[T
         return None
     verbs = {document.tokens[document.indices(one.span).start].lemma for one in (task, before)}
     spoken = {document.tokens[document.indices(one.span).start].lemma for one in between} & _SPEAKING
+    looked_for = {one.value("object") for one in between if one.type == "searching"}
     is_answer = (before.id, "then") in paths_of(flow).get(task.id, ())
-    return None if spoken or is_answer or (len(verbs) > 1 and not verbs <= _TELLING) else message
+    if spoken or is_answer or not looked_for <= {first}:  # what a search for something else finds may be what is told
+        return None
+    return None if len(verbs) > 1 and not verbs <= _TELLING else message
