@@ -106,6 +106,9 @@ FULL = "[the pool](2:object) [is](2:check_state) [full](2:state)"
         (" but [shut](2:change_state) [the gate](2:object)", "keep"),
         (" but [shut](2:change_state) [the gate](2:object) first", "before"),
         (" but before that [shut](2:change_state) [the gate](2:object)", "before"),
+        (" but [shut](2:change_state) [the gate](2:object) before you begin", "before"),
+        (" but [shut](2:change_state) [the gate](2:object) beforehand", "before"),
+        (f", though not yet: wait till {FULL}", "before"),
     ],
 )
 def test_waits_and_contrasts_keep_the_order_of_the_text(second: str, expected: str) -> None:

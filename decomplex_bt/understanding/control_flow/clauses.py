@@ -19,6 +19,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     calls_off,
     is_adverb,
     is_had_done,
+    is_mere_contrast,
     is_past_forbidden,
     is_waited_for,
     opens_matter,
@@ -195,6 +196,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         forbids_order=any(is_elided(document, i) for i in range(token + 1, following)),
         is_past_forbidden=is_past_forbidden(observed, previous, split, token),
         is_either_way=any(previous < words.start < token for words in concessions(document)),
+        is_mere_contrast=task.type != "check_state" and is_mere_contrast(document, token),
         is_waited_for=is_waited_for(document, ahead, token),
         says_already=task.type == "check_state"
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),

@@ -55,9 +55,7 @@ def _keep_turn(
     "but" alone sets beside the one before ("keep it open *but draw the blinds*"), come in the order of the text."""
     before, clause = clauses[k - 1 : k + 1]
     is_next = roles[k - 1] == roles[k] == "task" and sides[k - 1] == sides[k] and before.sentence == clause.sentence
-    is_beside = clause.task.type != "check_state" and clause.opening == ("but",) and not clause.wording.orders
-    is_plain = "first" not in clause.behind and not before.is_forbidden
-    if not is_next or not is_plain or not (is_beside or clause.is_waited_for):
+    if not is_next or before.is_forbidden or not (clause.is_mere_contrast or clause.is_waited_for):
         return
     orders[k] = "keep" if orders[k] in _AHEAD else orders[k]
     if orders[k - 1] in ("after", "last") and not before.wording.orders:

@@ -30,11 +30,12 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
     told on: "ask Ann what she wants and tell Bea", "if she says no, tell Bea"."""
     found: list[Task] = []
     for task in tasks:
-        before = next((one for one in reversed(found) if not _is_case(one, flow)), None)
-        between = found[found.index(before) + 1 :] if before is not None else []
+        before = next((one for one in reversed(found) if one.type != "check_state"), None)
         if before is not None:
             task = _said_again(document, task, before)
         task = _found_out(document, task, tasks, flow)
+        before = _told_in_vain(found, before, flow)
+        between = found[found.index(before) + 1 :] if before is not None else []
         message = _passed_on(document, task, before, between, flow) if before is not None else None
         if message is not None:
             told = Argument("message", message.value, None, message.confidence)
@@ -43,10 +44,15 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
     return tuple(found)
 
 
-def _is_case(task: Task, flow: Flow) -> bool:
-    """Whether a task only says of what case is spoken; of an order to look for something that says more."""
-    is_condition = any(isinstance(node, If) and task.id in node.tasks for node, _ in flow.walk())
-    return task.type == "check_state" or (task.type == "searching" and is_condition)
+def _told_in_vain(found: Sequence[Task], before: Task | None, flow: Flow) -> Task | None:
+    """The task before, or the order to tell somebody that it, a search, says to fail: "tell Ann ..., and if you *can't
+    find her*, ..."."""
+    if before is None or before.type != "searching":
+        return before
+    groups = [node.tasks for node, _ in flow.walk() if isinstance(node, If) and before.id in node.tasks]
+    told = [one for one in found if one.type == "informing" and any(one.id in group for group in groups)]
+    is_of_them = bool(told) and before.value("object") == told[-1].value("recipient")
+    return told[-1] if is_of_them else before
 
 
 def _said_again(document: Document, task: Task, before: Task) -> Task:
@@ -118,8 +124,5 @@ def _passed_on(document: Document, task: Task, before: Task, between: Sequence[T
         return None
     verbs = {document.tokens[document.indices(one.span).start].lemma for one in (task, before)}
     spoken = {document.tokens[document.indices(one.span).start].lemma for one in between} & _SPEAKING
-    looked_for = {one.value("object") for one in between if one.type == "searching"}
     is_answer = (before.id, "then") in paths_of(flow).get(task.id, ())
-    if spoken or is_answer or not looked_for <= {first}:  # what a search for something else finds may be what is told
-        return None
-    return None if len(verbs) > 1 and not verbs <= _TELLING else message
+    return None if spoken or is_answer or (len(verbs) > 1 and not verbs <= _TELLING) else message
