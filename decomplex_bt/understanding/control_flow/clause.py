@@ -133,6 +133,9 @@ class Clause:
     lock up*"."""
     is_either_way: bool = False
     """Whether what it hangs on is said right ahead to make no difference: "whether you find it or not, *come back*"."""
+    is_past_guess: bool = False
+    """Whether the sentence before ends in a guess at where something is, behind a case: "if it's not here, *it must be
+    in the hall*. Bring it to me"."""
     is_mere_contrast: bool = False
     """Whether a "but" right ahead sets an order beside the one before, and nothing behind says when: "*but* draw the
     blinds", not "but draw them before you go"."""
