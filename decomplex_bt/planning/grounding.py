@@ -19,6 +19,7 @@ from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.objects import Objects
+from decomplex_bt.planning.passing_on import passed_on
 from decomplex_bt.planning.phrases import read_phrases, rooms_of
 from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.prepositions import split_preposition
@@ -45,7 +46,7 @@ def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) 
     Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer;
     all are `InputError`s that carry the task's number. A later mention of a task is not executed, and raises nothing.
     """
-    instruction = distributed(instruction)
+    instruction = passed_on(distributed(instruction))
     grounder = _Grounder(instruction, domain, ask)
     mentions = instruction.flow.mentions()
     tasks = []

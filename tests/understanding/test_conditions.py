@@ -22,6 +22,8 @@ def parser() -> Parser:
         ("If the moon is out, shut the blinds.", "is"),
         ("Put the kettle on, and when she's brought the eggs in, boil two.", "'s"),
         ("Wipe the board only if there's nothing important on it.", "'s"),
+        ("Shut the hatch as soon as she's gone to the cellar.", "'s"),
+        ("Air the attic once Lea's left for work, and shut the hatch.", "'s"),
         ("Unless the paint has dried, leave the window open.", "has"),
     ],
 )
@@ -41,6 +43,10 @@ def test_an_untold_case_is_a_check(parser: Parser, text: str, word: str) -> None
         ("If there's no sign of it, go on.", {}),
         ("If there is nothing to sort out, go on.", {}),
         ("If you're done, come here.", {}),
+        ("Shut the hatch as soon as it's gone six.", {}),
+        ("Shut the hatch as soon as you've left.", {}),
+        ("Shut the hatch as soon as she's ready.", {}),
+        ("Shut the hatch after she's gone.", {"gone": "check_state"}),
         ("In the case that the search fails, ring the bell.", {}),
     ],
 )

@@ -19,6 +19,7 @@ def interpreter() -> Interpreter:
         ("ask paul to walk the dog and if hes still asleep ask rita", "to walk the dog"),
         ("If Jo is in the garden, tell her the kettle is on; otherwise tell Max.", "the kettle is on"),
         ("Let my wife know the bath is free; if she doesn't hear you, tell the kids.", "the bath is free"),
+        ("Let Nina know that the bus is here, and if you can't find her, tell Omar.", "that the bus is here"),
         ("Tell Sven the film is starting, and then tell Olga too.", "the film is starting"),
     ],
 )
@@ -33,6 +34,7 @@ def test_who_is_told_in_somebodys_place_is_told_the_same(interpreter: Interprete
         "Tell Ben that lunch is ready, and if he says no, tell Clara.",
         "Tell Ben that lunch is ready, and if he's out, tell me.",
         "Tell Ben that lunch is ready, look in the shed, and if nobody's there, tell Clara.",
+        "Tell Ben that lunch is ready, and if you find the dog, tell Clara.",
     ],
 )
 def test_what_was_found_out_in_between_may_be_what_is_told(interpreter: Interpreter, text: str) -> None:

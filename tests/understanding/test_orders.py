@@ -88,3 +88,30 @@ def test_what_clears_the_way_to_the_first_order_goes_ahead_of_all(
     )
     roles, sides = ("task", "task", "condition", "task"), ("top", "top", "top", "<1+")
     assert stated_orders(found, roles, sides, ("keep",) * 4)[2] == expected
+
+
+PUMP = "[Start](1:change_state) [the pump](1:object)"
+FULL = "[the pool](2:object) [is](2:check_state) [full](2:state)"
+
+
+@pytest.mark.parametrize(
+    ("second", "expected"),
+    [
+        (f", wait until {FULL}", "keep"),
+        (f" and then wait there till {FULL}", "keep"),
+        (f" and hang on until {FULL}", "keep"),
+        (f", but wait until {FULL}", "before"),
+        (f" but first wait until {FULL}", "before"),
+        (f" no sooner than {FULL}", "before"),
+        (" but [shut](2:change_state) [the gate](2:object)", "keep"),
+        (" but [shut](2:change_state) [the gate](2:object) first", "before"),
+        (" but before that [shut](2:change_state) [the gate](2:object)", "before"),
+        (" but [shut](2:change_state) [the gate](2:object) before you begin", "before"),
+        (" but [shut](2:change_state) [the gate](2:object) beforehand", "before"),
+        (f", though not yet: wait till {FULL}", "before"),
+    ],
+)
+def test_waits_and_contrasts_keep_the_order_of_the_text(second: str, expected: str) -> None:
+    found = clauses(f"{PUMP}{second} and [fetch](3:bringing) [the towels](3:object).")
+    orders = stated_orders(found, ("task",) * 3, ("top",) * 3, ("keep", "before", "keep"))
+    assert orders == ("keep", expected, "keep")

@@ -389,3 +389,24 @@ def test_what_is_also_done_then_is_done_in_the_case(added: str, side: str) -> No
         f"{added} [close](3:change_state) [the hatch](3:object)."
     )
     assert stated_sides(found, ("task", "condition", "task"), (">1-", "top", "top"))[2] == side
+
+
+GATE = "[Shut](1:change_state) [the gate](1:object). If "
+
+
+@pytest.mark.parametrize(
+    ("case", "settled"),
+    [
+        ("[it](2:object)['s](2:check_state) already [shut](2:state)", True),
+        ("[the gate](2:object) [is](2:check_state) [closed](2:state) already", True),
+        ("[it](2:object) [is](2:check_state) [shut](2:state) now", False),
+        ("[the barn](2:object) [is](2:check_state) already [shut](2:state)", False),
+        ("[it](2:object)['s](2:check_state) already [open](2:state)", False),
+    ],
+)
+def test_whether_it_is_so_already_is_asked_ahead_of_the_order(case: str, settled: bool) -> None:
+    found = clauses(f"{GATE}{case}, [feed](3:change_state) [the hens](3:object).")
+    roles = stated_roles(found, ("condition", "mention", "task"))
+    assert roles == (("task", "condition", "task") if settled else ("condition", "mention", "task"))
+    sides = stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+"))
+    assert sides == (">1-" if settled else "top", "top", "<1+")

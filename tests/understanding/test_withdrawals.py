@@ -178,3 +178,20 @@ def test_no_leave_it_somewhere_is_an_order_itself(interpreter: Interpreter) -> N
     read = interpreter.interpret("Bring me the cup, no, leave it on the table.")
     assert tasks(read) == ["leave"]
     assert ("object", "the cup") in [(a.type, a.value) for a in read.tasks[0].arguments]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Iron the shirts and fold the towels. Oh, skip the ironing.", ["fold"]),
+        ("Vacuum the rug and dust the shelf. Actually, skip the vacuuming.", ["dust"]),
+        ("Wipe the table, then bring me the salt. On second thoughts, skip the wiping.", ["bring"]),
+        ("Mop the floor and shut the window. Never mind the mopping.", ["shut"]),
+        ("Dust the shelf. Well, skip dusting it and bring me a pen.", ["bring"]),
+        ("Iron the shirts. Skip the ironing board.", ["Iron"]),
+        ("Wipe the table. Skip the mopping and bring me a pen.", ["Wipe", "bring"]),
+        ("Wash the mug. If it's clean, skip the washing.", ["Wash", "'s"]),
+    ],
+)
+def test_what_is_skipped_by_its_verb_is_taken_back(interpreter: Interpreter, text: str, expected: list[str]) -> None:
+    assert tasks(interpreter.interpret(text)) == expected

@@ -133,6 +133,16 @@ class Clause:
     lock up*"."""
     is_either_way: bool = False
     """Whether what it hangs on is said right ahead to make no difference: "whether you find it or not, *come back*"."""
+    is_past_guess: bool = False
+    """Whether the sentence before ends in a guess at where something is, behind a case: "if it's not here, *it must be
+    in the hall*. Bring it to me"."""
+    is_mere_contrast: bool = False
+    """Whether a "but" right ahead sets an order beside the one before, and nothing behind says when: "*but* draw the
+    blinds", not "but draw them before you go"."""
+    is_waited_for: bool = False
+    """Whether a "wait" in the order of the text says to wait for it: "..., *wait until it's hot*", not "but wait"."""
+    says_already: bool = False
+    """Whether it asks if something is "already" so."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 

@@ -19,7 +19,9 @@ from decomplex_bt.understanding.control_flow.openings import (
     calls_off,
     is_adverb,
     is_had_done,
+    is_mere_contrast,
     is_past_forbidden,
+    is_waited_for,
     opens_matter,
     tells_matter,
     turns,
@@ -40,6 +42,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
 from decomplex_bt.understanding.rules.concessions import concessions
+from decomplex_bt.understanding.rules.guesses import guesses
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidden
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
@@ -194,6 +197,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         forbids_order=any(is_elided(document, i) for i in range(token + 1, following)),
         is_past_forbidden=is_past_forbidden(observed, previous, split, token),
         is_either_way=any(previous < words.start < token for words in concessions(document)),
+        is_past_guess=any(document.sentences[w.start] == document.sentences[token] - 1 for w in guesses(document)),
+        is_mere_contrast=task.type != "check_state" and is_mere_contrast(document, token),
+        is_waited_for=is_waited_for(document, ahead, token),
+        says_already=task.type == "check_state"
+        and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
         turns=turns(document, ahead, token),
     )
 

@@ -36,6 +36,14 @@ _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
 _NEAR = 3
 """Within so many words behind an "if not" that no mark ends its order begins: "if not please just wake him"."""
+_URGING = frozenset(("please", "do", "also", "just"))
+_TIMING = frozenset(
+    "before beforehand first firstly prior between ahead earlier sooner until till already after afterwards "
+    "meantime meanwhile while when once start begin beginning advance".split()
+)
+"""Words that may say when something is done that a "but" adds."""
+_HOLDING_BACK = frozenset("but first before yet though".split())
+_PARTING = PUNCTUATION | frozenset("and but then so or first before please just".split())
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
@@ -152,6 +160,31 @@ def is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
         return opening.name == "after" and not words
     is_perfect = not _PERFECT.isdisjoint(words) or opening.name == "after"
     return words[:1] in (["you"], ["u"]) and _DONE_SO_FAR.issuperset(words[1:]) and is_perfect
+
+
+def is_mere_contrast(document: Document, i: int) -> bool:
+    """Whether a "but" stands right ahead of the order at token `i`, and no word up to the end of its sentence may say
+    that it comes before or between others."""
+    tokens, sentences = document.tokens, document.sentences
+    start = i - 1
+    while start > 0 and tokens[start].lower in _URGING:
+        start -= 1
+    behind = (token.lower for token in tokens[i:] if sentences[token.i] == sentences[i])
+    return start >= 0 and tokens[start].lower == "but" and _TIMING.isdisjoint(behind)
+
+
+def is_waited_for(document: Document, cues: Sequence[Cue], i: int) -> bool:
+    """Whether an order to wait opens the clause of the verb at token `i` ("*wait until* it's hot", "and *hang on till*
+    she's back"); not behind a "but" or "first", which may say to wait before."""
+    tokens = document.tokens
+    opening = max((cue for cue in cues if cue.first < i), key=lambda cue: cue.last, default=None)
+    if opening is None or opening.name != "until":
+        return False
+    start = next((j + 1 for j in range(opening.first - 1, -1, -1) if tokens[j].lower in _PARTING), 0)
+    words = [token.lower for token in tokens[start : opening.first]]
+    is_wait = words[:1] in (["wait"], ["stay"]) or words[:2] in (["hang", "on"], ["hold", "on"], ["stand", "by"])
+    is_held_back = not _HOLDING_BACK.isdisjoint(token.lower for token in tokens[max(0, start - 2) : start])
+    return is_wait and not is_held_back and {"first", "with"}.isdisjoint(words)  # "wait with that till ..."
 
 
 def is_past_forbidden(observed: Observed, previous: int, split: int, token: int) -> bool:

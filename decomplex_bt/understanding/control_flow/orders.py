@@ -16,6 +16,7 @@ def stated_orders(
     for k in range(1, len(clauses)):
         _stay(clauses, stated, k)
         _await(clauses, roles, sides, stated, k)
+        _keep_turn(clauses, roles, sides, stated, k)
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
@@ -45,6 +46,20 @@ def _await(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str]
     is_ahead = clause.is_forbidden and before.near[-1:] == ("until",) and before.sentence == clause.sentence
     if is_next and is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
         orders[k - 1] = orders[k] = "keep"
+
+
+def _keep_turn(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What is waited for in a clause of its own ("turn it on, *wait until it's hot* and bring it"), and an order that a
+    "but" alone sets beside the one before ("keep it open *but draw the blinds*"), come in the order of the text."""
+    before, clause = clauses[k - 1 : k + 1]
+    is_next = roles[k - 1] == roles[k] == "task" and sides[k - 1] == sides[k] and before.sentence == clause.sentence
+    if not is_next or before.is_forbidden or not (clause.is_mere_contrast or clause.is_waited_for):
+        return
+    orders[k] = "keep" if orders[k] in _AHEAD else orders[k]
+    if orders[k - 1] in ("after", "last") and not before.wording.orders:
+        orders[k - 1] = "keep"
 
 
 def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
@@ -136,5 +151,6 @@ def _is_first(clause: Clause) -> bool:
     return is_said and {"first", "before"} <= set(clause.wording.orders)
 
 
+_AHEAD = frozenset(("before", "before+", "first", "first+"))
 _FIRST = frozenset(("first", "before_that"))
 _LEADING_ON = frozenset(("then", "after_that"))

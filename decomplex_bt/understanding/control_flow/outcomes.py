@@ -49,6 +49,20 @@ def comes_through(clause: Clause, before: Clause) -> bool:
     return is_of_thing and (is_reached or is_run)
 
 
+def asks_needless(clause: Clause, before: Clause) -> bool:
+    """Whether it asks if what the order before brings about is so "already", which can only be asked ahead of it: "open
+    the window. *If it's open already*, ..."."""
+    is_of_it = clause.names_same(before) or (clause.has_pronoun and not clause.objects)
+    is_reached = clause.wording.state in before.effects and not clause.wording.is_negated
+    is_led = "if" in clause.near and "unless" not in clause.near and clause.boundary != "none"
+    return (
+        clause.says_already
+        and clause.is_check
+        and before.task.type == "change_state"
+        and (is_of_it and is_reached and is_led and not before.is_forbidden)
+    )
+
+
 def is_only_of(clause: Clause, order: Clause, before: Clause) -> bool:
     """Whether it asks about the thing of an order alone, and not about that of the order before: "turn the tv off
     and water the fern if it's dry", "fold the shirts and hang up the socks if they're damp". What is fetched or

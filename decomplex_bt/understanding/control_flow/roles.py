@@ -28,7 +28,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     is_fallback_for,
     tries_out,
 )
-from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found, turns_on_report
+from decomplex_bt.understanding.control_flow.outcomes import asks_needless, is_answer_to, needs_found, turns_on_report
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import WISHING
 
@@ -47,6 +47,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _take_up,
         _find_out,
         _part,
+        _ask_ahead,
         _try_out,
         _oppose,
         _answer,
@@ -162,6 +163,13 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1 : k + 1] = "task", "condition"
     elif roles[k] == "mention" and firsts and all(is_of_another(clause, first) for first in firsts):
         roles[k] = "condition"
+
+
+def _ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether what is ordered is so already is no outcome of the order ("open it. *If it's open already*, ...")."""
+    is_outcome = roles[k - 1] == "condition" and roles[k] == "mention" and "mention" not in roles[k + 1 :]
+    if is_outcome and asks_needless(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
 
 
 def _try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

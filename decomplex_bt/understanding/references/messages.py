@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from decomplex_bt.flow import Flow
+from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.context import paths_of
@@ -31,16 +31,28 @@ def with_messages(document: Document, tasks: Sequence[Task], flow: Flow) -> tupl
     found: list[Task] = []
     for task in tasks:
         before = next((one for one in reversed(found) if one.type != "check_state"), None)
-        between = found[found.index(before) + 1 :] if before is not None else []
         if before is not None:
             task = _said_again(document, task, before)
         task = _found_out(document, task, tasks, flow)
+        before = _told_in_vain(found, before, flow)
+        between = found[found.index(before) + 1 :] if before is not None else []
         message = _passed_on(document, task, before, between, flow) if before is not None else None
         if message is not None:
             told = Argument("message", message.value, None, message.confidence)
             task = replace(task, arguments=(*task.arguments, told))
         found.append(task)
     return tuple(found)
+
+
+def _told_in_vain(found: Sequence[Task], before: Task | None, flow: Flow) -> Task | None:
+    """The task before, or the order to tell somebody that it, a search, says to fail: "tell Ann ..., and if you *can't
+    find her*, ..."."""
+    if before is None or before.type != "searching":
+        return before
+    groups = [node.tasks for node, _ in flow.walk() if isinstance(node, If) and before.id in node.tasks]
+    told = [one for one in found if one.type == "informing" and any(one.id in group for group in groups)]
+    is_of_them = bool(told) and before.value("object") == told[-1].value("recipient")
+    return told[-1] if is_of_them else before
 
 
 def _said_again(document: Document, task: Task, before: Task) -> Task:

@@ -36,6 +36,7 @@ from decomplex_bt.understanding.rules.extents import with_features, with_purpose
 from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
+from decomplex_bt.understanding.rules.guesses import without_guessed
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
@@ -175,7 +176,7 @@ def amended(
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
     kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
-    kept = with_nearer_places(document, tasks, kept)
+    kept = without_guessed(document, with_nearer_places(document, tasks, kept))
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
 
 

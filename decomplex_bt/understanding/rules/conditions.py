@@ -3,7 +3,7 @@ words a task by itself ("if *the sun's gone*, ...", "when *Tom's taken the bins 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
@@ -12,6 +12,9 @@ from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_
 _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))
 _BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
+_WAITING = frozenset(("as", "once", "after"))
+_HAVE = frozenset("has have had 's \u2019s".split())
+_LEFT = frozenset("gone left come arrived returned".split())
 _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
@@ -28,16 +31,36 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     `certain_cases` any verb, wherever they stand."""
     tokens = document.tokens
     certain = frozenset(case.verb for case in certain_cases(document) if _is_untold(document, case, tasks))
-    return certain | frozenset(
-        be
-        for i, token in enumerate(tokens)
-        if token.lower in _OPENING
-        and (i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in _JOINING)
-        and (stop := next((j for j in range(i + 1, len(tokens)) if tokens[j].text in MARKS), len(tokens))) > i + 2
-        and tasks.keys().isdisjoint(range(i, stop))
-        and (be := _be(document, range(i + 1, stop))) is not None
-        and not _is_told(document, tasks, i)
+    return (
+        certain
+        | frozenset(_departures(document, tasks))
+        | frozenset(
+            be
+            for i, token in enumerate(tokens)
+            if token.lower in _OPENING
+            and (i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in _JOINING)
+            and (stop := next((j for j in range(i + 1, len(tokens)) if tokens[j].text in MARKS), len(tokens))) > i + 2
+            and tasks.keys().isdisjoint(range(i, stop))
+            and (be := _be(document, range(i + 1, stop))) is not None
+            and not _is_told(document, tasks, i)
+        )
     )
+
+
+def _departures(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "has" of every clause that waits for somebody to have gone, behind or ahead of what is ordered: "close it as
+    soon as *she's* gone to bed"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower not in _WAITING or (token.lower == "as" and tokens[max(0, i - 1)].lower != "soon"):
+            continue
+        stop = next(
+            (j for j in range(i + 1, len(tokens)) if tokens[j].lower in MARKS | _JOINING | {"then"}), len(tokens)
+        )
+        be = _be(document, range(i + 1, stop))
+        is_gone = be is not None and tokens[be].lower in _HAVE and tokens[be + 1].lower in _LEFT
+        if be is not None and is_gone and tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i):
+            yield be
 
 
 def without_cases(

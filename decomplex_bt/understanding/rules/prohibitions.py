@@ -8,6 +8,7 @@ from collections.abc import Collection
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.rules.spared import CONDITIONAL, spared
 
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
@@ -33,11 +34,6 @@ _BESIDE_ALLOWING = frozenset("then please by all means though however".split())
 _BESIDE_OTHERWISE = frozenset((",", "then", "please", "just", "well"))
 _LEFT = frozenset("it them that this 'em".split())
 _CASES = frozenset("if when unless otherwise else".split())
-_CONDITIONAL = frozenset(
-    "if only_if unless when until before before_that before_all after so else fail depending".split()
-)
-"""With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
-the flow to say."""
 
 
 def forbidden(observed: Observed) -> tuple[int, ...]:
@@ -45,15 +41,15 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
 
     A rule of grammar: "do not", "must not", "never" and the like ahead of a bare verb, with no subject but "you", in a
     clause without a condition, an order or a question, or right behind an "otherwise"; "without", "rather than" and
-    "instead of" ahead of a gerund.
+    "instead of" ahead of a gerund; and what is to be left as it is.
     """
     document = observed.document
     tokens = document.tokens
     negations = [i for i, token in enumerate(tokens) if token.lower in _NEGATIONS]
-    needless, passed = _needless(document), _passed_over(document)
+    needless, passed = _needless(document), [*_passed_over(document), *spared(observed)]
     if not negations and not needless:
         return tuple(sorted(passed))
-    cues = [cue.first for cue in observed.cues if cue.name in _CONDITIONAL]
+    cues = [cue.first for cue in observed.cues if cue.name in CONDITIONAL]
     conditional = {document.sentences[cue] for cue in cues}
     found = passed + [
         i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
@@ -180,8 +176,9 @@ def _needless(document: Document) -> list[int]:
 
 def is_needless(document: Document, verb: int) -> bool:
     """Whether a verb of `forbidden` is only not needed ("you don't need to wash it", "no use to wash it"), or something
-    else is done in its place ("rather than wash it")."""
-    return document.tokens[verb - 1].lower in ("to", "than", "of")
+    else is done in its place ("rather than wash it"), or it is an order to leave something as it is."""
+    is_left = document.tokens[verb].lower == "leave" and not is_forbidden(document, verb)
+    return is_left or document.tokens[verb - 1].lower in ("to", "than", "of")
 
 
 def _passed_over(document: Document) -> list[int]:

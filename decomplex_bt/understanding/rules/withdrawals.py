@@ -40,6 +40,8 @@ _ARGUING = frozenset(("scratch", "scrap", "strike", "cancel", "forget"))
 _LEAVING = frozenset(("it", "that", "them"))
 _OF_THINGS = (("never", "mind"), ("nevermind",), ("forget",), ("forget", "about"))
 """What takes back the orders before it that are about the thing named next."""
+_OF_DOINGS = (*_OF_THINGS, ("skip",))
+"""What takes back the order before it whose verb is named next: "skip *the ironing*"."""
 _REVERSING = frozenset("actually no nah nope wait sorry oh hang hold".split())
 """What turns a speaker round: it opens a clause, with or without a mark ahead of it."""
 _CORRECTING = frozenset("no nope wait sorry actually".split())
@@ -47,9 +49,11 @@ _RUN_ON = frozenset(("no", "nope", "sorry"))
 _LEADING = frozenset(("DT", "PRP$"))
 """What opens a phrase behind one of these where no mark stands between: "no *the green one*"."""
 _DENYING = frozenset(("no", "nope", "nah"))
-_TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_THINGS)} | {"mean", "meant", "rather"}
+_TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_DOINGS)} | {"mean", "meant", "rather"}
 """Words of which every withdrawal has one."""
-_OPENERS = _REVERSING | frozenset("well ok okay on um uh er erm ah hmm but and so you know what or then just".split())
+_OPENERS = _REVERSING | frozenset(
+    "well ok okay on um uh er erm ah hmm but and so you know what or then just second thoughts thought".split()
+)
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
 _LAST = frozenset(("one", "bit"))
@@ -79,9 +83,10 @@ def withdrawals_of(observed: Observed) -> Withdrawals:
 
     "Scratch that" and the like, a clause of their own said to the robot, take back the order before them in their
     sentence or, where they begin it, the sentence before; "no, leave it on the table" does so and is an order itself;
-    "never mind the shirt" takes back the earlier orders about the shirt. Behind a condition in their sentence they are
-    said of one case alone, which is for the flow to say. Before a bare phrase they take back an argument. An order that
-    another one stands in place of is taken back, too, where it is not passed over as a repair.
+    "never mind the shirt" takes back the earlier orders about the shirt, "skip the ironing" the last one to iron.
+    Behind a condition in their sentence they are said of one case alone, which is for the flow to say. Before a bare
+    phrase they take back an argument. An order that another one stands in place of is taken back, too, where it is not
+    passed over as a repair.
     """
     if _TELLING.isdisjoint(token.lower for token in observed.document.tokens):
         return _NOTHING  # as with most instructions
@@ -204,10 +209,10 @@ def _taken_back(words: _Words, at: int) -> Withdrawals:
         and any(_is_bare(words.document, i) for i in _before(words, at, is_last=True))
     ):
         return Withdrawals(frozenset(), (phrase,))  # "the green mug. No wait, the white one."
-    for mark in _OF_THINGS:
+    for mark in _OF_DOINGS:
         stop = at + len(mark)
         if tuple(words.said[at:stop]) == mark:
-            about = _about(words, at, stop)
+            about = _done(words, at, stop) or (_about(words, at, stop) if mark in _OF_THINGS else set())
             if about:
                 return Withdrawals(frozenset(about.union(range(at, stop))), ())
     return _NOTHING
@@ -310,6 +315,44 @@ def _about(words: _Words, at: int, noun: int) -> set[int]:
         if was_about and document.sentences[clause[0]] not in words.conditional:
             found.update(clause)
     return found
+
+
+def _done(words: _Words, at: int, doing: int) -> set[int]:
+    """The tokens of the last order before `at` whose verb is named at `doing`, to the end of the clause: "skip *the
+    ironing*", "skip *ironing them*", with that clause; nothing where a case follows."""
+    tokens = words.tokens
+    is_noun = doing < len(tokens) and tokens[doing].tag in _LEADING
+    doing += is_noun
+    stop = next((i for i in range(doing, len(tokens)) if words.closes(i, is_reversed=False)), len(tokens))
+    if (
+        stop == doing
+        or words.is_conditional_behind(at)
+        or not all(_may_tell(tokens[i]) for i in range(doing + 1, stop))
+    ):
+        return set()
+    if is_noun and doing + 1 < stop and tokens[doing + 1].pos in ("NOUN", "PROPN"):
+        return set()  # "skip the ironing board"
+    for clause in reversed(list(_clauses(words, at))):
+        verb = next((i for i in clause if tokens[doing].lower in _gerunds(tokens[i].lower)), None)
+        if verb is None:
+            continue
+        # the tagger takes the verb of "Vacuum the hall" for a name
+        is_plain = (verb == clause[0] or _is_bare(words.document, verb)) and words.document.sentences[
+            verb
+        ] not in words.conditional
+        return {*clause, *range(doing, stop)} if is_plain else set()
+    return set()
+
+
+def _may_tell(token: Token) -> bool:
+    """Whether a word behind a verb may tell what it is done to, or goes with it: "the washing *up*"."""
+    return token.pos in ("DET", "PRON", "ADJ", "NOUN", "PROPN", "NUM", "ADP", "PART", "ADV")
+
+
+def _gerunds(verb: str) -> frozenset[str]:
+    """The forms in which a bare verb may be named: "ironing" of "iron", "dusting", "mopping" and "wiping"."""
+    stem = verb[:-1] if verb.endswith("e") else verb
+    return frozenset((f"{verb}ing", f"{stem}ing", f"{verb}{verb[-1]}ing"))
 
 
 def _clauses(words: _Words, stop: int) -> Iterator[list[int]]:

@@ -42,6 +42,7 @@ _RULES = (
     prohibitions.permit,
     scopes.guard,
     scopes.ask_first,
+    scopes.ask_ahead,
     scopes.check_ahead,
     scopes.ask_anew,
     scopes.come_first,

@@ -13,9 +13,11 @@ _GOING_ON = frozenset("and then also after_that last".split())
 def disregard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done whether something is so or not hangs on no more than what that hangs on ("if you find it, bring it,
     and *whether you find it or not*, come back"), nor does what ", and" adds to an "otherwise" that only forbids
-    ("otherwise don't wake her, *and lock up*")."""
+    ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess ("if it's not here, it must be
+    in the hall. *Bring it to me*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
-    if first is not None and (clauses[k].is_either_way or clauses[k].is_past_forbidden):
+    clause = clauses[k]
+    if first is not None and (clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess):
         _take_out(clauses, roles, sides, k, sides[first])
 
 

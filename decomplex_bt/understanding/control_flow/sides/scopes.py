@@ -14,7 +14,13 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_of_other_matter,
     is_rival_of,
 )
-from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_guard_of, is_only_of, undoes
+from decomplex_bt.understanding.control_flow.outcomes import (
+    asks_needless,
+    comes_through,
+    is_guard_of,
+    is_only_of,
+    undoes,
+)
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -216,6 +222,13 @@ def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_unable = clause.verb == "be" and clause.wording.state is None and clause.wording.is_negated and not clause.places
     if is_asked and clause.near[:2] == ("and", "if") and (clause.verb in _ANSWERING or is_unable):
         sides[k - 1] = HOLDS
+
+
+def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is so already is not brought about ("open the window. *If it's open already*, turn the fan on")."""
+    is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] == sides[k] == "top"
+    if is_next and k + 1 < len(clauses) and sides[k + 1] == HOLDS and asks_needless(clauses[k], clauses[k - 1]):
+        sides[k - 1] = ">1-"
 
 
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
