@@ -99,7 +99,7 @@ def amended(
     kept = without_cases(document, tasks, kept)
     kept = without_questions(document, tasks, with_whole_places(document, kept))
     kept = with_features(document, tasks, kept)
-    kept = with_relative_places(document, tasks, kept)
+    kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
