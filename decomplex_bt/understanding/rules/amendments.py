@@ -39,6 +39,7 @@ from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
+from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.preferences import preferences
@@ -114,7 +115,7 @@ def amended(
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
-            kept = put_out(document, _put_in(document, kept, token), token)
+            kept = put_out(document, _put_in(document, with_loaded(observed, kept, token), token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))

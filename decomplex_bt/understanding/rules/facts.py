@@ -21,6 +21,7 @@ from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
+from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
@@ -411,6 +412,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
+    if task.type in _HANDLING and loading(observed, task.token) is not None:
+        return "placing"
     if task.type == "searching" and degree_asked(document, task.token):
         return "check_state"
     if task.type == "check_state" and is_assured(document, task.token):
