@@ -18,6 +18,7 @@ from decomplex_bt.understanding.references.phrases import (
 )
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
+from decomplex_bt.understanding.rules.assurances import with_assured
 from decomplex_bt.understanding.rules.checks import (
     asked,
     departed,
@@ -154,6 +155,7 @@ def amended(
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
+    kept = with_assured(document, tasks, kept)
     for case in second_cases(document):
         if case.carrier in tasks:
             ahead = range(case.tokens.start)
