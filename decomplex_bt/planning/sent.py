@@ -1,5 +1,5 @@
 """Places that follow from the tasks before: where somebody is sent to see whether there is something ("go to the
-kitchen and check if there is milk"), and the room whose door was spoken of ("if the bathroom door is open, go *in*")."""
+kitchen and check if there is milk"), and the room whose door was named ("if the bathroom door is open, go *in*")."""
 
 from __future__ import annotations
 
