@@ -119,7 +119,7 @@ def test_everything_behind_a_check_of_anything_is_what_is_there() -> None:
 
 @pytest.mark.parametrize(
     ("words", "count"),
-    [("the soup with a spoon", 2), ("my coffee with two spoons", 2), ("the mug with the spoon", 1)],
+    [("the soup with a spoon", 2), ("my coffee with two mugs", 2), ("the mug with the spoon", 1)],
 )
 def test_what_is_brought_along_is_brought_too(words: str, count: int) -> None:
     (task,) = tasks(f"[Bring](1:bringing) [me](1:recipient) [{words}](1:object)", [1])

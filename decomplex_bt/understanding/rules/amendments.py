@@ -47,7 +47,7 @@ from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
-from decomplex_bt.understanding.rules.reports import with_reports, without_times
+from decomplex_bt.understanding.rules.reports import with_next_told, with_reports, without_times
 from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
@@ -136,6 +136,7 @@ def amended(
             kept = with_named_state(document, identified(observed, kept, token), token)
         if kind == "informing":
             kept = without_times(document, with_reports(document, tasks, kept, token), token)
+            kept = with_next_told(document, kept, token)
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
