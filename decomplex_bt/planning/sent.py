@@ -51,10 +51,10 @@ def with_room_entered(instruction: Instruction, task: Task, domain: Domain) -> T
         return task
     before = (t for t in reversed(instruction.tasks) if t.id < task.id)
     rooms = (room for t in before for a in t.arguments if a.type in _STANDING and (room := _behind(a.value, domain)))
-    room = next(rooms, None)
-    if room is None:
+    entered = next(rooms, None)
+    if entered is None:
         return task
-    return replace(task, arguments=(*(a for a in task.arguments if a not in said), Argument("goal", room)))
+    return replace(task, arguments=(*(a for a in task.arguments if a not in said), Argument("goal", entered)))
 
 
 def _behind(words: str, domain: Domain) -> str:
