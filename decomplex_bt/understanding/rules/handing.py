@@ -29,6 +29,7 @@ _CARRIERS = frozenset("tray trolley cart basket bag wheelbarrow tongs glove lift
 _SERVING = (_CARRYING - {"take"}) | {"carry"}
 _INDEFINITE = frozenset("a an some another".split())
 _PRONOUNS = frozenset(("it", "them", "this", "that"))
+_ONES = frozenset(("one", "ones", "some", "another"))
 
 
 def called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
@@ -60,6 +61,7 @@ def served(document: Document, arguments: Sequence[FoundArgument], bringing: int
         return [whole if a is last else a for a in rest]
     thing = range(bringing + 1, bringing + 2)
     is_served = document.tokens[bringing].lemma in _SERVING and _is_indefinite(document, led + 1)
+    is_served &= all(document.tokens[a.tokens.start].lower not in _ONES for a in own)  # "bring me one with two sugars"
     if not is_served or (not own and document.tokens[thing.start].lower not in _PRONOUNS):
         return list(arguments)
     rest = [_cut(a, led) if a in own else a for a in rest]

@@ -82,8 +82,11 @@ def with_relative_places(
             continue
         goals = [a for a in own if a.type in ("goal", "recipient") and a is not place]
         second = 0 if goals or kind == "taking" else _second_place(document, place.tokens)
-        if at == thing.tokens.stop and not _is_free(document, thing) and not _may_hold(observed, place.tokens, second):
+        is_right_behind = at == thing.tokens.stop
+        if is_right_behind and not _is_free(document, thing) and not _may_hold(observed, place.tokens, second):
             continue
+        if is_right_behind and place.type == "path":
+            continue  # "whatever's *in the way*"
         kept.remove(place)
         said = replace(place, type="location" if kind == "placing" else "source")
         if second:
