@@ -23,7 +23,7 @@ _MOVING = frozenset(("placing", "bringing", "taking"))
 _STATES = frozenset(("state", "message", "manner"))
 _PLACES = frozenset(("goal", "source", "location", "path"))
 _RELATIVE = frozenset(("that", "which"))
-_POSTURES = frozenset("lie stand hang sit lean rest live".split())
+_POSTURES = frozenset("lie stand hang sit lean rest".split())
 _MAY = frozenset("should might must may could will".split())
 _USUALLY = ADVERBS | frozenset("usually normally always probably still".split())
 _PLACED = frozenset("kept left stored put placed parked".split())
@@ -88,7 +88,8 @@ def with_relative_places(
         if is_right_behind and place.type == "path":
             continue  # "whatever's *in the way*"
         kept.remove(place)
-        said = replace(place, type="location" if kind == "placing" else "source")
+        is_told = kind == "placing" and place.type != "source"
+        said = replace(place, type="location" if is_told else "source")
         if second:
             kept.append(replace(place, type="goal", tokens=range(second, place.tokens.stop)))
             said = replace(said, tokens=range(place.tokens.start, second))
