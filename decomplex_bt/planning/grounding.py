@@ -25,6 +25,8 @@ from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.questions import question_of
 from decomplex_bt.planning.referents import Referents
+from decomplex_bt.planning.sent import with_place_sent, with_room_entered
+from decomplex_bt.planning.served import with_served
 from decomplex_bt.planning.sources import with_source
 from decomplex_bt.planning.state_words import read_state
 from decomplex_bt.planning.told_by_place import with_places_told
@@ -84,6 +86,8 @@ class _Grounder:
         self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
         task = with_places_told(self.instruction, with_source(task, self.domain), self.domain)
+        task = with_served(task, self.domain)
+        task = with_place_sent(self.instruction, with_room_entered(self.instruction, task, self.domain), self.domain)
         if self._is_emptying(task):
             objects = tuple(argument for argument in task.arguments if argument.type == "object")
             task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))

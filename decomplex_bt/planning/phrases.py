@@ -25,7 +25,12 @@ from decomplex_bt.planning.prepositions import leading_preposition, normal_words
 from decomplex_bt.planning.state_words import read_state
 from decomplex_bt.planning.suggestions import unknown
 
-_CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|'re)?\s.*$")
+_CLAUSE = re.compile(r"\s(?:that|which|who|whose|where|so that|because|if)(?:'s|'re)?(?=\s)")
+_BEFORE_POINTING = re.compile(
+    r"(?:,|\b(?:and|or|nor|plus|but|as well as|with|of|on|in|at|to|from|into|onto|off|under|behind|beside|by|for))$"
+)
+"""What stands ahead of a "that" which points at something and opens no clause ("the cup and *that* plate")."""
+_OF_CLAUSE = frozenset("is are was were has i you we he she it they".split())
 _STILL = r"(?:\s+(?:still|already|currently))?"
 _BEING = re.compile(rf"\s(?:that|which)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:switched |turned |plugged )?\w+)$")
 _WHICHEVER = re.compile(rf"^(?:whichever|whatever)\s+(.+?)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:\w+ )?\w+)$")
@@ -115,7 +120,7 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     words = _MORE_THAN.sub(lambda match: one_more(match[1], domain), _AT_LEAST.sub("", words))
     preposition, rest = split_preposition(words, domain)
     rest = _WHICHEVER.sub(r"any \1 that is \2", rest)
-    rest, clause = _CLAUSE.sub("", rest), _BEING.search(rest)
+    rest, clause = _without_clause(rest), _BEING.search(rest)
     parts = [part.strip() for part in _JOINT.split(_spelt_out(rest, domain)) if part and part.strip()]
     phrases: list[NounPhrase] = []
     later: NounPhrase | None = None
@@ -126,6 +131,17 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     if clause is not None:
         phrases = [_described(phrase, clause[1], domain) for phrase in phrases]
     return tuple(reversed(phrases))
+
+
+def _without_clause(words: str) -> str:
+    """The words without a clause about the thing ("the cup *that I bought*"), which a "that" behind an "and" or a
+    preposition does not open ("the cup and *that plate*", "the cup next to *that plate*")."""
+    for found in _CLAUSE.finditer(words):
+        before, behind = words[: found.start()], words[found.end() :].split()
+        is_pointing = found[0].strip() == "that" and _BEFORE_POINTING.search(before) and behind[0] not in _OF_CLAUSE
+        if not is_pointing:
+            return before
+    return words
 
 
 def _of_room(phrase: NounPhrase, words: str, later: NounPhrase, domain: Domain) -> NounPhrase | None:

@@ -52,6 +52,10 @@ def first(text: str) -> GroundTask:
         ("the glasses", [(("glasses",), False, 1)]),
         ("the red and the green mug", [(("mug_1",), False, 1), (("mug_2",), False, 1)]),
         ("the keys that are lying around", [(("keys",), False, 1)]),
+        ("the cup and that plate", [(("cup_1", "cup_2"), False, 1), (("plate_1", "plate_2"), False, 1)]),
+        ("the red mug or that pen", [(("mug_1", *PENS), False, 1)]),
+        ("the book, that is lying around", [(("book_1", "book_2"), False, 1)]),
+        ("the book that I bought", [(("book_1", "book_2"), False, 1)]),
     ],
 )
 def test_a_phrase_names_entities(phrase: str, expected: list[tuple[tuple[str, ...], bool, int]]) -> None:

@@ -115,3 +115,12 @@ def test_everything_behind_a_check_of_anything_is_what_is_there() -> None:
     assert [place.candidates for place in take.places] == [("desk",)]
     told = tasks(text + "[everything](2:object) [off the couch](2:source).", THEN)[1]
     assert [place.candidates for place in told.places] == [("couch",)]
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [("the soup with a spoon", 2), ("my coffee with two mugs", 2), ("the mug with the spoon", 1)],
+)
+def test_what_is_brought_along_is_brought_too(words: str, count: int) -> None:
+    (task,) = tasks(f"[Bring](1:bringing) [me](1:recipient) [{words}](1:object)", [1])
+    assert len(task.objects) == count

@@ -299,6 +299,7 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("Get me the paper.", 1, "recipient", "me"),
         ("Bring me my cocoa with two biscuits, please.", 1, "object", "my cocoa with two biscuits"),
         ("Give Dad the blue pills with a glass of water.", 1, "object", "the blue pills with a glass of water"),
+        ("Bring me the broth with a ladle.", 1, "object", "the broth with a ladle"),
         ("Give Tom the letter with my regards.", 1, "object", "the letter"),
         ("Throw out the tulips from last week and wash the vase.", 1, "object", "the tulips from last week"),
         ("Take the pies from yesterday out of the fridge.", 1, "source", "out of the fridge"),
@@ -364,3 +365,16 @@ def test_that_something_is_left_is_no_state_of_it_and_nothing_is_missing(text: s
     assert checks
     assert not any(task.value("state") for task in checks)
     assert not instruction.missing
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("When the broth is hot, bring it with a ladle.", ["the broth", "with a ladle"]),
+        ("When the toast is done, bring it to me with some butter.", ["the toast", "with some butter"]),
+        ("When the broth is hot, bring it with a trolley.", ["the broth"]),
+        ("When the broth is hot, bring it with great care.", ["the broth"]),
+    ],
+)
+def test_what_comes_along_with_what_is_taken_up_is_brought_too(text: str, things: list[str]) -> None:
+    assert [a.value for a in Interpreter.load().interpret(text).tasks[-1].arguments if a.type == "object"] == things

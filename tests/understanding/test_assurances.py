@@ -50,3 +50,34 @@ def test_what_is_denied_and_then_asked_for_is_a_check_of_the_state(interpreter: 
 )  # fmt: skip
 def test_a_later_case_of_somebody_does_not_take_it_up(interpreter: Interpreter, text: str, types: list[str]) -> None:
     assert [task.type for task in interpreter.interpret(text).tasks] == types
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            "Make sure the fan's off, the heater's off and the gate's locked.",
+            [("the fan", "off"), ("the heater", "off"), ("the gate", "locked")],
+        ),
+        (
+            "Ensure that the shed is shut, the hose isn't running and the lamp is on.",
+            [("the shed", "shut"), ("the hose", "off"), ("the lamp", "on")],
+        ),
+        ("Make sure the radio is off, the fan is off.", [("the radio", "off"), ("the fan", "off")]),
+        ("Make sure the radio and the fan are off.", [("the radio and the fan", "off")]),
+        ("Make sure the drawer is shut, the wind is strong.", [("the drawer", "shut")]),
+        ("Make sure the drawer is shut, the key is in the hall.", [("the drawer", "shut")]),
+    ],
+)
+def test_each_thing_that_is_made_sure_of_is_an_order(
+    interpreter: Interpreter, text: str, told: list[tuple[str, str]]
+) -> None:
+    found = interpreter.interpret(text)
+    assert [(task.value("object"), task.value("state")) for task in found.tasks] == told
+    assert {task.type for task in found.tasks} == {"change_state"}
+    assert found.flow.to_json() == [*range(1, len(told) + 1)]
+
+
+def test_a_list_that_is_asked_for_behind_it_is_none_of_orders(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Make sure the fan is off and the heater is off. If it isn't, call me.")
+    assert [task.type for task in found.tasks][:1] == ["check_state"]

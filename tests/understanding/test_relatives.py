@@ -71,3 +71,52 @@ def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str,
 def test_what_is_left_out_elsewhere_is_warned_of(text: str, left_out: str | None) -> None:
     warnings = [w for w in Interpreter.load().interpret(text).warnings if "leaves something out" in w]
     assert [warning.split("'")[1] for warning in warnings] == ([] if left_out is None else [left_out])
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (
+            "Put the pan, which is on the floor, in the sink.",
+            {"object": "the pan", "location": "on the floor", "goal": "in the sink"},
+        ),
+        (
+            "Put the magazine, which is on the bed, on the desk, which is in the study.",
+            {"object": "the magazine", "location": "on the bed", "goal": "on the desk, which is in the study"},
+        ),
+        (
+            "Put the lid in the box that's on the shelf.",
+            {"object": "the lid", "goal": "in the box that's on the shelf"},
+        ),
+        (
+            "Put whatever's on the bed in the wardrobe.",
+            {"object": "whatever's", "location": "on the bed", "goal": "in the wardrobe"},
+        ),
+        (
+            "Put everything on the sofa in the basket.",
+            {"object": "everything", "location": "on the sofa", "goal": "in the basket"},
+        ),
+        ("Put everything on the sofa in the living room.", None),
+        ("Put the cups on the shelf in the cupboard.", None),
+        ("Put the vase on the table next to the lamp.", None),
+        ("Put it on the chair in the hall.", None),
+    ],
+)
+def test_a_place_that_tells_which_thing_is_moved_is_not_where_to(text: str, found: dict[str, str] | None) -> None:
+    if found is None:
+        assert arguments(text, encoder=True).keys().isdisjoint(("location", "source"))
+    else:
+        assert arguments(text, encoder=True) == found
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Whatever's in the washing machine, hang it on the line.", "Whatever's"),
+        ("What is on the stairs, carry it upstairs.", "What is"),
+        ("There's a cup on the stairs, carry it upstairs.", "a cup"),
+    ],
+)
+def test_whatever_is_at_a_place_is_what_an_order_behind_takes_up(text: str, thing: str, encoder: bool) -> None:
+    assert arguments(text, encoder)["object"] == thing

@@ -52,3 +52,24 @@ def test_an_order_behind_a_message_is_an_order(interpreter: Interpreter, text: s
     told = next(task for task in found.tasks if task.type == "informing")
     assert told.value("message") == message
     assert order in [task.span.of(text) for task in found.tasks]
+
+
+@pytest.mark.parametrize(
+    ("text", "recipients", "messages"),
+    [
+        ("Tell Rosa her tea is ready and Oskar his is on the stove.",
+         ["Rosa", "Oskar"], ["her tea is ready", "his is on the stove"]),
+        ("Remind Petra to lock the shed and Jonas to feed the hens.",
+         ["Petra", "Jonas"], ["to lock the shed", "to feed the hens"]),
+        ("Tell Rosa the tea is ready and Oskar is in the loft.",
+         ["Rosa"], ["the tea is ready and Oskar is in the loft"]),
+        ("Tell Rosa the tea is ready and the cake is cut.", ["Rosa"], ["the tea is ready and the cake is cut"]),
+        ("Tell Rosa and Oskar the tea is ready.", ["Rosa and Oskar"], ["the tea is ready"]),
+    ],
+)  # fmt: skip
+def test_who_is_told_something_else_behind_an_and_has_a_message_of_their_own(
+    interpreter: Interpreter, text: str, recipients: list[str], messages: list[str]
+) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert list(task.values("recipient")) == recipients
+    assert list(task.values("message")) == messages

@@ -19,7 +19,7 @@ from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
-from decomplex_bt.understanding.references.relatives import free_relatives
+from decomplex_bt.understanding.references.relatives import free_places, free_relatives
 from decomplex_bt.understanding.references.wholes import is_part
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
@@ -113,15 +113,17 @@ def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _fronted(context: Context, gap: Gap) -> range:
-    """The words of a "whichever window is open" right ahead of an order that takes them up ("..., close it"); else
-    empty."""
-    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
+    """The words of a "whichever window is open" or the "whatever's" of "whatever's in the sink" right ahead of an order
+    that takes them up ("..., close it"); else empty."""
+    document = context.observed.document
+    tokens, verb = document.tokens, document.indices(gap.task.span).start
     if gap.word not in _ELSEWHERE - _SOMEBODY or gap.type != "object":
         return range(0)
     start = verb
     while start and (tokens[start - 1].text in MARKS or tokens[start - 1].lower in ("please", "just", "then")):
         start -= 1
-    return next((words for words in free_relatives(context.observed.document, ()) if words.stop == start), range(0))
+    named = [(words, words) for words in free_relatives(document, ())]
+    return next((words for words, whole in (*named, *free_places(document)) if whole.stop == start), range(0))
 
 
 def _done_before(context: Context, gap: Gap) -> int:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.relatives import exclusions, free_relatives
+from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
 
 PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
 """Where something is or goes, in one word."""
@@ -151,6 +151,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
         ("of", _with_complements(document, chunks)),
         ("cut", _cut(document, chunks)),
         ("free", free_relatives(document, verbs)),
+        ("free", (words for words, _ in free_places(document))),
     ):
         for phrase in phrases:
             if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):

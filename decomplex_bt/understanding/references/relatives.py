@@ -14,6 +14,8 @@ _ANTECEDENTS = frozenset("one ones those any all some both everything anything e
 _NOUNS = frozenset(("NOUN", "PROPN"))
 ADVERBS = frozenset("still already now currently all both not n't n\u2019t yet left only just really".split())
 _FREE = frozenset(("whichever", "whatever"))
+WHATEVER = frozenset(("what", "whatever"))
+_WHERE = frozenset("in on at by under behind beside inside near over above below left lying".split())
 _PREDICATES = frozenset(("ADJ", "ADV", "VERB", "ADP"))
 LONGEST_SUBJECT = 6
 """The most words of which a "whichever" asks before its verb ("whichever of the two mugs is clean")."""
@@ -82,6 +84,17 @@ def free_relatives(document: Document, tasks: Collection[int]) -> Iterator[range
         if state is None or (tokens[state].pos != "ADJ" and not _ends(document, state + 1, tasks)):
             continue  # "whatever is on the table"
         yield range(i, state + 1)
+
+
+def free_places(document: Document) -> Iterator[tuple[range, range]]:
+    """Of every "whatever's on the table" that a mark ends, the tokens of "whatever's" and those of the whole."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-3]):
+        is_free = token.lower in WHATEVER and tokens[i + 1].lower in BE and tokens[i + 2].lower in _WHERE
+        if is_free and (i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in ("and", "then")):
+            stop = next((word.i for word in tokens[i:] if word.text in MARKS), None)
+            if stop is not None and not any(word.text == "?" for word in tokens[stop : stop + 1]):
+                yield range(i, i + 2), range(i, stop)
 
 
 def _ends(document: Document, at: int, tasks: Collection[int]) -> bool:

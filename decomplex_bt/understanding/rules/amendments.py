@@ -18,6 +18,7 @@ from decomplex_bt.understanding.references.phrases import (
 )
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
+from decomplex_bt.understanding.rules.assurances import with_assured
 from decomplex_bt.understanding.rules.checks import (
     asked,
     departed,
@@ -40,13 +41,14 @@ from decomplex_bt.understanding.rules.guesses import without_guessed
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
+from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
-from decomplex_bt.understanding.rules.reports import with_reports, without_times
+from decomplex_bt.understanding.rules.reports import with_next_told, with_reports, without_times
 from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
@@ -100,7 +102,7 @@ def amended(
     kept = without_cases(document, tasks, kept)
     kept = without_questions(document, tasks, with_whole_places(document, kept))
     kept = with_features(document, tasks, kept)
-    kept = with_relative_places(document, tasks, kept)
+    kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
     kept = _of_spills(document, tasks, [_meant(document, tasks, a) for a in kept])
@@ -115,7 +117,7 @@ def amended(
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
-            kept = put_out(document, _put_in(document, kept, token), token)
+            kept = put_out(document, _put_in(document, with_loaded(observed, kept, token), token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -135,6 +137,7 @@ def amended(
             kept = with_named_state(document, identified(observed, kept, token), token)
         if kind == "informing":
             kept = without_times(document, with_reports(document, tasks, kept, token), token)
+            kept = with_next_told(document, kept, token)
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
@@ -154,6 +157,7 @@ def amended(
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
+    kept = with_assured(document, tasks, kept)
     for case in second_cases(document):
         if case.carrier in tasks:
             ahead = range(case.tokens.start)

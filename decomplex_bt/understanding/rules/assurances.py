@@ -3,13 +3,15 @@ opposite where it is denied ("make sure the oven is not on")."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.instruction import Argument, Task
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import OPPOSITES
-from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
 
 _SURE = frozenset(("sure", "certain"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
@@ -19,7 +21,7 @@ _PASSED_OVER = _MANNERS | _DENYING | {"no", "left", "ever"}
 """What may stand between an "is" and the state: "is *no longer* on", "is*n't left* open"."""
 _OF_NONE = frozenset(("none", "neither"))
 _PREDICATES = frozenset(("JJ", "VBN", "VBD", "RP"))
-_SHORT_STATES = frozenset(("shut", "open", "closed", "locked", "running"))
+_SHORT_STATES = frozenset("shut open closed locked unlocked unplugged running".split())
 _PREPOSITIONS = frozenset(("on", "off"))
 _NOMINAL = ("DT", "NN", "PRP", "CD", "JJ", "WP")
 _NOT_BROUGHT_ABOUT = frozenset(
@@ -27,6 +29,10 @@ _NOT_BROUGHT_ABOUT = frozenset(
 )
 _TAKEN_UP = frozenset(("if", "unless", "otherwise", "else"))
 _PERSONS = frozenset("i you we he she somebody someone anybody anyone nobody everybody everyone".split())
+_NAMING = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
+_DETERMINERS = frozenset(("DT", "PRP$", "CD"))
+_LONGEST_NAME = 6
+"""The most words that name a thing in a list of what is made sure of."""
 _ANTONYMS = {
     **OPPOSITES,
     "open": "closed",
@@ -37,6 +43,87 @@ _ANTONYMS = {
     "lit": "off",
 }
 """What holds of a thing instead of a state, of several opposites the plainest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assured:
+    """One of several things that somebody makes sure of, each an order of its own: the token that carries it (the verb
+    for the first, else its "is"), the thing, its "is" and the state."""
+
+    carrier: int
+    thing: range
+    be: int
+    state: range
+
+
+def assured_lists(document: Document) -> Iterator[tuple[Assured, ...]]:
+    """Of every "make sure *the gate's shut, the shed's locked and the hose is off*" all that is in the list."""
+    if document.words.isdisjoint(_SURE | {"ensure", "see"}):
+        return
+    for token in document.tokens:
+        if (be := _being(document, token.i)) is None or not is_assured(document, token.i):
+            continue
+        start = _start(document, token.i, be)
+        found = [one] if (one := _assured(document, token.i, start)) is not None else []
+        is_ended = False
+        while found and (following := _behind_joint(document, found[-1].state.stop)):
+            is_ended = is_ended or any(
+                word.lower == "and" for word in document.tokens[found[-1].state.stop : following]
+            )
+            further = _assured(document, None, following)
+            if further is None:
+                break
+            found.append(further)
+        said = {" ".join(word.lower for word in document.tokens[one.state.start : one.state.stop]) for one in found}
+        if len(found) > 1 and (is_ended or len(said) == 1):
+            yield tuple(found)
+
+
+def _start(document: Document, verb: int, be: int) -> int:
+    """Where begins what a verb makes sure of: behind "sure", "to it" and "that"."""
+    before = [t.i for t in document.tokens[verb:be] if t.lower in _SURE | {"ensure", "it", "that"} and t.i < verb + 4]
+    return before[-1] + 1
+
+
+def _behind_joint(document: Document, at: int) -> int:
+    """What follows a comma or an "and" at a token, or both; 0 where neither stands there."""
+    stop = at
+    while stop < len(document) and document.tokens[stop].lower in (",", "and"):
+        stop += 1
+    return stop if at < stop < len(document) else 0
+
+
+def _assured(document: Document, carrier: int | None, start: int) -> Assured | None:
+    """A thing that is named at a token and its state, with nothing behind in their clause; or None. Somebody's state is
+    not brought about."""
+    tokens = document.tokens
+    be = next((token.i for token in tokens[start : start + _LONGEST_NAME + 1] if token.lower in _BE), start)
+    name = tokens[start:be]
+    is_named = bool(name) and all(
+        token.pos in _NAMING or token.tag == "PRP$" or (token.i > start and tokens[token.i - 1].tag in _DETERMINERS)
+        for token in name
+    )
+    if not is_named or name[-1].lemma in PERSON_NOUNS | ANIMALS:
+        return None
+    told = _predicate(document, be)
+    stop = next((token.i for token in tokens[be:] if token.lower in MARKS or token.lower == "and"), len(tokens))
+    words = [token for token in told if token.i < stop]
+    if not 0 < len(words) < 3 or words[-1].i != stop - 1 or not _is_state(words):
+        return None
+    return Assured(be if carrier is None else carrier, range(start, be), be, range(words[0].i, stop))
+
+
+def with_assured(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with each thing in a list of what somebody makes sure of, and its state, as those of its order."""
+    kept = list(arguments)
+    for one in (one for listed in assured_lists(document) for one in listed if one.carrier in tasks):
+        words = {*range(one.thing.start, one.state.stop)}
+        kept = [a for a in kept if words.isdisjoint(a.tokens)]
+        kept.append(FoundArgument("object", one.carrier, one.thing, CERTAIN))
+        kept.append(FoundArgument("state", one.carrier, one.state, CERTAIN))
+    return kept
 
 
 def is_assured(document: Document, at: int) -> bool:
@@ -60,6 +147,8 @@ def is_assured_too(document: Document, check: int, before: int) -> bool:
     """ "Make sure the window is shut and the heating is off": the second state, that of the check, is brought about
     like the first, of the task `before`."""
     tokens = document.tokens
+    if any(one.be == check for listed in assured_lists(document) for one in listed):
+        return True
     if tokens[check].lower not in _BE or document.sentences[before] != document.sentences[check]:
         return False
     between = {token.lower for token in tokens[before:check]}

@@ -11,7 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
-from decomplex_bt.understanding.rules.assurances import is_assured, is_assured_too
+from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
@@ -21,6 +21,7 @@ from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
+from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
@@ -182,6 +183,9 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for case in second_cases(document):
         behind.update(case.tokens)
         idioms[case.carrier] = case.type
+    for listed in assured_lists(document):
+        behind.update(range(listed[0].thing.start, listed[-1].state.stop))
+        idioms |= {one.carrier: "change_state" for one in listed}
     idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
@@ -411,6 +415,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
+    if task.type in _HANDLING and loading(observed, task.token) is not None:
+        return "placing"
     if task.type == "searching" and degree_asked(document, task.token):
         return "check_state"
     if task.type == "check_state" and is_assured(document, task.token):

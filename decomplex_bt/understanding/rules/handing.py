@@ -24,6 +24,12 @@ _REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
 _CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
 _REGARDS = frozenset("compliment regard thanks thank love wish care hand finger apology smile".split())
 """What comes with a thing without being one."""
+_CARRIERS = frozenset("tray trolley cart basket bag wheelbarrow tongs glove lift elevator friend".split())
+"""What a thing is carried with."""
+_SERVING = (_CARRYING - {"take"}) | {"carry"}
+_INDEFINITE = frozenset("a an some another".split())
+_PRONOUNS = frozenset(("it", "them", "this", "that"))
+_ONES = frozenset(("one", "ones", "some", "another"))
 
 
 def called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
@@ -37,20 +43,52 @@ def called(document: Document, arguments: Sequence[FoundArgument], fetching: int
 
 
 def served(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
-    """The arguments with what is brought along as part of the thing right behind which it stands: "bring me *my coffee
-    with two biscuits*"; not how or in what it is brought ("with care", "with my regards")."""
-    taken = {i for a in arguments for i in a.tokens}
+    """The arguments with what is brought along as part of the thing right behind which it stands ("bring me *my coffee
+    with two biscuits*"), else as another object ("bring it here *with two biscuits*"); not how or in what it is brought
+    ("with care", "with my regards", "with a trolley")."""
     stops = {phrase.start: phrase.stop for phrase in noun_chunks(document)}
-    return [
-        replace(a, tokens=range(a.tokens.start, stop))
-        if (a.owner, a.type) == (bringing, "object")
-        and a.tokens.start > bringing
-        and not is_pronoun(document, a.tokens)
-        and (stop := _with_behind(document, a.tokens.stop, stops))
-        and taken.isdisjoint(range(a.tokens.stop, stop))
-        else a
-        for a in arguments
-    ]
+    led = next(
+        (i for i in range(bringing + 2, _clause_end(document, bringing)) if document.tokens[i].lower == "with"), 0
+    )
+    along = range(led, _with_behind(document, led, stops)) if led else range(0)
+    if not along or not _is_free(document, arguments, along, bringing):
+        return list(arguments)
+    own = [a for a in arguments if (a.owner, a.type) == (bringing, "object") and a.tokens.start in range(bringing, led)]
+    rest = [a for a in arguments if a in own or set(along).isdisjoint(a.tokens)]
+    last = next((a for a in own if a.tokens.stop >= led), None)
+    if last is not None and not is_pronoun(document, last.tokens) and last.tokens.start + 1 != led:
+        whole = replace(last, tokens=range(last.tokens.start, max(along.stop, last.tokens.stop)))
+        return [whole if a is last else a for a in rest]
+    thing = range(bringing + 1, bringing + 2)
+    is_served = document.tokens[bringing].lemma in _SERVING and _is_indefinite(document, led + 1)
+    is_served &= all(document.tokens[a.tokens.start].lower not in _ONES for a in own)  # "bring me one with two sugars"
+    if not is_served or (not own and document.tokens[thing.start].lower not in _PRONOUNS):
+        return list(arguments)
+    rest = [_cut(a, led) if a in own else a for a in rest]
+    told = [thing] if not own else []
+    return rest + [FoundArgument("object", bringing, words, CERTAIN) for words in (*told, along)]
+
+
+def _cut(argument: FoundArgument, stop: int) -> FoundArgument:
+    """An argument that is certain, up to a token."""
+    return replace(argument, tokens=range(argument.tokens.start, min(argument.tokens.stop, stop)), confidence=CERTAIN)
+
+
+def _is_free(document: Document, arguments: Sequence[FoundArgument], along: range, bringing: int) -> bool:
+    """Whether a "with" and a thing are no other task's, nor anything but how or where something is brought."""
+    others = [a for a in arguments if not set(along).isdisjoint(a.tokens)]
+    return all(
+        a.owner == bringing and (a.type in ("manner", "goal", "object") and a.tokens.stop <= along.stop) for a in others
+    )
+
+
+def _is_indefinite(document: Document, at: int) -> bool:
+    return document.tokens[at].lower in _INDEFINITE or document.tokens[at].tag in ("CD", "PRP$")
+
+
+def _clause_end(document: Document, verb: int) -> int:
+    ends = (token.i for token in document.tokens[verb + 1 :] if token.lower in _CLAUSE_ENDS)
+    return next(ends, len(document))
 
 
 def put_out(document: Document, arguments: Sequence[FoundArgument], putting: int) -> list[FoundArgument]:
@@ -74,7 +112,7 @@ def _with_behind(document: Document, at: int, stops: Mapping[int, int]) -> int:
     """Where a "with" and a thing end that stand at a token; 0 where none do."""
     tokens, stop = document.tokens, stops.get(at + 1, 0)
     is_thing = stop and tokens[at].lower == "with" and tokens[at + 1].tag in ("DT", "CD", "PRP$")
-    if not is_thing or tokens[stop - 1].lemma in _REGARDS:
+    if not is_thing or tokens[stop - 1].lemma in _REGARDS | _CARRIERS:
         return 0
     return stops.get(stop + 1, stop) if [token.lower for token in tokens[stop : stop + 1]] == ["of"] else stop
 

@@ -6,17 +6,32 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from decomplex_bt.instruction import Argument, Task
-from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.relatives import ADVERBS, BE, clauses, exclusions, free_relatives
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import is_pronoun, noun_chunks
+from decomplex_bt.understanding.references.relatives import (
+    ADVERBS,
+    BE,
+    WHATEVER,
+    clauses,
+    exclusions,
+    free_relatives,
+)
 
 _MOVING = frozenset(("placing", "bringing", "taking"))
 _STATES = frozenset(("state", "message", "manner"))
 _PLACES = frozenset(("goal", "source", "location", "path"))
 _RELATIVE = frozenset(("that", "which"))
 _POSTURES = frozenset("lie stand hang sit lean rest".split())
+_MAY = frozenset("should might must may could will".split())
+_USUALLY = ADVERBS | frozenset("usually normally always probably still".split())
 _PLACED = frozenset("kept left stored put placed parked".split())
 _WHERE = frozenset("in on at by under behind beside inside into onto near over above below next".split())
+_ENDING = frozenset("in on into onto inside".split())
+_PARTS = frozenset("shelf drawer rack hook compartment tray step stair".split())
+"""Furniture that other furniture has."""
+_GROUND = frozenset(("floor", "ground"))
 _NO_NOUNS = frozenset(("ADJ", "ADP", "ADV", "VERB"))
 
 
@@ -49,42 +64,111 @@ def _is_state(document: Document, at: int) -> bool:
 
 
 def with_relative_places(
-    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
+    observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
 ) -> list[FoundArgument]:
     """The arguments with the place by which a clause tells which thing is moved as no place where it ends up: "put the
-    cup that is *on the floor* on the table"; what stands behind that says where it does."""
-    kept = list(arguments)
+    cup that is *on the floor* on the table", "put whatever's *on the floor* on the table"; what stands behind that says
+    where it does. A place by which a clause tells which goal is meant is part of that: "in the box, which is *on the
+    shelf*"."""
+    document, kept = observed.document, list(arguments)
     for thing in arguments:
         kind = tasks[thing.owner]
-        at = _relative_place(document, thing.tokens.stop) if thing.type == "object" and kind in _MOVING else 0
+        if thing.type == "goal" and kind in _MOVING:
+            kept = _with_place_of_goal(document, kept, thing)
+        at = _place_of(document, thing) if thing.type == "object" and kind in _MOVING else 0
         own = [a for a in kept if a.owner == thing.owner and a is not thing]
         place = next((a for a in own if a.type in _PLACES and a.tokens.start == at and len(a.tokens) > 1), None)
         if not at or place is None:
             continue
         goals = [a for a in own if a.type in ("goal", "recipient") and a is not place]
         second = 0 if goals or kind == "taking" else _second_place(document, place.tokens)
+        is_right_behind = at == thing.tokens.stop
+        if is_right_behind and not _is_free(document, thing) and not _may_hold(observed, place.tokens, second):
+            continue
+        if is_right_behind and place.type == "path":
+            continue  # "whatever's *in the way*"
         kept.remove(place)
-        said = replace(place, type="location" if kind == "placing" else "source")
+        is_told = kind == "placing" and place.type != "source"
+        said = replace(place, type="location" if is_told else "source")
         if second:
             kept.append(replace(place, type="goal", tokens=range(second, place.tokens.stop)))
             said = replace(said, tokens=range(place.tokens.start, second))
+        elif not goals and (behind := _goal_behind(document, tasks, place.tokens.stop)):
+            kept.append(FoundArgument("goal", thing.owner, behind, CERTAIN))
         kept.append(said)
     return kept
 
 
+def _with_place_of_goal(
+    document: Document, arguments: Sequence[FoundArgument], goal: FoundArgument
+) -> list[FoundArgument]:
+    """The arguments with the place of a "that is on the table" right behind a goal as part of that."""
+    at = _relative_place(document, goal.tokens.stop)
+    place = next((a for a in arguments if a.owner == goal.owner and a.type in _PLACES and a.tokens.start == at), None)
+    if not at or place is None or goal not in arguments:
+        return list(arguments)
+    whole = replace(goal, tokens=range(goal.tokens.start, place.tokens.stop))
+    return [whole if a is goal else a for a in arguments if a is not place]
+
+
+def _place_of(document: Document, thing: FoundArgument) -> int:
+    """Where the place may begin by which it is told which thing is meant: in a clause behind it, or right behind what
+    is no pronoun; 0 where none may."""
+    stop = thing.tokens.stop
+    if at := _relative_place(document, stop):
+        return at
+    is_told = stop < len(document) and document.tokens[stop].lower in _WHERE
+    return stop if is_told and thing.tokens.start > thing.owner and not is_pronoun(document, thing.tokens) else 0
+
+
+def _is_free(document: Document, thing: FoundArgument) -> bool:
+    """Whether a thing is no more than a "whatever is", which a place must go with."""
+    first, last = document.tokens[thing.tokens.start], document.tokens[thing.tokens.stop - 1]
+    return first.lower in WHATEVER and last.lower in BE
+
+
+def _may_hold(observed: Observed, places: range, second: int) -> bool:
+    """Whether of two places the first holds what is moved to the second, as it is furniture that is never in or on
+    that: "put the cups *on the table* in the dishwasher", but not "on the shelf in the fridge" nor "on the desk in the
+    study"."""
+    tokens = observed.document.tokens
+    if not second or tokens[second].lower not in _ENDING:
+        return False
+    one, other = tokens[second - 1].lemma, tokens[places.stop - 1].lemma
+    is_piece = (observed.gazetteer.category(one) == "furniture" and one not in _PARTS) or one in _GROUND
+    return is_piece and one != other and observed.gazetteer.category(other) in ("furniture", "thing")
+
+
+def _goal_behind(document: Document, tasks: Collection[int], at: int) -> range:
+    """Where to a thing is put, said behind the comma that ends a clause about it: ", *in the wash*"; else empty."""
+    tokens = document.tokens
+    start = at + 1
+    while start < len(tokens) and tokens[start].lower == "back":
+        start += 1
+    if start + 1 >= len(tokens) or tokens[at].text != "," or tokens[start].lower not in _ENDING | {"to"}:
+        return range(0)
+    stop = next((chunk.stop for chunk in noun_chunks(document) if chunk.start == start + 1), 0)
+    return range(start, stop) if stop and not any(i in tasks for i in range(at, stop)) else range(0)
+
+
 def _relative_place(document: Document, at: int) -> int:
-    """Where the place of a "that is lying on the floor" begins whose first word is at a token; 0 where none is."""
+    """Where the place of a "that is lying on the floor" begins whose first word is at a token, or behind a comma there;
+    0 where none is."""
     tokens, end = document.tokens, len(document)
+    at += at < end and tokens[at].text == ","
     if at + 2 >= end or tokens[at].lower not in _RELATIVE:
         return 0
     verb = at + 1
-    if tokens[verb].lower in BE:
+    while verb + 1 < end and (tokens[verb].lower in _MAY or (tokens[verb].lower in _USUALLY and verb > at + 1)):
         verb += 1
-        while verb < end and tokens[verb].lower in ADVERBS:
+    if tokens[verb].lower in BE | {"be"}:
+        verb += 1
+        while verb < end and tokens[verb].lower in _USUALLY:
             verb += 1
         is_told = verb < end and (tokens[verb].lemma in _POSTURES or tokens[verb].lower in _PLACED)
         place = verb + is_told
     else:
+        verb += tokens[verb].lower in _USUALLY
         place = verb + 1 if tokens[verb].lemma in _POSTURES else end
     return place if place < end and (tokens[place].pos == "ADP" or tokens[place].lower in _WHERE) else 0
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 
 _TELLING = frozenset("tell say text message inform remind ask".split())
 _JOINTS = frozenset(("and", "&"))
@@ -33,6 +33,8 @@ _AROUND_TIMES = frozenset("this in the on at again please first early late next 
 _ABLE = frozenset("could can would will might may should".split())
 _OTHERWISE_DONE = frozenset("him her them if unless when".split())
 """What tells that a second order is not of who is asked, or leaves that open."""
+_TOLD_NEXT = frozenset("the a an this there his her hers its their theirs my mine our ours your yours to that".split())
+"""What may begin what somebody is told who is named right ahead of it."""
 _TAKEN_UP = {"it": frozenset(("NN", "NNP")), "them": frozenset(("NNS", "NNPS"))}
 """By the word that takes up what was named, how that is tagged."""
 
@@ -84,6 +86,38 @@ def with_reports(
         return list(arguments)
     rest = [a for a in arguments if a is not message and set(a.tokens).isdisjoint(whole)]
     return [*rest, replace(message, tokens=whole)]
+
+
+def with_next_told(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
+    """The arguments with who is told something else behind an "and", and what, as a recipient and a message of their
+    own: "tell Tom his phone's here and *Anna* *hers is on the desk*"; not "... and Anna is in the hall"."""
+    own = {a.type: a for a in arguments if a.owner == verb}
+    message, first = own.get("message"), own.get("recipient")
+    if message is None or first is None or not verb < first.tokens.start < message.tokens.start:
+        return list(arguments)
+    at = next((i for i in message.tokens[2:-3] if _is_told_next(document, i, message.tokens.stop)), None)
+    if at is None or sum((a.owner, a.type) == (verb, "message") for a in arguments) > 1:
+        return list(arguments)
+    rest = [a for a in arguments if a is not message]
+    return [
+        *rest,
+        replace(message, tokens=range(message.tokens.start, at)),
+        FoundArgument("recipient", verb, range(at + 1, at + 2), CERTAIN),
+        FoundArgument("message", verb, range(at + 2, message.tokens.stop), CERTAIN),
+    ]
+
+
+def _is_told_next(document: Document, at: int, stop: int) -> bool:
+    """Whether an "and" at a token leads somebody, and right behind them a clause or a request."""
+    joint, whom, begin, second = document.tokens[at : at + 4]
+    is_named = whom.tag == "NNP" and whom.text[:1].isupper()
+    if joint.lower not in _JOINTS or not (is_named or whom.lemma.lower() in PERSON_NOUNS):
+        return False
+    if begin.lower == "to":
+        return second.tag in ("VB", "VBP")
+    behind = document.tokens[at + 3 : stop]
+    is_clause = any(token.tag in _FINITE or token.lower in _CONTRACTED for token in behind)
+    return begin.lower in _TOLD_NEXT and is_clause
 
 
 def without_times(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
