@@ -51,8 +51,9 @@ class Home:
         self.rows, self.bounds = self._residence.extent(self.setting.geometry)
 
     def choose(self, options: Mapping[str, Any] | None, request: Request | None, rng: Generator) -> None:
-        """Moves into the house that the options name, or that is due, or that is drawn; with a `house_seed` of None that is
-        as the environment was made.
+        """Moves into the house that the options name, or that is due, or that is drawn.
+
+        With a `house_seed` of None that is as the environment was made.
 
         A house is drawn until the request, where there is one, can be asked for in it. Raises `InputError`.
         """
