@@ -53,9 +53,8 @@ class Home:
     def choose(self, options: Mapping[str, Any] | None, request: Request | None, rng: Generator) -> None:
         """Moves into the house that the options name, or that is due, or that is drawn.
 
-        With a `house_seed` of None that is as the environment was made.
-
-        A house is drawn until the request, where there is one, can be asked for in it. Raises `InputError`.
+        With a `house_seed` of None it is as the environment was made. A house is drawn until the request, where there
+        is one, can be asked for in it. Raises `InputError`.
         """
         path, seed = read_house(options)
         if options and options.get("house_seed", seed) is None and "house_seed" in options:
