@@ -66,11 +66,13 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         if place in alike:
             continue
         order = None if found.is_verbal else _antecedent(observed, tasks, found)
+        if order is not None and found.praise and not _serves(observed, tasks[order], found.tokens):
+            continue
         words = None if order is None else _repeated(observed, tasks[order], found.tokens, place)
         if words is None and not found.is_verbal:
             continue
         condition = [*found.condition, COMMA] if found.condition else []
-        moved.update(found.condition)
+        moved.update((*found.condition, *found.praise))
         insertions[place] += map(Told, condition if condition or not found.is_run_on else [COMMA])
         if order is None or words is None:
             continue
@@ -150,7 +152,8 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     if found.is_reminder:
         is_near = sentences[last] + 1 >= sentences[place]
         return last if is_near and _is_alike(observed, tasks[last], found.tokens) else None
-    if sentences[last] != sentences[place] and next(begins, None) is None:
+    is_of_question = bool(found.praise) and sentences[last] + 2 == sentences[place]  # "No luck? Then the radio will do"
+    if sentences[last] != sentences[place] and not is_of_question and next(begins, None) is None:
         return None
     is_conditional = bool(found.condition) or any(last < i < place for i in openings)
     return last if is_conditional or tasks[last].type != "searching" else None
@@ -197,6 +200,17 @@ def _is_alike(observed: Observed, order: Task, named: range) -> bool:
         return False
     kinds = {observed.gazetteer.category(one.lemma), observed.gazetteer.category(other.lemma)}
     return one.lemma != other.lemma and len(kinds - {""}) < 2
+
+
+def _serves(observed: Observed, order: Task, named: range) -> bool:
+    """Whether what is said to do as well can have done to it what is done to the thing of an order: a blanket is as
+    good as a heater, but none turns it on."""
+    if order.type != "change_state":
+        return True
+    document = observed.document
+    things = [head_of(document, document.indices(a.span)) for a in order.arguments if a.type == "object" and a.span]
+    kinds = {observed.gazetteer.category(document.tokens[i].lemma) for i in (*things, head_of(document, named))}
+    return len(kinds) == 1
 
 
 def _is_whole(observed: Observed, stop: int, order: int) -> bool:

@@ -22,6 +22,12 @@ def interpreter() -> Interpreter:
          [{"if": 2, "then": [1], "else": [3]}]),
         ("Bring me tea if there is any, otherwise coffee.", "coffee", "coffee",
          [{"if": 2, "then": [1], "else": [3]}]),
+        ("Bring me a plum. If there aren't any, a fig will do.", "fig", "a fig", [{"if": [1, 2], "else": [3]}]),
+        ("Put the tray on the desk. If that's full, the bed is fine too.", "bed", "on the bed",
+         [{"if": 2, "then": [3], "else": [1]}]),
+        ("Bring Lea cocoa if there is any, if not milk would be fine.", "milk", "milk",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Turn on the radio. No luck? Then the tv will do.", "tv", "the tv", [{"if": 1, "else": [2]}]),
         ("Carry the crates upstairs, or downstairs if the attic is full.", "downstairs", "downstairs",
          [{"if": 3, "then": [2], "else": [1]}]),
         ("Hang the rug outside, or inside if it's raining.", "inside", "inside", [{"if": 3, "then": [2], "else": [1]}]),
@@ -166,6 +172,10 @@ def test_what_is_named_behind_its_kind_is_what_is_meant(interpreter: Interpreter
         "Bring me the cup, the red one if it's clean.",
         "Bring the cup, the plate and the bowl if the cup is clean.",
         "Sweep the hall, and don't forget the hamster. Fill his bottle.",
+        "Bring me the tea. If it's hot, that is fine.",
+        "Bring me the paper. If Tom has it, the magazine will do: bring me that.",
+        "Turn on the heater. If it's broken, a blanket is fine.",
+        "Wash the cup. If it's clean, everything is fine.",
     ],
 )
 def test_what_is_no_alternative_is_read_as_it_stands(interpreter: Interpreter, text: str) -> None:

@@ -52,6 +52,7 @@ from decomplex_bt.understanding.rules.statements import with_nearer_places, with
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, kept_from
+from decomplex_bt.understanding.rules.wants import wants
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
@@ -149,7 +150,7 @@ def amended(
         if report.message:
             kept = [a for a in kept if a.tokens.start not in report.message]
             kept.append(FoundArgument("message", report.verb, report.message, CERTAIN))
-    for fragment in fragments(document):
+    for fragment in (*fragments(document), *wants(observed, tasks)):
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]

@@ -32,6 +32,7 @@ from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, postponed
+from decomplex_bt.understanding.rules.wants import wants
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -176,7 +177,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
-    for fragment in fragments(document):
+    for fragment in (*fragments(document), *wants(observed, {**found, **idioms})):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
     for case in second_cases(document):

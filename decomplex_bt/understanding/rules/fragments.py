@@ -30,8 +30,8 @@ _SIGNS = frozenset(("sign",))
 _PERCEIVING = frozenset("see spot notice find".split())
 _SHORTEST = 2
 """The words at least of what is asked for: "a coin"."""
-_STATES = frozenset("on off open closed shut".split())
-_NO_THINGS = frozenset(
+STATES = frozenset("on off open closed shut".split())
+NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
     "glass mask helmet apron slipper".split()
 )
@@ -60,12 +60,14 @@ class Fragment:
     type: str = "check_state"
     state: range = range(0)
     """What day or weather is asked for."""
+    recipient: range = range(0)
+    """Who is to have it."""
 
     @property
     def told(self) -> dict[str, range]:
         """The tokens of its arguments, by type."""
-        place = "goal" if self.type == "placing" else "location"
-        told = {"object": self.object, "state": self.state, place: self.place}
+        place = "goal" if self.type in ("placing", "bringing") else "location"
+        told = {"object": self.object, "state": self.state, place: self.place, "recipient": self.recipient}
         return {name: tokens for name, tokens in told.items() if tokens}
 
 
@@ -140,7 +142,7 @@ def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
     """The orders of states among the clauses from `start` to `stop`, from the first one on or behind a condition. What
     an "and" joins to a verb has that verb ("turn the tv on and the radio off")."""
     tokens = document.tokens
-    if _STATES.isdisjoint(token.lower for token in tokens[start:stop]):
+    if STATES.isdisjoint(token.lower for token in tokens[start:stop]):
         return
     is_open = True
     for first in range(start, stop):
@@ -162,11 +164,11 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     first = start
     while first < stop and tokens[first].lower in _LEADING:
         first += 1
-    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in _STATES), stop)
+    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in STATES), stop)
     named = tokens[first:carrier]
     if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named):
         return None
-    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in _NO_THINGS or named[0].lower in _SOME | _NONE:
+    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
     is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
