@@ -31,7 +31,7 @@ _CLOSING = frozenset("please now too robot thanks back though quickly urgently ,
 _LEADING = frozenset("in on at up over down by into onto".split())
 _HERE = frozenset("here there upstairs downstairs outside inside".split())
 _BEHIND_STATES = frozenset("please now too again if when then before after by and but so".split())
-_NOT_BROUGHT = frozenset(
+NOT_BROUGHT = frozenset(
     "nap break rest help assistance minute moment second sec bit hand haircut hug kiss job holiday vacation shower "
     "bath sleep time change ride lift walk chat talk word favour favor advice idea plan reason answer question space "
     "room peace quiet fun luck friend company way day night week hour while money wee pee work exercise air "
@@ -191,7 +191,7 @@ def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool
     heads = [noun for noun in nouns if noun.i + 1 == thing.stop or tokens[noun.i + 1].pos not in _NAMING]
     if tokens[thing.start].lower in _SOMETHING:
         return who == "i"
-    if not heads or any(token.lemma in _NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
+    if not heads or any(token.lemma in NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
         return False
     kinds = {observed.gazetteer.category(token.lemma) for token in heads}
     if not kinds.isdisjoint(_PLACES) or not PERSON_NOUNS.isdisjoint(token.lemma for token in heads):
