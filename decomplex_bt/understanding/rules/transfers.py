@@ -131,7 +131,7 @@ def _is_thing(observed: Observed, words: range) -> bool:
 
 def _served(observed: Observed, words: range) -> Fragment | None:
     """What is asked for by no more than its name and a "please", carried by its noun: "*Coffee*, please"."""
-    document, tokens = observed.document, observed.document.tokens
+    tokens = observed.document.tokens
     start, stop = words.start, words.stop
     while start < stop and tokens[start].lower in _LEADING:
         start += 1
