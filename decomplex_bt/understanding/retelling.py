@@ -205,9 +205,9 @@ def _is_alike(observed: Observed, order: Task, named: range) -> bool:
 def _serves(observed: Observed, order: Task, named: range) -> bool:
     """Whether what is said to do as well can have done to it what is done to the thing of an order: a blanket is as
     good as a heater, but none turns it on."""
-    if order.type != "change_state":
-        return True
     document = observed.document
+    if order.type != "change_state":
+        return document.tokens[document.indices(order.span).start].lemma != "check"
     things = [head_of(document, document.indices(a.span)) for a in order.arguments if a.type == "object" and a.span]
     kinds = {observed.gazetteer.category(document.tokens[i].lemma) for i in (*things, head_of(document, named))}
     return len(kinds) == 1

@@ -176,6 +176,7 @@ def test_what_is_named_behind_its_kind_is_what_is_meant(interpreter: Interpreter
         "Bring me the paper. If Tom has it, the magazine will do: bring me that.",
         "Turn on the heater. If it's broken, a blanket is fine.",
         "Wash the cup. If it's clean, everything is fine.",
+        "Check the pasta. If it's done, dinner is fine.",
     ],
 )
 def test_what_is_no_alternative_is_read_as_it_stands(interpreter: Interpreter, text: str) -> None:

@@ -393,7 +393,7 @@ def _is_praise(tokens: Sequence[Token], words: range) -> bool:
     while len(said) > _SHORTEST and said[-1] in _CLOSING | _PRAISING and not (said[-1] in _GOOD and said[-2] != "do"):
         said.pop()
     if said[0] not in _WILL | _IS:
-        return said == ["works"]
+        return said[0] == "works" and set(said[1:]) <= _CLOSING | _PRAISING
     said = [word for word in said if word not in _QUITE]
     if said[0] in _WILL:
         return said[1:] == ["do"] or (said[1:2] == ["be"] and len(said) == 3 and said[2] in _GOOD)

@@ -24,11 +24,11 @@ _INDEFINITE = frozenset("a an some another".split())
 _ALL = frozenset(("all", "both"))
 _CLOSING = frozenset(("please", ",", "now", "thanks", "robot"))
 _DIRECTIONS = frozenset("left right front back side top bottom start end".split())
-_LEADING_SOMEWHERE = frozenset(
-    "way route road path door gate stair step direction key answer thank visit trip walk message reply toast cheer "
-    "introduction guide access entrance".split()
+_LEADING_THERE = frozenset(
+    "way route road path door gate stair step direction key visit trip walk guide access entrance".split()
 )
-"""What there is of or to a place or a person, as the key to a car."""
+"""What there is to a place, as the key to a car."""
+_SAID_TO = frozenset("answer thank message reply toast cheer introduction".split())
 
 _BODY = frozenset("hand eye finger foot ear head arm leg knee paw back".split())
 
@@ -96,6 +96,7 @@ def _transfer(observed: Observed, words: range) -> Fragment | None:
     is_indefinite = first in _INDEFINITE or tokens[thing.start].pos in _NAMING | {"NUM"}
     if not (is_person and to in _TO_WHOM):
         is_place = last.pos in _NAMING and last.lower not in _DIRECTIONS and not is_person
+        is_place = is_place and tokens[thing.stop - 1].lemma not in _LEADING_THERE
         if not is_place or to == "for" or not _is_phrase(document, place):
             return None
         if to in _AT and not (is_indefinite and _is_thing(observed, thing)):
@@ -115,7 +116,7 @@ def _is_named(observed: Observed, thing: range, *, is_parted: bool) -> bool:
     is_common = first.tag in ("NNS", "NN", "JJ") or _is_thing(observed, thing)  # "Juice" is a name to the tagger
     is_bare = is_common and not is_parted
     heads = {document.tokens[i].lemma for i in thing if document.tokens[i].pos in _NAMING}
-    is_idle = not heads.isdisjoint(_LEADING_SOMEWHERE | NOT_BROUGHT | _BODY) or last.lemma in PERSON_NOUNS
+    is_idle = not heads.isdisjoint(_SAID_TO | NOT_BROUGHT | _BODY) or last.lemma in PERSON_NOUNS
     return (is_led or is_bare) and last.pos in _NAMING and not is_idle
 
 
@@ -141,6 +142,7 @@ def _served(observed: Observed, words: range) -> Fragment | None:
     if not thing or not _is_named(observed, thing, is_parted=False):
         return None
     is_known = bool(observed.gazetteer.category(tokens[stop - 1].lemma))
-    if not _is_thing(observed, thing) and (is_known or tokens[start].lower not in _INDEFINITE):
+    is_indefinite = tokens[start].lower in _INDEFINITE or tokens[start].pos == "NUM"
+    if not _is_thing(observed, thing) and (is_known or not is_indefinite):
         return None
     return Fragment(words, stop - 1, thing, range(0), "bringing")

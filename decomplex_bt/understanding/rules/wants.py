@@ -20,7 +20,6 @@ _OPENING = frozenset(
 )
 """What may stand between the beginning of a sentence and who wants something."""
 _GOING_ON = frozenset(("and", "also"))
-_CASES = frozenset("if when unless once whenever".split())
 _INDEFINITE = frozenset("a an some another more something".split())
 _OWN = frozenset("my our his her their its".split())
 _SOMETHING = frozenset(("something", "anything"))
@@ -55,7 +54,7 @@ def wants(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
 
 
 def _wanting(document: Document, verb: int) -> range:
-    """Who wants, where a sentence or what follows a case begins with it: "*I* need", "*Anna* wants", "*Tom* would
+    """Who wants, where a sentence or what follows a comma begins with it: "*I* need", "*Anna* wants", "*Tom* would
     like"; else empty. "She" is told of, mostly, to say why."""
     tokens, sentences = document.tokens, document.sentences
     stop = verb
@@ -72,8 +71,8 @@ def _wanting(document: Document, verb: int) -> range:
         return range(0)
     first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
     ahead = [i for i in range(first, start) if tokens[i].lower not in _OPENING]
-    is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[start - 1].text == ","
-    return range(start, stop) if not ahead or is_case else range(0)
+    is_behind = bool(ahead) and tokens[start - 1].text == ","  # a case, or why: "I'm soaked, I need a towel"
+    return range(start, stop) if not ahead or is_behind else range(0)
 
 
 def _is_somebody(document: Document, who: range) -> bool:
@@ -128,7 +127,7 @@ def _thing(observed: Observed, who: range, verb: int, tasks: Mapping[int, str]) 
     stop = next((token.i for token in tokens[thing.stop :] if token.lower in ENDS), len(tokens))
     if stop < len(tokens) and tokens[stop].text == "?":
         return None
-    end = stop
+    end = next((token.i for token in tokens[thing.stop : stop] if token.text == ","), stop)
     while end > thing.stop and tokens[end - 1].lower in _CLOSING:
         end -= 1
     place = range(thing.stop, end)
