@@ -51,11 +51,18 @@ def test_what_nobody_brings_is_no_task(interpreter: Interpreter, text: str) -> N
     assert not interpreter.interpret(text).tasks
 
 
+def test_something_else_may_do_for_what_is_wanted(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("I need a spoon. If there's none, a fork will do.")
+    assert found.flow.to_json() == [{"if": [1, 2], "else": [3]}]
+
+
 @pytest.mark.parametrize(
     ("text", "types"),
     [
         ("Boil the kettle. I need hot water.", ["change_state"]),
         ("I need a spoon. Look in the drawer.", ["searching"]),
+        ("I need a spoon. Is there one in the drawer?", ["check_state"]),
+        ("I need a spoon. If it's in the drawer, bring it.", ["check_state", "bringing"]),
         ("Lea wants her scarf. Take it to her.", ["bringing"]),
         ("Tell Lea I need a spoon.", ["informing"]),
     ],

@@ -19,6 +19,8 @@ _OPENING = frozenset(
     ", and also oh right now so ok okay well um uh er hi hello hey robot please then anyway listen".split()
 )
 """What may stand between the beginning of a sentence and who wants something."""
+_ASKING = frozenset(("check_state", "searching"))
+_JOINING_CASES = frozenset(("and", "but", "or", ","))
 _GOING_ON = frozenset(("and", "also"))
 _INDEFINITE = frozenset("a an some another more something".split())
 _OWN = frozenset("my our his her their its".split())
@@ -72,7 +74,8 @@ def _wanting(document: Document, verb: int) -> range:
     first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
     ahead = [i for i in range(first, start) if tokens[i].lower not in _OPENING]
     is_behind = bool(ahead) and tokens[start - 1].text == ","  # a case, or why: "I'm soaked, I need a towel"
-    return range(start, stop) if not ahead or is_behind else range(0)
+    is_joined = tokens[start - 1].lower == "and" and any(tokens[i].lower in _NEEDING for i in ahead)
+    return range(start, stop) if not ahead or is_behind or is_joined else range(0)
 
 
 def _is_somebody(document: Document, who: range) -> bool:
@@ -134,19 +137,30 @@ def _thing(observed: Observed, who: range, verb: int, tasks: Mapping[int, str]) 
     if place and not _is_place(document, place):
         return None
     can_be = _can_be_brought(observed, thing, tokens[who.start].lower, is_told=bool(place))
-    return Fragment(range(who.start, stop), verb, thing, place, "bringing", recipient=who) if can_be else None
+    words = range(who.start, max(thing.stop, place.stop))
+    return Fragment(words, verb, thing, place, "bringing", recipient=who) if can_be else None
 
 
 def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[int, str]) -> bool:
     """Whether what is ordered before or behind a want tells what to do about it ("boil the kettle. *I need hot water*",
     "*I need a cloth*. There may be one in the sink"): not before one that goes on ("and I need"), nor its own case."""
-    if any(i >= thing.stop for i in tasks):
-        return True
     tokens, sentences = document.tokens, document.sentences
+    others = {i: kind for i, kind in tasks.items() if tokens[i].lower not in _NEEDING | _LIKING}
+    if any(i >= thing.stop and not (kind in _ASKING and _is_case(document, i)) for i, kind in others.items()):
+        return True
     first = next(i for i in range(who.start + 1) if sentences[i] == sentences[who.start])
     is_going_on = not _GOING_ON.isdisjoint(token.lower for token in tokens[first : thing.start])
-    ahead = {i: kind for i, kind in tasks.items() if i < who.start}
-    return not is_going_on and any(i < first or kind != "check_state" for i, kind in ahead.items())
+    ahead = {i: kind for i, kind in others.items() if i < who.start}
+    return not is_going_on and any(
+        kind not in _ASKING or (i < first and not _is_case(document, i)) for i, kind in ahead.items()
+    )
+
+
+def _is_case(document: Document, check: int) -> bool:
+    """Whether a check's sentence begins with an "if": "I need a pen. *If there's none*, a pencil will do"."""
+    sentences = document.sentences
+    words = (token.lower for token in document.tokens if sentences[token.i] == sentences[check])
+    return next((word for word in words if word not in _JOINING_CASES), "") == "if"
 
 
 def _is_place(document: Document, words: range) -> bool:
