@@ -25,7 +25,8 @@ from decomplex_bt.understanding.references.phrases import (
 )
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
-from decomplex_bt.understanding.rules.likewise import Likewise, likewise
+from decomplex_bt.understanding.rules.likewise import Likewise, likewise, so_does
+from decomplex_bt.understanding.rules.needs import NEEDING
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -96,7 +97,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         moved.update(one.words)
         carriers = {order: one.carrier}
         insertions[one.other.start] += [Told(i, one.carrier, carriers.get(i)) for i in ahead]
-        insertions[one.other.stop] += [Told(i, one.carrier) for i in behind]
+        insertions[one.other.stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
     kinds = list(_specified(observed, tasks))
     for kind, mark in kinds:
         moved.update((*kind, mark))
@@ -176,6 +177,9 @@ def _said_of_other(
     order = next(reversed(_orders_before(observed, tasks, place)), None)
     if order is None or document.sentences[place] > document.sentences[order] + 1:
         return None
+    if found in so_does(document):
+        needing = list(range(order - 1, order + 1))
+        return (order, [], needing) if document.tokens[order - 1].lower in NEEDING else None
     task, first = tasks[order], document.tokens[found.other.start]
     is_adverb = first.lower in PLACE_ADVERBS
     is_place = is_adverb or first.lower in PREPOSITIONS

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
+from decomplex_bt.understanding.rules.likewise import so_does
 from decomplex_bt.understanding.rules.needs import belonging, in_need, needed
 
 
@@ -124,3 +125,22 @@ def test_what_belongs_somewhere_is_put_there(parser: Parser, text: str, carrier:
 )
 def test_what_else_belongs_or_goes_is_not_put(parser: Parser, text: str) -> None:
     assert not list(belonging(parser.parse(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "carriers", "things"),
+    [
+        ("The fan needs cleaning, and so does the heater.", ["cleaning", "does"], ["The fan", "the heater"]),
+        ("Sid's coat needs washing. So do his socks.", ["washing", "do"], ["Sid's coat", "his socks"]),
+        ("Sid's coat needs washing, and his socks need washing.", ["washing", "washing"], ["Sid's coat", "his socks"]),
+    ],
+)
+def test_so_does_another_thing(text: str, carriers: list[str], things: list[str]) -> None:
+    found = Interpreter.load().interpret(text)
+    assert [task.span.of(text) for task in found.tasks] == carriers
+    assert [task.value("object") for task in found.tasks] == things
+
+
+@pytest.mark.parametrize("text", ["The hall needs sweeping. So do the kitchen.", "I'm tired, so do the pots."])
+def test_an_order_behind_so_says_no_need(parser: Parser, text: str) -> None:
+    assert not list(so_does(parser.parse(text)))

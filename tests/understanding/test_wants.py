@@ -17,6 +17,7 @@ def interpreter() -> Interpreter:
     [
         ("I need a spoon.", "I", "a spoon"),
         ("Robot, I also need some envelopes, please.", "I", "some envelopes"),
+        ("I need a coffee please, a big one.", "I", "a coffee"),
         ("I need something to dig with.", "I", "something to dig with"),
         ("If it rains, I need an umbrella.", "I", "an umbrella"),
         ("I'm soaked, I need a towel.", "I", "a towel"),

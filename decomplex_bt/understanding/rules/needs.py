@@ -13,8 +13,9 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
 from decomplex_bt.understanding.rules.fragments import Fragment
+from decomplex_bt.understanding.rules.likewise import so_does
 
-_NEEDING = frozenset("need needs want wants needed wanted".split())
+NEEDING = frozenset("need needs want wants needed wanted".split())
 _COULD_DO_WITH = ("could", "do", "with")
 _PRESENT = frozenset(("VBP", "VBZ", "VB", "NNS"))
 _BETWEEN = frozenset("also still really badly now urgently just both all".split())
@@ -23,7 +24,7 @@ _OPENING = frozenset(
 )
 """What may stand between the beginning of a sentence and the thing that needs something done."""
 _CASES = frozenset("if when unless once whenever".split())
-_SAYING_SO = _NEEDING | {"could", "time"}
+_SAYING_SO = NEEDING | {"could", "time"}
 _BEFORE_TIME = _OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
@@ -163,7 +164,7 @@ def _due(document: Document, time: int) -> int | None:
 
 
 def _is_need(token: Token) -> bool:
-    return token.lower in _NEEDING and token.tag in _PRESENT
+    return token.lower in NEEDING and token.tag in _PRESENT
 
 
 def _behind(document: Document, at: int) -> Token | None:
@@ -209,9 +210,15 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
     said = takewhile(lambda token: token.lower not in _PLACING, tokens[subject.start : subject.stop])
     named = [token.lemma for token in said if token.pos in ("NOUN", "PROPN")][-1:]
     later = tokens[verb + 1 :]
-    near = [token for token in later if sentences[token.i] <= sentences[verb] + 1]
+    besides = {
+        i for one in so_does(document) for i in (*one.words, *one.other) if tokens[i].lower not in ("its", "their")
+    }
+    near = [token for token in later if sentences[token.i] <= sentences[verb] + 1 and token.i not in besides]
     if any(token.lower in _LEADING_ON and sentences[token.i] == sentences[verb] for token in later):
         return True
+    is_of_living = any(tokens[i].lemma in PERSON_NOUNS | ANIMALS for i in subject[-1:])
+    if not is_of_living:  # "Tom's shirt needs washing, and *his* socks need washing"
+        near = [token for token in near if token.tag != "PRP$" or token.lower not in ("his", "her")]
     is_meant = any(token.lower in _PERSONAL and not _is_of_weather(document, token.i) for token in near)
     return is_meant or any(token.lemma in named for token in later)
 

@@ -73,8 +73,9 @@ def _wanting(document: Document, verb: int) -> range:
         return range(0)
     first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
     ahead = [i for i in range(first, start) if tokens[i].lower not in _OPENING]
-    is_behind = bool(ahead) and tokens[start - 1].text == ","  # a case, or why: "I'm soaked, I need a towel"
-    is_joined = tokens[start - 1].lower == "and" and any(tokens[i].lower in _NEEDING for i in ahead)
+    is_second = any(tokens[i].lower in _NEEDING for i in ahead)
+    is_behind = bool(ahead) and not is_second and tokens[start - 1].text == ","  # "I'm soaked, I need a towel"
+    is_joined = is_second and tokens[start - 1].lower == "and"
     return range(start, stop) if not ahead or is_behind or is_joined else range(0)
 
 
@@ -133,7 +134,7 @@ def _thing(observed: Observed, who: range, verb: int, tasks: Mapping[int, str]) 
     end = next((token.i for token in tokens[thing.stop : stop] if token.text == ","), stop)
     while end > thing.stop and tokens[end - 1].lower in _CLOSING:
         end -= 1
-    place = range(thing.stop, end)
+    place = range(thing.stop + (tokens[thing.stop : end][:1] != () and tokens[thing.stop].lower == "over"), end)
     if place and not _is_place(document, place):
         return None
     can_be = _can_be_brought(observed, thing, tokens[who.start].lower, is_told=bool(place))
@@ -189,7 +190,7 @@ def _named(document: Document, verb: int) -> range:
         is_joint = tokens[stop].lower in _JOINING and tokens[stop - 1].pos in _NAMING and stop + 1 < len(tokens)
         if is_joint and (tokens[stop + 1].pos in _NOMINAL | {"DET"} or tokens[stop + 1].tag == "PRP$"):
             stop += 2
-        elif tokens[stop].pos in _NOMINAL:
+        elif tokens[stop].pos in _NOMINAL and tokens[stop].lower not in _CLOSING:
             stop += 1
         else:
             break
