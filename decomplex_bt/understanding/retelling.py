@@ -25,7 +25,8 @@ from decomplex_bt.understanding.references.phrases import (
 )
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
-from decomplex_bt.understanding.rules.likewise import Likewise, likewise
+from decomplex_bt.understanding.rules.likewise import Likewise, likewise, so_does
+from decomplex_bt.understanding.rules.needs import NEEDING
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -66,11 +67,13 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         if place in alike:
             continue
         order = None if found.is_verbal else _antecedent(observed, tasks, found)
+        if order is not None and found.praise and not _serves(observed, tasks[order], found.tokens):
+            continue
         words = None if order is None else _repeated(observed, tasks[order], found.tokens, place)
         if words is None and not found.is_verbal:
             continue
         condition = [*found.condition, COMMA] if found.condition else []
-        moved.update(found.condition)
+        moved.update((*found.condition, *found.praise))
         insertions[place] += map(Told, condition if condition or not found.is_run_on else [COMMA])
         if order is None or words is None:
             continue
@@ -94,7 +97,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         moved.update(one.words)
         carriers = {order: one.carrier}
         insertions[one.other.start] += [Told(i, one.carrier, carriers.get(i)) for i in ahead]
-        insertions[one.other.stop] += [Told(i, one.carrier) for i in behind]
+        insertions[one.other.stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
     kinds = list(_specified(observed, tasks))
     for kind, mark in kinds:
         moved.update((*kind, mark))
@@ -150,7 +153,8 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
     if found.is_reminder:
         is_near = sentences[last] + 1 >= sentences[place]
         return last if is_near and _is_alike(observed, tasks[last], found.tokens) else None
-    if sentences[last] != sentences[place] and next(begins, None) is None:
+    is_of_question = bool(found.praise) and sentences[last] + 2 == sentences[place]  # "No luck? Then the radio will do"
+    if sentences[last] != sentences[place] and not is_of_question and next(begins, None) is None:
         return None
     is_conditional = bool(found.condition) or any(last < i < place for i in openings)
     return last if is_conditional or tasks[last].type != "searching" else None
@@ -173,6 +177,9 @@ def _said_of_other(
     order = next(reversed(_orders_before(observed, tasks, place)), None)
     if order is None or document.sentences[place] > document.sentences[order] + 1:
         return None
+    if found in so_does(document):
+        needing = list(range(order - 1, order + 1))
+        return (order, [], needing) if document.tokens[order - 1].lower in NEEDING else None
     task, first = tasks[order], document.tokens[found.other.start]
     is_adverb = first.lower in PLACE_ADVERBS
     is_place = is_adverb or first.lower in PREPOSITIONS
@@ -197,6 +204,17 @@ def _is_alike(observed: Observed, order: Task, named: range) -> bool:
         return False
     kinds = {observed.gazetteer.category(one.lemma), observed.gazetteer.category(other.lemma)}
     return one.lemma != other.lemma and len(kinds - {""}) < 2
+
+
+def _serves(observed: Observed, order: Task, named: range) -> bool:
+    """Whether what is said to do as well can have done to it what is done to the thing of an order: a blanket is as
+    good as a heater, but none turns it on."""
+    document = observed.document
+    if order.type != "change_state":
+        return document.tokens[document.indices(order.span).start].lemma != "check"
+    things = [head_of(document, document.indices(a.span)) for a in order.arguments if a.type == "object" and a.span]
+    kinds = {observed.gazetteer.category(document.tokens[i].lemma) for i in (*things, head_of(document, named))}
+    return len(kinds) == 1
 
 
 def _is_whole(observed: Observed, stop: int, order: int) -> bool:

@@ -31,6 +31,8 @@ def parser() -> Parser:
         ("No sign on the gate? Go in.", "on", "sign", "the gate"),
         ("And see a stain on the rug? Tell me.", "see", "a stain", "on the rug"),
         ("Spot any crumbs? Wipe the table.", "Spot", "any crumbs", ""),
+        ("All shutters and gates closed?", "closed", "All shutters and gates", ""),
+        ("The cat and the dog fed yet? If not, feed them.", "fed", "The cat and the dog", ""),
     ],
 )
 def test_a_question_without_a_verb_is_carried_by_its_preposition_and_a_bare_one_by_its_verb(
@@ -53,6 +55,8 @@ def test_a_question_without_a_verb_is_carried_by_its_preposition_and_a_bare_one_
         "Oven on? Turn it off.",
         "Bring me any letters in the mailbox.",
         "Breakfast in the garden?",
+        "Every gate closed, please?",
+        "All gates closed, okay?",
         "Ready in the kitchen? Start the oven.",
         "See the stain on the rug? Clean it.",
         "See a mug that is clean? Bring it.",

@@ -9,7 +9,8 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.needs import in_need, needed
+from decomplex_bt.understanding.rules.likewise import so_does
+from decomplex_bt.understanding.rules.needs import belonging, in_need, needed
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +39,7 @@ def found(parser: Parser, gazetteer: Gazetteer, text: str) -> dict[str, str]:
         ("The shutters need to be closed before dark.", {"closed": "change_state"}),
         ("The mirrors could do with a wipe.", {"wipe": "change_state"}),
         ("The bath needs a scrub.", {"scrub": "change_state"}),
+        ("My socks need washing.", {"washing": "change_state"}),
         ("If there's time left, the mirrors could do with a wipe.", {"wipe": "change_state"}),
         ("When it's dry again, the ferns want watering.", {"watering": "change_state"}),
         ("Right, it's time to rinse the sieve and dry it.", {"rinse": "change_state"}),
@@ -90,3 +92,55 @@ def test_what_it_is_time_to_do_is_done_to_what_is_named_behind() -> None:
 def test_a_need_is_read_as_a_task_with_what_needs_it() -> None:
     read = Interpreter.load("household", encoder=False).interpret("Grandma wants waking at seven.")
     assert (read.tasks[0].type, read.tasks[0].value("object")) == ("change_state", "Grandma")
+
+
+@pytest.mark.parametrize(
+    ("text", "carrier", "thing", "place"),
+    [
+        ("All the bowls belong on the shelf.", "belong", "All the bowls", "on the shelf"),
+        ("Oh, and my coat belongs in the closet.", "belongs", "my coat", "in the closet"),
+        ("The suitcase should go into the attic.", "go", "The suitcase", "into the attic"),
+        ("The chairs ought to go back in the shed.", "go", "The chairs", "in the shed"),
+    ],
+)
+def test_what_belongs_somewhere_is_put_there(parser: Parser, text: str, carrier: str, thing: str, place: str) -> None:
+    document = parser.parse(text)
+    (found,) = belonging(document)
+    said = [" ".join(document.tokens[i].text for i in words) for words in (found.object, found.place)]
+    assert (found.type, document.tokens[found.carrier].text, said) == ("placing", carrier, [thing, place])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The van belongs to Sid.",
+        "The dog should go into the garden.",
+        "My son has to go into town.",
+        "Lea should go into the attic.",
+        "The bowls belong on the shelf, so put them there.",
+        "If the bowls belong on the shelf, put them there.",
+        "Where do the bowls belong?",
+        "The party should go well.",
+    ],
+)
+def test_what_else_belongs_or_goes_is_not_put(parser: Parser, text: str) -> None:
+    assert not list(belonging(parser.parse(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "carriers", "things"),
+    [
+        ("The fan needs cleaning, and so does the heater.", ["cleaning", "does"], ["The fan", "the heater"]),
+        ("Sid's coat needs washing. So do his socks.", ["washing", "do"], ["Sid's coat", "his socks"]),
+        ("Sid's coat needs washing, and his socks need washing.", ["washing", "washing"], ["Sid's coat", "his socks"]),
+    ],
+)
+def test_so_does_another_thing(text: str, carriers: list[str], things: list[str]) -> None:
+    found = Interpreter.load().interpret(text)
+    assert [task.span.of(text) for task in found.tasks] == carriers
+    assert [task.value("object") for task in found.tasks] == things
+
+
+@pytest.mark.parametrize("text", ["The hall needs sweeping. So do the kitchen.", "I'm tired, so do the pots."])
+def test_an_order_behind_so_says_no_need(parser: Parser, text: str) -> None:
+    assert not list(so_does(parser.parse(text)))

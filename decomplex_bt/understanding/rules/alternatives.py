@@ -40,6 +40,16 @@ _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split()
 _TO_WHOM = frozenset(("to", "for"))
 _UNSURE = frozenset((("else",), ("perhaps",), ("maybe",), ("possibly",), ("failing", "that")))
 """What stands behind an "or" between two places of which the speaker does not know which it is."""
+_WILL = frozenset("will would should 'll \u2019ll 'd \u2019d might".split())
+_IS = frozenset("is are 's \u2019s".split())
+_GOOD = frozenset("fine ok okay great good lovely perfect nice alright enough acceptable grand".split())
+_QUITE = frozenset("just perfectly quite also probably all".split())
+_PRAISING = frozenset("nicely just me by with fine".split())
+"""What may stand behind "will do": "nicely", "by me"."""
+_WHICHEVER = frozenset(("any", "another"))
+_SHORTEST = 2
+"""The words at least of such praise: "is fine"."""
+_TELLING = frozenset(("NOUN", "PROPN", "ADJ", "NUM"))
 _LEFT = frozenset("any one some it that them yet already there".split())
 
 
@@ -52,7 +62,8 @@ class Alternative:
     before, and its condition stays behind it ("water the roses, *and the tulips* if they're dry"), what parts them;
     `own`: that condition, if any;
     `is_run_on`: whether no mark parts it from the condition before it; `is_reminder`: whether it is named, behind its
-    `mark`, as what is not to be forgotten ("and don't forget *the tulips*").
+    `mark`, as what is not to be forgotten ("and don't forget *the tulips*"); `praise`: what only says that it serves
+    ("the radio *will do*").
     """
 
     tokens: range
@@ -62,6 +73,7 @@ class Alternative:
     own: range = range(0)
     is_run_on: bool = False
     is_reminder: bool = False
+    praise: range = range(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +105,11 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
         if part.lead == "besides":
             if (named := _reminded(document, part.body, tasks)) is not None:
                 yield Alternative(named, range(named.stop, named.stop), mark=part.opening, is_reminder=True)
+            continue
+        if served := _good_enough(document, parts, k, tasks):
+            praise = range(served.stop, part.body.stop)
+            is_run_on = part.lead == "turn" and part.opening.stop == served.start
+            yield Alternative(served, range(served.stop, served.stop), is_run_on=is_run_on, praise=praise)
             continue
         body = _bare(document, part.body, tasks)
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
@@ -254,7 +271,7 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:
     leads = {
         cue.first: ("turn", cue.last)
         for cue in observed.cues
-        if cue.name in _TURNING and cue.first not in tasks and not _is_part(tokens, cue.first)
+        if cue.name in _TURNING and cue.first not in tasks and not _is_part(tokens, cue.first, cue.last)
     }
     leads |= {cue.first: ("if", cue.last) for cue in observed.cues if cue.name in _OPENING and cue.first not in leads}
     leads |= {  # "if it works"
@@ -344,6 +361,45 @@ def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, st
     return None
 
 
+def _good_enough(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> range:
+    """What is said to serve as well where what was ordered cannot be had, at the end of a sentence, behind a condition
+    or an "otherwise": "if there's none, *water* will do"; else empty. Not what was named already ("if the milk is off,
+    the milk is fine"), nor with an order of its own ("then navy will do: bring me that")."""
+    part, tokens = parts[k], document.tokens
+    is_failed = k > 0 and (part.lead == "turn" or _is_turn_alone(document, parts[k - 1]))
+    if not part.is_last or not (is_failed or (part.lead == "mark" and _follows_condition(parts, k, tasks))):
+        return range(0)
+    stop = next((i for i in part.body if _is_praise(tokens, range(i, part.body.stop))), part.body.start)
+    named = _bare(document, range(part.body.start, stop), tasks)
+    if not named or not _is_phrase(document, named, tasks) or tokens[named.start].lower in _POINTING:
+        return range(0)
+    behind = [token for token in tokens[part.body.stop :] if token.text not in MARKS]
+    if behind and behind[0].i in tasks and tokens[part.body.stop].text not in ENDS:
+        return range(0)
+    said = {token.lemma for token in tokens[: part.opening.start] if token.i not in named}
+    is_other = any(tokens[i].lemma not in said and tokens[i].pos in _TELLING for i in named)
+    return named if is_other or tokens[named.start].lower in _WHICHEVER else range(0)
+
+
+def _is_turn_alone(document: Document, part: _Part) -> bool:
+    """Whether a part is no more than an "otherwise", be it a question: "no luck? Then the radio will do"."""
+    behind = document.tokens[part.opening.stop : part.opening.stop + 1]
+    return part.lead == "turn" and not part.body and bool(behind) and behind[0].text in ("?", ",")
+
+
+def _is_praise(tokens: Sequence[Token], words: range) -> bool:
+    """Whether words say of something that it serves: "will do just as well", "would be fine too"."""
+    said = [tokens[i].lower for i in words]
+    while len(said) > _SHORTEST and said[-1] in _CLOSING | _PRAISING and not (said[-1] in _GOOD and said[-2] != "do"):
+        said.pop()
+    if said[0] not in _WILL | _IS:
+        return said[0] == "works" and set(said[1:]) <= _CLOSING | _PRAISING
+    said = [word for word in said if word not in _QUITE]
+    if said[0] in _WILL:
+        return said[1:] == ["do"] or (said[1:2] == ["be"] and len(said) == 3 and said[2] in _GOOD)
+    return len(said) == 2 and said[1] in _GOOD
+
+
 def _in_any_case(observed: Observed, part: _Part) -> range:
     """What is said behind an "either way" that a mark parts from the rest: "and either way *a spoon*"."""
     first = next((i for i in part.body if observed.document.tokens[i].lower not in _JOINING), part.body.stop)
@@ -353,10 +409,11 @@ def _in_any_case(observed: Observed, part: _Part) -> range:
     return range(last + 1, part.body.stop)
 
 
-def _is_part(tokens: Sequence[Token], i: int) -> bool:
-    """Whether what looks like an "otherwise" belongs to other words: "everything *else*", "the box, *no*, the bag"."""
+def _is_part(tokens: Sequence[Token], i: int, last: int) -> bool:
+    """Whether what looks like an "otherwise" belongs to other words: "everything *else*", "the box, *no*, the bag"; not
+    "no luck"."""
     if tokens[i].lower in ("no", "nope", "not"):
-        return True
+        return i == last
     return tokens[i].lower == "else" and i > 0 and tokens[i - 1].lower.endswith(_WHOLE)
 
 
@@ -365,8 +422,10 @@ def _is_hyphen(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _says_not(document: Document, i: int) -> bool:
-    """Whether "if not" has no clause of its own: "if not a glass of milk", "if not the blue one"."""
-    rest = document.tokens[i + 1 : next((t.i for t in document.tokens[i:] if t.text in MARKS), len(document))]
+    """Whether "if not" has no clause of its own: "if not a glass of milk", "if not the blue one (will do)"."""
+    stop = next((t.i for t in document.tokens[i:] if t.text in MARKS), len(document))
+    stop = next((j for j in range(i + 2, stop) if _is_praise(document.tokens, range(j, stop))), stop)
+    rest = document.tokens[i + 1 : stop]
     return len(rest) > 1 and rest[0].lower == "not" and all(t.pos not in ("VERB", "AUX") for t in rest)
 
 

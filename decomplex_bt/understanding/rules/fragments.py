@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from decomplex_bt.understanding.cues import OPPOSITES
 from decomplex_bt.understanding.document import Document
 
-_STOPS = frozenset((".", "?", "!", ";", ":", "...", "…"))
+STOPS = frozenset((".", "?", "!", ";", ":", "...", "…"))
 _FILLERS = frozenset("and oh so hey ok okay well but , - then also still".split())
 _SOME = frozenset("any some anyone anybody someone somebody anything something more another".split())
 _NONE = frozenset("no nobody nothing".split())
@@ -28,10 +29,11 @@ _SIGNS = frozenset(("sign",))
 """Nouns among these that name a thing unless it is a sign *of* something."""
 
 _PERCEIVING = frozenset("see spot notice find".split())
+_ALL = frozenset("all every each both".split())
 _SHORTEST = 2
 """The words at least of what is asked for: "a coin"."""
-_STATES = frozenset("on off open closed shut".split())
-_NO_THINGS = frozenset(
+STATES = frozenset("on off open closed shut".split())
+NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
     "glass mask helmet apron slipper".split()
 )
@@ -60,12 +62,14 @@ class Fragment:
     type: str = "check_state"
     state: range = range(0)
     """What day or weather is asked for."""
+    recipient: range = range(0)
+    """Who is to have it."""
 
     @property
     def told(self) -> dict[str, range]:
         """The tokens of its arguments, by type."""
-        place = "goal" if self.type == "placing" else "location"
-        told = {"object": self.object, "state": self.state, place: self.place}
+        place = "goal" if self.type in ("placing", "bringing") else "location"
+        told = {"object": self.object, "state": self.state, place: self.place, "recipient": self.recipient}
         return {name: tokens for name, tokens in told.items() if tokens}
 
 
@@ -74,7 +78,7 @@ def fragments(document: Document) -> Iterator[Fragment]:
     tokens = document.tokens
     start = 0
     for i, token in enumerate(tokens):
-        if token.text in _STOPS:
+        if token.text in STOPS:
             if token.text == "?":
                 fragment = _fragment(document, start, i)
                 if fragment is not None:
@@ -97,6 +101,8 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return _glimpse(document, range(start, stop), first)
     is_denied = first < stop and tokens[first].lower == "not"
     first += is_denied
+    if (of_several := _state_asked(document, range(start, stop), first)) is not None:
+        return of_several
     if first >= stop or any(token.pos in ("AUX", "VERB") for token in tokens[first:stop]):
         return None
     carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in _WHERE), stop)
@@ -112,6 +118,22 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     begin = first + (tokens[first].lower in _NONE)
     return Fragment(range(start, stop), carrier, range(begin, carrier), range(carrier + 1, last))
+
+
+def _state_asked(document: Document, words: range, first: int) -> Fragment | None:
+    """The question whether several things, or all of a kind, are so: "all doors and windows *closed*?"."""
+    tokens = document.tokens
+    carrier = words.stop - 1
+    while carrier > first and tokens[carrier].lower in _BEHIND - {"please", "robot", ",", "not"}:
+        carrier -= 1
+    named = tokens[first:carrier]
+    is_state = carrier > first and (tokens[carrier].lower in OPPOSITES or tokens[carrier].tag in ("VBN", "VBD"))
+    if not is_state or named[-1].pos not in ("NOUN", "PROPN"):
+        return None
+    if not all(t.pos in _NAMING or t.tag == "PRP$" or t.lower in ("and", "of") for t in named):
+        return None
+    is_of_several = named[0].lower in _ALL or any(token.lower == "and" for token in named[1:])
+    return Fragment(words, carrier, range(first, carrier), range(0)) if is_of_several else None
 
 
 def _glimpse(document: Document, words: range, verb: int) -> Fragment | None:
@@ -140,7 +162,7 @@ def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
     """The orders of states among the clauses from `start` to `stop`, from the first one on or behind a condition. What
     an "and" joins to a verb has that verb ("turn the tv on and the radio off")."""
     tokens = document.tokens
-    if _STATES.isdisjoint(token.lower for token in tokens[start:stop]):
+    if STATES.isdisjoint(token.lower for token in tokens[start:stop]):
         return
     is_open = True
     for first in range(start, stop):
@@ -162,11 +184,11 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     first = start
     while first < stop and tokens[first].lower in _LEADING:
         first += 1
-    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in _STATES), stop)
+    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in STATES), stop)
     named = tokens[first:carrier]
     if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named):
         return None
-    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in _NO_THINGS or named[0].lower in _SOME | _NONE:
+    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
     is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
@@ -198,7 +220,7 @@ def _is_sorted(document: Document, start: int) -> bool:
     tokens = document.tokens
     if tokens[start - 1].text != ":":
         return False
-    begin = next((i + 1 for i in range(start - 2, -1, -1) if tokens[i].text in _STOPS), 0)
+    begin = next((i + 1 for i in range(start - 2, -1, -1) if tokens[i].text in STOPS), 0)
     verbs = {token.lemma for token in tokens[begin : start - 1] if token.pos in ("VERB", "AUX") or token.i == begin}
     return not verbs.isdisjoint(_SORTING)
 

@@ -16,7 +16,7 @@ _LEADS = (
     ("same",),
 )
 """What stands for the order."""
-CARRIERS = frozenset(("do", "same"))
+CARRIERS = frozenset(("do", "does", "same"))
 """The words that carry an order said again."""
 _OF = frozenset(("with", "for", "to"))
 """What only leads to the other thing."""
@@ -24,6 +24,9 @@ _ENDS = MARKS | frozenset("if unless when once before after then so but because 
 _BEFORE = MARKS | frozenset("and then please also but just".split())
 _NOUNS = frozenset(("NOUN", "PROPN", "PRON"))
 _POINTING = frozenset("one ones those these".split()) | PLACE_ADVERBS
+_DO = {"do": ("NNS", "NNPS"), "does": ("NN", "NNP")}
+"""What stands for a need, with the tags of the nouns that agree with it."""
+_NAMED = frozenset(("DET", "ADJ", "NOUN", "PROPN"))
 _GOING = frozenset(("thing", "goes"))
 
 
@@ -39,6 +42,7 @@ class Likewise:
 
 def likewise(document: Document) -> Iterator[Likewise]:
     """Every order that is said of something else by "the same", in text order."""
+    yield from so_does(document)
     if "same" not in document.words:
         return
     said = [token.lower for token in document.tokens]
@@ -56,6 +60,23 @@ def likewise(document: Document) -> Iterator[Likewise]:
         end = _end(document, start)
         if any(document.tokens[j].pos in _NOUNS or said[j] in _POINTING for j in range(start, end)):
             yield Likewise(range(i, start), i if said[i] == "do" else said.index("same", i), range(start, end))
+
+
+def so_does(document: Document) -> Iterator[Likewise]:
+    """What a need is said of as well, at the beginning of a sentence or behind "and": "the sink needs cleaning, and *so
+    does the tub*"; by the number of its noun no order ("so do the kitchen")."""
+    tokens, sentences = document.tokens, document.sentences
+    for i in range(1, len(tokens) - 2 if "so" in document.words else 0):
+        is_led = tokens[i - 1].lower == "and" or sentences[i - 1] != sentences[i]
+        if tokens[i].lower != "so" or tokens[i + 1].lower not in _DO or not is_led:
+            continue
+        end = next((t.i for t in tokens[i + 2 :] if t.lower in MARKS), len(tokens))
+        other = tokens[i + 2 : end]
+        is_named = (
+            all(t.pos in _NAMED or t.tag in ("PRP$", "POS") for t in other) and bool(other) and other[0].pos != "NUM"
+        )
+        if is_named and other[-1].tag.startswith(_DO[tokens[i + 1].lower]) and len(other) > 1:
+            yield Likewise(range(i, i + 2), i + 1, range(i + 2, end))
 
 
 def _end(document: Document, start: int) -> int:

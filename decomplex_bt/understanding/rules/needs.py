@@ -3,17 +3,19 @@ watering")."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.verbs import lemmas
-from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.rules.fragments import Fragment
+from decomplex_bt.understanding.rules.likewise import so_does
 
-_NEEDING = frozenset("need needs want wants needed wanted".split())
+NEEDING = frozenset("need needs want wants needed wanted".split())
 _COULD_DO_WITH = ("could", "do", "with")
 _PRESENT = frozenset(("VBP", "VBZ", "VB", "NNS"))
 _BETWEEN = frozenset("also still really badly now urgently just both all".split())
@@ -22,7 +24,7 @@ _OPENING = frozenset(
 )
 """What may stand between the beginning of a sentence and the thing that needs something done."""
 _CASES = frozenset("if when unless once whenever".split())
-_SAYING_SO = _NEEDING | {"could", "time"}
+_SAYING_SO = NEEDING | {"could", "time"}
 _BEFORE_TIME = _OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
@@ -30,6 +32,9 @@ _INSIDE = _PLACING | {"'s", "\u2019s"}
 _PERSONAL = frozenset("it its they them their he him his she her one ones some that those so".split())
 _VAGUE = frozenset(("do", "see", "be", "have"))
 _LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
+_BELONGING = frozenset(("belong", "belongs"))
+_SHOULD = frozenset("should must ought has have".split())
+_WHERE_TO = frozenset("in into on onto under behind by inside next".split())
 _DONE_TO = {"motion": "following", "bringing": "change_state"}
 """What a verb of a type tells where a thing needs it: "the dog needs walking", "the cat needs feeding"."""
 
@@ -72,6 +77,35 @@ def in_need(observed: Observed, verb: int) -> dict[str, range]:
             found = {"object": range(said.start, place), "location": range(place, said.stop)}
             return {name: tokens for name, tokens in found.items() if tokens}
     return {}
+
+
+def belonging(document: Document) -> Iterator[Fragment]:
+    """What is said to belong, or that it should go, somewhere, as an order to put it there: "the mugs *belong* in the
+    cupboard"; not of people and animals, nor where the words behind tell what to do about it."""
+    tokens = document.tokens
+    if document.words.isdisjoint(_BELONGING | {"go"}):
+        return
+    for i, token in enumerate(tokens):
+        verb = i if token.lower in _BELONGING else _should_go(document, i)
+        if verb is None or not _is_of_thing(document, i):
+            continue
+        thing = _subject(document, i)
+        start = verb + 1 + (tokens[verb + 1 : verb + 2] != () and tokens[verb + 1].lower == "back")
+        stop = next((t.i for t in tokens[start:] if t.lower in MARKS or t.lower in ("and", "please")), len(tokens))
+        is_place = stop - start > 1 and tokens[start].lower in _WHERE_TO and tokens[stop - 1].pos in ("NOUN", "PROPN")
+        living = PERSON_NOUNS | ANIMALS
+        is_somebody = tokens[i - 1].lemma in living or (tokens[i - 1].pos == "PROPN" and len(thing) == 1)
+        if is_place and not is_somebody and not _is_taken_up(document, thing, verb):
+            yield Fragment(range(thing.start, stop), verb, thing, range(start, stop), "placing")
+
+
+def _should_go(document: Document, should: int) -> int | None:
+    """The "go" of "should go", "ought to go"."""
+    words = [token.lower for token in document.tokens[should : should + 3]]
+    if words[:1] == [] or words[0] not in _SHOULD:
+        return None
+    go = should + 1 + (words[1:2] == ["to"])
+    return go if words[go - should : go - should + 1] == ["go"] else None
 
 
 def due(document: Document) -> frozenset[int]:
@@ -130,7 +164,7 @@ def _due(document: Document, time: int) -> int | None:
 
 
 def _is_need(token: Token) -> bool:
-    return token.lower in _NEEDING and token.tag in _PRESENT
+    return token.lower in NEEDING and token.tag in _PRESENT
 
 
 def _behind(document: Document, at: int) -> Token | None:
@@ -156,7 +190,7 @@ def _is_of_thing(document: Document, need: int) -> bool:
     said = _subject(document, need)
     words = tokens[said.start : said.stop]
     is_named = any(token.pos in ("NOUN", "PROPN") for token in words) or (len(words) > 1 and words[0].pos == "DET")
-    if not is_named or words[0].pos not in _NOMINAL:
+    if not is_named or not (words[0].pos in _NOMINAL or words[0].tag == "PRP$"):
         return False
     if any(token.pos not in _NOMINAL and token.lower not in _INSIDE and token.tag != "PRP$" for token in words):
         return False
@@ -176,9 +210,15 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
     said = takewhile(lambda token: token.lower not in _PLACING, tokens[subject.start : subject.stop])
     named = [token.lemma for token in said if token.pos in ("NOUN", "PROPN")][-1:]
     later = tokens[verb + 1 :]
-    near = [token for token in later if sentences[token.i] <= sentences[verb] + 1]
+    besides = {
+        i for one in so_does(document) for i in (*one.words, *one.other) if tokens[i].lower not in ("its", "their")
+    }
+    near = [token for token in later if sentences[token.i] <= sentences[verb] + 1 and token.i not in besides]
     if any(token.lower in _LEADING_ON and sentences[token.i] == sentences[verb] for token in later):
         return True
+    is_of_living = any(tokens[i].lemma in PERSON_NOUNS | ANIMALS for i in subject[-1:])
+    if not is_of_living:  # "Tom's shirt needs washing, and *his* socks need washing"
+        near = [token for token in near if token.tag != "PRP$" or token.lower not in ("his", "her")]
     is_meant = any(token.lower in _PERSONAL and not _is_of_weather(document, token.i) for token in near)
     return is_meant or any(token.lemma in named for token in later)
 

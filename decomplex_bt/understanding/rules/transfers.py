@@ -1,0 +1,148 @@
+"""Transfers: orders without a verb that say what goes where or to whom ("both pens to Anna, please", "two plates on the
+table, please"), or what somebody is to have ("coffee, please, and make it hot")."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.rules.fragments import STOPS, Fragment
+from decomplex_bt.understanding.rules.wants import NOT_BROUGHT
+
+_SEQUENCE = frozenset("first then next finally lastly last".split())
+_LEADING = _SEQUENCE | frozenset("and please so ok okay right also now robot ,".split())
+_TO_WHOM = frozenset(("to", "for"))
+_INTO = frozenset(("into", "onto"))
+_AT = frozenset("on in under behind by beside".split())
+_CARRYING = _TO_WHOM | _INTO | _AT
+_NAMING = frozenset(("NOUN", "PROPN"))
+_PHRASE = _NAMING | {"DET", "ADJ", "NUM"}
+_GIVEN_TO = frozenset("me us him her them".split())
+_INDEFINITE = frozenset("a an some another".split())
+_ALL = frozenset(("all", "both"))
+_CLOSING = frozenset(("please", ",", "now", "thanks", "robot"))
+_DIRECTIONS = frozenset("left right front back side top bottom start end".split())
+_LEADING_THERE = frozenset(
+    "way route road path door gate stair step direction key visit trip walk guide access entrance".split()
+)
+"""What there is to a place, as the key to a car."""
+_SAID_TO = frozenset("answer thank message reply toast cheer introduction".split())
+
+_BODY = frozenset("hand eye finger foot ear head arm leg knee paw back".split())
+
+
+def transfers(observed: Observed) -> Iterator[Fragment]:
+    """The verbless orders of a document, in text order."""
+    document = observed.document
+    tokens, start, is_listed = document.tokens, 0, False
+    for i in range(len(tokens) + 1):
+        if i < len(tokens) and tokens[i].text not in STOPS:
+            continue
+        mark = tokens[i].text if i < len(tokens) else "."
+        is_first = start == 0 or tokens[start - 1].text in ".!" or (tokens[start - 1].text == ";" and is_listed)
+        found = [] if mark in ("?", ":") or not is_first else list(_ordered(observed, range(start, i), mark))
+        yield from found
+        start, is_listed = i + 1, bool(found)
+
+
+def _ordered(observed: Observed, words: range, mark: str) -> Iterator[Fragment]:
+    """The orders that a stretch between two marks is made of."""
+    tokens = observed.document.tokens
+    said = [tokens[i].lower for i in words]
+    if "please" in said:
+        at = said.index("please")
+        behind = said[at + 1 : at + 3]
+        if not (behind[:1] == ["and"] or behind == [",", "and"] or all(word in _CLOSING for word in said[at:])):
+            return  # "the cup, please bring it here"
+        words, said = range(words.start, words.start + at + 1), said[: at + 1]
+        if (served := _served(observed, words)) is not None:
+            yield served
+            return
+    bounds = [*(i for i in words if tokens[i].lower in (",", "and")), words.stop]
+    found: list[Fragment] = []
+    first = words.start
+    for end in bounds:
+        if (one := _transfer(observed, range(first, end))) is not None:
+            found.append(one)
+        if one is not None or all(tokens[i].lower in _LEADING | _CLOSING for i in range(first, end)):
+            first = end + 1
+    is_asked = "please" in said or len(found) > 1 or not _SEQUENCE.isdisjoint(said[:3])
+    is_called = all(tokens[one.carrier].lower in _INTO or _is_thing(observed, one.object) for one in found)
+    is_asked = is_asked or (mark == "!" and is_called)
+    is_carried = any(tokens[one.carrier].lower in _TO_WHOM | _INTO for one in found)
+    if first >= words.stop and found and is_asked and (is_carried or len(found) == 1):
+        yield from found
+
+
+def _transfer(observed: Observed, words: range) -> Fragment | None:
+    """What goes where, or to whom: "First *the tea, to Tom*"."""
+    document, tokens = observed.document, observed.document.tokens
+    start, stop = words.start, words.stop
+    while start < stop and tokens[start].lower in _LEADING:
+        start += 1
+    while stop > start and tokens[stop - 1].lower in _CLOSING:
+        stop -= 1
+    carrier = next((i for i in range(stop - 1, start, -1) if tokens[i].lower in _CARRYING), None)
+    if carrier is None:
+        return None
+    is_parted = tokens[carrier - 1].text == ","
+    thing, place = range(start, carrier - is_parted), range(carrier + 1, stop)
+    if not _is_named(observed, thing, is_parted=is_parted) or not place:
+        return None
+    to, first, last = tokens[carrier].lower, tokens[thing.start].lower, tokens[place.stop - 1]
+    is_person = last.lemma in PERSON_NOUNS or last.text[:1].isupper() or last.lower in _GIVEN_TO
+    is_indefinite = first in _INDEFINITE or tokens[thing.start].pos in _NAMING | {"NUM"}
+    if not (is_person and to in _TO_WHOM):
+        is_place = last.pos in _NAMING and last.lower not in _DIRECTIONS and not is_person
+        is_place = is_place and tokens[thing.stop - 1].lemma not in _LEADING_THERE
+        if not is_place or to == "for" or not _is_phrase(document, place):
+            return None
+        if to in _AT and not (is_indefinite and _is_thing(observed, thing)):
+            return None  # "the mug on the table, please" tells which one
+        kind = "bringing" if to == "to" else "placing"
+        return Fragment(words, carrier, thing, place, kind)
+    return Fragment(words, carrier, thing, range(0), "bringing", recipient=place)
+
+
+def _is_named(observed: Observed, thing: range, *, is_parted: bool) -> bool:
+    """Whether words name what can go somewhere: not a robot that is called ("Robot, to the kitchen")."""
+    document = observed.document
+    if not thing or not _is_phrase(document, thing):
+        return False
+    first, last = document.tokens[thing.start], document.tokens[thing.stop - 1]
+    is_led = first.pos in ("DET", "NUM") or first.tag == "PRP$" or first.lower in _ALL
+    is_common = first.tag in ("NNS", "NN", "JJ") or _is_thing(observed, thing)  # "Juice" is a name to the tagger
+    is_bare = is_common and not is_parted
+    heads = {document.tokens[i].lemma for i in thing if document.tokens[i].pos in _NAMING}
+    is_idle = not heads.isdisjoint(_SAID_TO | NOT_BROUGHT | _BODY) or last.lemma in PERSON_NOUNS
+    return (is_led or is_bare) and last.pos in _NAMING and not is_idle
+
+
+def _is_phrase(document: Document, words: range) -> bool:
+    tokens = [document.tokens[i] for i in words]
+    return all(t.pos in _PHRASE or t.tag == "PRP$" or t.lower in ("of", "and", "'s") for t in tokens)
+
+
+def _is_thing(observed: Observed, words: range) -> bool:
+    """Whether the last noun is known to be carried about."""
+    return observed.gazetteer.category(observed.document.tokens[words.stop - 1].lemma) == "thing"
+
+
+def _served(observed: Observed, words: range) -> Fragment | None:
+    """What is asked for by no more than its name and a "please", carried by its noun: "*Coffee*, please"."""
+    tokens = observed.document.tokens
+    start, stop = words.start, words.stop
+    while start < stop and tokens[start].lower in _LEADING:
+        start += 1
+    while stop > start and tokens[stop - 1].lower in _CLOSING:
+        stop -= 1
+    thing = range(start, stop)
+    if not thing or not _is_named(observed, thing, is_parted=False):
+        return None
+    is_known = bool(observed.gazetteer.category(tokens[stop - 1].lemma))
+    is_indefinite = tokens[start].lower in _INDEFINITE or tokens[start].pos == "NUM"
+    if not _is_thing(observed, thing) and (is_known or not is_indefinite):
+        return None
+    return Fragment(words, stop - 1, thing, range(0), "bringing")

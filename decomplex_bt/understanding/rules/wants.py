@@ -1,0 +1,216 @@
+"""Wants: what somebody is to have ("I need a pen", "Anna wants her book"), where nothing else is ordered that it would
+be the reason of, and what somebody would like to be so ("I'd like it off")."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.rules.fragments import NO_THINGS, STATES, Fragment
+
+_SPEAKERS = frozenset(("i", "we"))
+_NEEDING = frozenset("need needs want wants".split())
+_WOULD = frozenset("would 'd \u2019d".split())
+_LIKING = frozenset(("like", "love", "prefer"))
+_ADVERBS = frozenset("also really just now rather still badly urgently".split())
+_OPENING = frozenset(
+    ", and also oh right now so ok okay well um uh er hi hello hey robot please then anyway listen".split()
+)
+"""What may stand between the beginning of a sentence and who wants something."""
+_ASKING = frozenset(("check_state", "searching"))
+_JOINING_CASES = frozenset(("and", "but", "or", ","))
+_GOING_ON = frozenset(("and", "also"))
+_INDEFINITE = frozenset("a an some another more something".split())
+_OWN = frozenset("my our his her their its".split())
+_SOMETHING = frozenset(("something", "anything"))
+_NOMINAL = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
+_NAMING = frozenset(("NOUN", "PROPN"))
+_JOINING = frozenset(("and", "of"))
+_CLOSING = frozenset("please now too robot thanks back though quickly urgently ,".split())
+_LEADING = frozenset("in on at up over down by into onto".split())
+_HERE = frozenset("here there upstairs downstairs outside inside".split())
+_BEHIND_STATES = frozenset("please now too again if when then before after by and but so".split())
+NOT_BROUGHT = frozenset(
+    "nap break rest help assistance minute moment second sec bit hand haircut hug kiss job holiday vacation shower "
+    "bath sleep time change ride lift walk chat talk word favour favor advice idea plan reason answer question space "
+    "room peace quiet fun luck friend company way day night week hour while money wee pee work exercise air "
+    "sun light information info detail practice lesson doctor nurse plumber chance explanation update".split()
+)
+"""What people need and is brought by nobody, or comes by itself."""
+_ABSTRACT = ("ness", "tion", "sion", "ity", "ence", "ance", "ship")
+_PLACES = frozenset(("room", "furniture", "floor", "person"))
+
+
+def wants(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
+    """What is wanted, carried by "need" or "want", or by the state; `tasks`: tokens that are tasks, with types."""
+    document = observed.document
+    if document.words.isdisjoint(_NEEDING | _LIKING):
+        return
+    for verb, token in enumerate(document.tokens):
+        if token.lower in _NEEDING | _LIKING and (who := _wanting(document, verb)):
+            want = _state(document, who, verb, tasks) or _thing(observed, who, verb, tasks)
+            if want is not None:
+                yield want
+
+
+def _wanting(document: Document, verb: int) -> range:
+    """Who wants, where a sentence or what follows a comma begins with it: "*I* need", "*Anna* wants", "*Tom* would
+    like"; else empty. "She" is told of, mostly, to say why."""
+    tokens, sentences = document.tokens, document.sentences
+    stop = verb
+    while stop and tokens[stop - 1].lower in _ADVERBS:
+        stop -= 1
+    is_liking = tokens[verb].lower in _LIKING
+    if is_liking and (not stop or tokens[stop - 1].lower not in _WOULD):
+        return range(0)
+    stop -= is_liking
+    start = max(0, stop - 1)
+    if tokens[start].lemma in PERSON_NOUNS | ANIMALS:
+        start -= start > 0 and tokens[start - 1].tag in ("PRP$", "DT")
+    if start >= stop or not _is_somebody(document, range(start, stop)):
+        return range(0)
+    first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
+    ahead = [i for i in range(first, start) if tokens[i].lower not in _OPENING]
+    is_second = any(tokens[i].lower in _NEEDING for i in ahead)
+    is_behind = bool(ahead) and not is_second and tokens[start - 1].text == ","  # "I'm soaked, I need a towel"
+    is_joined = is_second and tokens[start - 1].lower == "and"
+    return range(start, stop) if not ahead or is_behind or is_joined else range(0)
+
+
+def _is_somebody(document: Document, who: range) -> bool:
+    last = document.tokens[who.stop - 1]
+    is_name = last.pos == "PROPN" and last.text[:1].isupper() and len(who) == 1
+    return last.lower in _SPEAKERS or last.lemma in PERSON_NOUNS | ANIMALS or is_name
+
+
+def _state(document: Document, who: range, verb: int, tasks: Mapping[int, str]) -> Fragment | None:
+    """What the speaker would like to be on, off, open or closed: "I want *the radio* on"."""
+    tokens = document.tokens
+    if tokens[who.start].lower not in _SPEAKERS or any(kind == "informing" for kind in _before(document, tasks, verb)):
+        return None
+    stop = verb + 1
+    while stop < len(tokens) and (tokens[stop].pos in _NOMINAL | {"DET"} or tokens[stop].tag == "PRP$"):
+        if tokens[stop].lower in STATES:
+            break
+        stop += 1
+    is_pronoun = stop == verb + 1 < len(tokens) and tokens[stop].lower in ("it", "them", "that", "those")
+    stop += is_pronoun
+    thing = range(verb + 1, stop)
+    is_named = bool(thing) and (is_pronoun or (tokens[stop - 1].pos in _NAMING and _is_whole_thing(document, thing)))
+    if not is_named or stop >= len(tokens) or tokens[stop].lower not in STATES:
+        return None
+    behind = tokens[stop + 1].lower if stop + 1 < len(tokens) else "."
+    if behind not in MARKS | _BEHIND_STATES:
+        return None
+    return Fragment(range(who.start, stop + 1), stop, thing, range(0), "change_state")
+
+
+def _is_whole_thing(document: Document, thing: range) -> bool:
+    """Whether what is to be on is no garment, which somebody has on."""
+    return document.tokens[thing.stop - 1].lemma not in NO_THINGS and document.tokens[thing.start].pos != "ADJ"
+
+
+def _before(document: Document, tasks: Mapping[int, str], verb: int) -> list[str]:
+    """The types of the tasks ahead of a verb in its sentence, back to a mark."""
+    found, i = [], verb - 1
+    while i >= 0 and document.tokens[i].lower not in MARKS:
+        found += [tasks[i]] if i in tasks else []
+        i -= 1
+    return found
+
+
+def _thing(observed: Observed, who: range, verb: int, tasks: Mapping[int, str]) -> Fragment | None:
+    """What is to be brought: something that can be, and of which nothing says what else is to be done."""
+    document = observed.document
+    tokens = document.tokens
+    thing = _named(document, verb)
+    if not thing or _is_of_order(document, who, thing, tasks):
+        return None
+    stop = next((token.i for token in tokens[thing.stop :] if token.lower in ENDS), len(tokens))
+    if stop < len(tokens) and tokens[stop].text == "?":
+        return None
+    end = next((token.i for token in tokens[thing.stop : stop] if token.text == ","), stop)
+    while end > thing.stop and tokens[end - 1].lower in _CLOSING:
+        end -= 1
+    place = range(thing.stop + (tokens[thing.stop : end][:1] != () and tokens[thing.stop].lower == "over"), end)
+    if place and not _is_place(document, place):
+        return None
+    can_be = _can_be_brought(observed, thing, tokens[who.start].lower, is_told=bool(place))
+    words = range(who.start, max(thing.stop, place.stop))
+    return Fragment(words, verb, thing, place, "bringing", recipient=who) if can_be else None
+
+
+def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[int, str]) -> bool:
+    """Whether what is ordered before or behind a want tells what to do about it ("boil the kettle. *I need hot water*",
+    "*I need a cloth*. There may be one in the sink"): not before one that goes on ("and I need"), nor its own case."""
+    tokens, sentences = document.tokens, document.sentences
+    others = {i: kind for i, kind in tasks.items() if tokens[i].lower not in _NEEDING | _LIKING}
+    if any(i >= thing.stop and not (kind in _ASKING and _is_case(document, i)) for i, kind in others.items()):
+        return True
+    first = next(i for i in range(who.start + 1) if sentences[i] == sentences[who.start])
+    is_going_on = not _GOING_ON.isdisjoint(token.lower for token in tokens[first : thing.start])
+    ahead = {i: kind for i, kind in others.items() if i < who.start}
+    return not is_going_on and any(
+        kind not in _ASKING or (i < first and not _is_case(document, i)) for i, kind in ahead.items()
+    )
+
+
+def _is_case(document: Document, check: int) -> bool:
+    """Whether a check's sentence begins with an "if": "I need a pen. *If there's none*, a pencil will do"."""
+    sentences = document.sentences
+    words = (token.lower for token in document.tokens if sentences[token.i] == sentences[check])
+    return next((word for word in words if word not in _JOINING_CASES), "") == "if"
+
+
+def _is_place(document: Document, words: range) -> bool:
+    """Whether words say where something is wanted: "in the kitchen", "over here"; not "for my tea"."""
+    first, last = document.tokens[words.start], document.tokens[words.stop - 1]
+    is_led = first.lower in _LEADING or (first.lower == "here" and len(words) == 1)
+    return is_led and (last.pos in _NAMING or last.lower in _HERE)
+
+
+def _named(document: Document, verb: int) -> range:
+    """The thing behind a verb of wanting: "a pen and some ink", "a cup of tea", "something to write with"."""
+    tokens, start = document.tokens, verb + 1
+    if start >= len(tokens):
+        return range(0)
+    if tokens[start].lower in _SOMETHING:
+        stop = start + 1
+        while stop < len(tokens) and tokens[stop].pos == "ADJ":
+            stop += 1
+        if stop + 1 < len(tokens) and tokens[stop].lower == "to" and tokens[stop + 1].tag == "VB":
+            stop += 2
+            stop += stop < len(tokens) and tokens[stop].tag in ("IN", "RP")
+        return range(start, stop) if stop > start + 1 else range(0)
+    is_led = tokens[start].lower in _INDEFINITE | _OWN or tokens[start].pos == "NUM" or tokens[start].lower == "the"
+    stop = start + 1
+    while stop < len(tokens) and is_led:
+        is_joint = tokens[stop].lower in _JOINING and tokens[stop - 1].pos in _NAMING and stop + 1 < len(tokens)
+        if is_joint and (tokens[stop + 1].pos in _NOMINAL | {"DET"} or tokens[stop + 1].tag == "PRP$"):
+            stop += 2
+        elif tokens[stop].pos in _NOMINAL and tokens[stop].lower not in _CLOSING:
+            stop += 1
+        else:
+            break
+    return range(start, stop) if is_led and tokens[stop - 1].pos in _NAMING else range(0)
+
+
+def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool) -> bool:
+    """Whether it is a thing to be brought: for others, and for "us" without a word where, only what is known to be
+    carried about or is their own, since people want jobs and dogs, and "we need milk" may be for the next shopping."""
+    tokens = observed.document.tokens
+    nouns = [tokens[i] for i in thing if tokens[i].pos in _NAMING]
+    heads = [noun for noun in nouns if noun.i + 1 == thing.stop or tokens[noun.i + 1].pos not in _NAMING]
+    if tokens[thing.start].lower in _SOMETHING:
+        return who == "i"
+    if not heads or any(token.lemma in NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
+        return False
+    kinds = {observed.gazetteer.category(token.lemma) for token in heads}
+    if not kinds.isdisjoint(_PLACES) or not PERSON_NOUNS.isdisjoint(token.lemma for token in heads):
+        return False
+    is_known = "thing" in kinds
+    if who == "we":
+        return is_known and is_told
+    return who == "i" or is_known or tokens[thing.start].lower in _OWN

@@ -1,0 +1,95 @@
+"""What somebody wants: brought where nothing else is ordered that it would be the reason of; and wanted states."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "thing"),
+    [
+        ("I need a spoon.", "I", "a spoon"),
+        ("Robot, I also need some envelopes, please.", "I", "some envelopes"),
+        ("I need a coffee please, a big one.", "I", "a coffee"),
+        ("I need something to dig with.", "I", "something to dig with"),
+        ("If it rains, I need an umbrella.", "I", "an umbrella"),
+        ("I'm soaked, I need a towel.", "I", "a towel"),
+        ("Lea needs her scarf.", "Lea", "her scarf"),
+        ("My grandma wants a cup of tea.", "My grandma", "a cup of tea"),
+        ("The twins are here. The kids want some juice.", "The kids", "some juice"),
+    ],
+)
+def test_who_needs_a_thing_is_brought_it(interpreter: Interpreter, text: str, who: str, thing: str) -> None:
+    task = interpreter.interpret(text).tasks[-1]
+    assert (task.type, task.value("recipient"), task.value("object")) == ("bringing", who, thing)
+
+
+def test_a_thing_may_be_needed_somewhere(interpreter: Interpreter) -> None:
+    (task,) = interpreter.interpret("We need two towels in here, the soft ones.").tasks
+    assert (task.type, task.value("object"), task.value("goal")) == ("bringing", "two towels", "in here")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I need a nap.",
+        "I need some help.",
+        "I need more patience, and quietness.",
+        "We need a new fridge.",
+        "I don't need a spoon.",
+        "Lea wants a dog.",
+        "Lea wants to sleep.",
+    ],
+)
+def test_what_nobody_brings_is_no_task(interpreter: Interpreter, text: str) -> None:
+    assert not interpreter.interpret(text).tasks
+
+
+def test_something_else_may_do_for_what_is_wanted(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("I need a spoon. If there's none, a fork will do.")
+    assert found.flow.to_json() == [{"if": [1, 2], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("Boil the kettle. I need hot water.", ["change_state"]),
+        ("I need a spoon. Look in the drawer.", ["searching"]),
+        ("I need a spoon. Is there one in the drawer?", ["check_state"]),
+        ("I need a spoon. If it's in the drawer, bring it.", ["check_state", "bringing"]),
+        ("Lea wants her scarf. Take it to her.", ["bringing"]),
+        ("Tell Lea I need a spoon.", ["informing"]),
+    ],
+)
+def test_a_want_is_no_task_beside_what_is_ordered_about_it(
+    interpreter: Interpreter, text: str, types: list[str]
+) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == types
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("If the fan is running, I'd like it off.", "the fan"),
+        ("Check if the gate is shut. If it is, I want it open.", "the gate"),
+        ("I'd like the lamp on, please.", "the lamp"),
+    ],
+)
+def test_a_wanted_state_is_brought_about(interpreter: Interpreter, text: str, thing: str) -> None:
+    task = interpreter.interpret(text).tasks[-1]
+    assert (task.type, task.value("object")) == ("change_state", thing)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["I want my coat on.", "Tell Tom I want it off.", "If I want it off, I'll say so.", "I'd like it on the desk."],
+)
+def test_what_is_wanted_elsewhere_changes_no_state(interpreter: Interpreter, text: str) -> None:
+    assert "change_state" not in [task.type for task in interpreter.interpret(text).tasks]
