@@ -60,6 +60,8 @@ def test_what_a_thing_needs_is_ordered(parser: Parser, gazetteer: Gazetteer, tex
         "The stairs need vacuuming. Start with those at the top.",
         "The fish want feeding: two pinches of flakes.",
         "The van needs washing. Fetch the hose, then wash the van.",
+        "The razor needs charging. Fetch the charger from the hall.",  # which is the reason
+        "The patio needs sweeping. Get me the sweeper unless it rains.",
         "Does the lawn need mowing?",
         "If the lawn needs mowing, tell me.",
         "Tell Ben the lawn needs mowing.",

@@ -3,7 +3,7 @@ watering")."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
@@ -220,7 +220,14 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
     if not is_of_living:  # "Tom's shirt needs washing, and *his* socks need washing"
         near = [token for token in near if token.tag != "PRP$" or token.lower not in ("his", "her")]
     is_meant = any(token.lower in _PERSONAL and not _is_of_weather(document, token.i) for token in near)
-    return is_meant or any(token.lemma in named for token in later)
+    return is_meant or any(token.lemma in named for token in later) or _is_helped(tokens[verb], near)
+
+
+def _is_helped(deed: Token, near: Sequence[Token]) -> bool:
+    """Whether what is said behind a need is of the tool for it: "the phone needs *charging*. Get the *charger*"."""
+    stems = tuple(stem for lemma in lemmas(deed.lower) if len(stem := lemma.removesuffix("e")) > 2)
+    nouns = (token.lower for token in near if token.pos in ("NOUN", "PROPN") and token.lower != deed.lower)
+    return any(noun.startswith(stems) for noun in nouns)
 
 
 def _is_of_weather(document: Document, at: int) -> bool:
