@@ -134,17 +134,16 @@ class OraclePolicy(TreePolicy):
 
 
 class RandomPolicy:
-    """Drives and handles things at random; it never gives up."""
+    """Drives and handles things at random, otherwise in each episode; it never gives up."""
 
     plans = replans = 0
     failures: tuple[Failure, ...] = ()
 
     def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
-        self._env, self._seed = env, seed
+        self._env, self._rng = env, np.random.default_rng(seed)
         self.done = False
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
-        self._rng = np.random.default_rng(self._seed)
         self._rows = len(self._env.entities)  # the house may be another one by now
 
     def act(self, observation: Any) -> Any:

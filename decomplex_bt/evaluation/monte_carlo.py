@@ -30,6 +30,9 @@ AGENTS = ("tree", "oracle", "random", "idle")
 """The policies an environment offers; only "tree" understands text, the others are given the gold flow."""
 READERS = ("tree", "oracle")
 """Those that go by a reading of the instruction."""
+Maker = Callable[[Any], Any]
+"""Makes, of an environment, a policy of one's own: `reset(observation, info)` and `act(observation)`, and `failures`,
+`plans`, `replans` where it has them. With several processes it must be a function that can be pickled."""
 CHUNK = 5
 """Episodes that a process takes at once; few, so that none is left with the slow ones."""
 Progress = Callable[[int, int], None]
@@ -84,7 +87,8 @@ class Setup:
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """One episode to be run. `reading`: how the agent is to understand it; None with `problem`: it could not."""
+    """One episode to be run. `reading`: how the agent is to understand it; None with `problem`: it could not. `maker`:
+    of a policy that the environment does not offer."""
 
     example: str
     gold: Instruction
@@ -93,6 +97,7 @@ class Episode:
     source: ReadingSource
     reading: Instruction | None
     problem: str | None = None
+    maker: Maker | None = None
 
 
 def evaluate(
@@ -101,13 +106,14 @@ def evaluate(
     episodes: int = 20,
     seed: int = 0,
     jobs: int = 1,
-    agent: str = "tree",
+    agent: str | Maker = "tree",
     reading: ReadingSource = "own",
     setup: Setup | None = None,
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
     """The rows of `episodes` worlds for every example, world k with seed `seed + k`.
 
+    `agent`: the name of a policy, or what makes one of the environment (`Maker`), which the rows name as it is named.
     `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
     one a core; joblib's `parallel_config` chooses another backend. Raises `InputError` for options that make no sense.
     """
@@ -121,7 +127,7 @@ def evaluate(
 
 def evaluate_agents(
     examples: Sequence[Example],
-    agents: Sequence[str] = ("tree", "oracle", "random"),
+    agents: Sequence[str | Maker] = ("tree", "oracle", "random"),
     *,
     episodes: int = 20,
     seed: int = 0,
@@ -136,7 +142,8 @@ def evaluate_agents(
     """
     if isinstance(agents, str):
         raise InputError(f"agents is {agents!r}; expected a sequence of names, as in ({agents!r},)")
-    if twice := next((name for name in agents if agents.count(name) > 1), None):
+    names = [_name_of(agent) for agent in agents]
+    if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(f"the agent {twice!r} is named twice; name each once")
     _check_jobs(jobs)
     setup = setup or Setup()
@@ -170,13 +177,15 @@ def plan_episodes(
     *,
     episodes: int,
     seed: int,
-    agent: str,
+    agent: str | Maker,
     domain: Domain,
     reading: ReadingSource = "own",
 ) -> tuple[Episode, ...]:
     """All episodes, fixed. Every text is understood here, once and in a batch. Raises `InputError`."""
-    if agent not in AGENTS:
-        raise InputError(f"there is no agent {agent!r}; known: {', '.join(AGENTS)}")
+    if agent not in AGENTS and not callable(agent):
+        raise InputError(
+            f"there is no agent {agent!r}; known: {', '.join(AGENTS)}; or a function that makes one of an environment"
+        )
     if episodes < 1:
         raise InputError(f"episodes is {episodes}; expected at least one world for each instruction")
     if seed < 0:
@@ -192,14 +201,19 @@ def plan_episodes(
             example.id,
             example.instruction,
             seed + world,
-            agent,
+            _name_of(agent),
             source,
             found if isinstance(found, Instruction) else None,
             None if isinstance(found, Instruction) else found,
+            None if isinstance(agent, str) else agent,
         )
         for example, found in zip(examples, readings, strict=True)
         for world in range(episodes)
     )
+
+
+def _name_of(agent: str | Maker) -> str:
+    return agent if isinstance(agent, str) else getattr(agent, "__name__", type(agent).__name__)
 
 
 def run_episodes(
@@ -231,8 +245,11 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     misread = _misreading(episode, setup)
     if episode.reading is None:
         return ended(info, misread)
-    make_policy = env.get_wrapper_attr("policy")
-    policy = make_policy(episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
+    if episode.maker is not None:
+        policy = episode.maker(env)
+    else:
+        make_policy = env.get_wrapper_attr("policy")
+        policy = make_policy(episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
     steps, is_over, truncated = 0, False, False
     try:
         policy.reset(observation, info)
@@ -247,11 +264,12 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
         logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
         broke: Blame = ("execution", f"broke off: {type(error).__name__}: {error}")
         return ended(info, broke, steps=steps, understood=misread is None)
-    failures = tuple(failure.to_json() for failure in policy.failures)
+    failures = tuple(failure.to_json() for failure in getattr(policy, "failures", ()))
     found = None
     if not info["is_success"]:
         found = misread or blame_run(failures, info["violations"], is_truncated=truncated)
-    counts = {"plans": policy.plans, "replans": policy.replans, "understood": misread is None}
+    counts: dict[str, Any] = {name: getattr(policy, name, 0) for name in ("plans", "replans")}
+    counts["understood"] = misread is None
     return ended(info, found, steps=steps, failures=failures, **counts)
 
 

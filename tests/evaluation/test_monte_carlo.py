@@ -182,6 +182,29 @@ def test_agents_are_named_once_each():
         evaluate_agents(EXAMPLES, "tree", episodes=1, reading="gold")
 
 
+class Finisher:
+    """A policy of one's own, with no more than it must have."""
+
+    def __init__(self, env):
+        self._finish = env.get_wrapper_attr("embodiment")().finish
+
+    def reset(self, observation, info):
+        assert "instruction" in info
+
+    def act(self, observation):
+        return self._finish()
+
+
+def test_a_policy_of_ones_own_is_evaluated_as_the_others_are():
+    for jobs in (1, 2):
+        rows = evaluate_agents(EXAMPLES[:1], (Finisher, "idle"), episodes=3, reading="gold", jobs=jobs)
+        own, idle = rows[:3], rows[3:]
+        assert {row.agent for row in own} == {"Finisher"}
+        assert [row.outcome for row in own] == [row.outcome for row in idle]
+    with pytest.raises(InputError, match="a function that makes one"):
+        evaluate(EXAMPLES, agent="clever", episodes=1, reading="gold")
+
+
 def test_no_processes_are_refused_at_once():
     with pytest.raises(InputError, match="jobs is 0; expected at least one"):
         evaluate((), jobs=0)
