@@ -65,13 +65,13 @@ def test_the_can_of_a_question_is_no_can(interpreter: Interpreter, text: str, th
     ("text", "where"),
     [
         ("Put the cup that is standing on the piano in the sink.", {"location": "on the piano", "goal": "in the sink"}),
-        ("Put the shoes that are by the door in the cupboard.", {"location": "by the door", "goal": "in the cupboard"}),
+        ("Put the shoes that are by the door in the cupboard.", {"source": "by the door", "goal": "in the cupboard"}),
         (
             "Take the box which is lying under the bed to the attic.",
             {"source": "under the bed", "goal": "to the attic"},
         ),
         ("Bring me the jar that is on the shelf in the pantry.", {"source": "on the shelf in the pantry"}),
-        ("Put the lamp that's on the desk away.", {"location": "on the desk"}),
+        ("Put the lamp that's on the desk away.", {"source": "on the desk"}),
     ],
 )
 def test_a_clause_about_a_thing_tells_no_goal(interpreter: Interpreter, text: str, where: dict[str, str]) -> None:
