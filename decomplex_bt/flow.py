@@ -104,6 +104,11 @@ class Flow:
         executed = {node.task for node, _ in self.walk()}
         return frozenset(number for node, _ in self.walk() for number in node.tasks if number not in executed)
 
+    def neighbours(self) -> Iterator[tuple[int, int]]:
+        """The numbers of every two tasks of which the second is carried out right after the first; behind a condition
+        what follows where it holds."""
+        yield from _neighbours(self.nodes)
+
     def dependencies(self) -> dict[int, str]:
         """The paper's label of every task (DeComplex, Table I), derived from where it stands."""
         of_place = {"top": "sequential", "then": "dependent_positive", "else": "dependent_negative"}
@@ -148,6 +153,16 @@ class Flow:
                 )
         if task_count is not None:
             _check_complete(set(placed), task_count)
+
+
+def _neighbours(nodes: Sequence[Node]) -> Iterator[tuple[int, int]]:
+    for i, node in enumerate(nodes):
+        following = node.then if isinstance(node, If) else nodes[i + 1 :]
+        if following:
+            yield node.task, following[0].task
+        if isinstance(node, If):
+            yield from _neighbours(node.then)
+            yield from _neighbours(node.orelse)
 
 
 def in_reading_order(nodes: Sequence[Node]) -> tuple[Node, ...]:

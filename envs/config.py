@@ -23,7 +23,7 @@ class WorldConfig:
 
     `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
     rad/s², up to `MAX_SPEED` and `MAX_TURN_RATE`, which is what observations can tell; a `substep` up to `MAX_SUBSTEP`,
-    beyond which bodies jump over walls. `reach` [m]: from the robot's centre to the nearest point of what it handles;
+    in which nothing comes through a wall. `reach` [m]: from the robot's centre to the nearest point of what it handles;
     `speak_reach` [m]: from centre to centre, to speak and to hand over. `tray_slots`: things the tray holds. The tree's
     skills get everywhere with a `reach` from 0.7 and a `speak_reach` from 1.0; with less they do not, and the judge
     calls it feasible all the same.

@@ -57,7 +57,7 @@ class Home:
         is one, can be asked for in it. Raises `InputError`.
         """
         path, seed = read_house(options)
-        if options and options.get("house_seed", seed) is None and "house_seed" in options:
+        if options and "house_seed" in options and seed is None:
             self.seed = self._own_seed
         seed = self.seed if seed is None else seed
         if path is not None or seed is not None or not self._residence.is_generated:

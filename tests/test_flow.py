@@ -69,3 +69,8 @@ def test_mentions_are_numbers_that_are_executed_nowhere() -> None:
     flow = Flow.from_json([{"if": [1, 2], "then": [3], "else": [{"same": [4, 5]}, {"same": [3]}]}])
     assert flow.mentions() == {2, 5}
     assert Flow.from_json([1, 2]).mentions() == frozenset()
+
+
+def test_neighbours_are_done_one_right_after_the_other():
+    flow = Flow.from_json([1, {"if": [2, 3], "then": [4, 5], "else": [6]}, 7, 8])
+    assert list(flow.neighbours()) == [(1, 2), (2, 4), (4, 5), (7, 8)]

@@ -3,10 +3,8 @@ give it to Anna")."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from decomplex_bt.flow import If, Node
 from decomplex_bt.instruction import Instruction, Task
 
 _WHITHER = ("recipient", "goal")
@@ -18,22 +16,11 @@ def passed_on(instruction: Instruction) -> Instruction:
     to nobody named is brought to who speaks, and these are not meant to get it first."""
     fetched = {
         first.id
-        for first, second in _neighbours(instruction, instruction.flow.nodes)
+        for first, second in (map(instruction.task, pair) for pair in instruction.flow.neighbours())
         if first.type == "bringing" and _is_passed_on(first, second)
     }
     tasks = (replace(task, type="taking") if task.id in fetched else task for task in instruction.tasks)
     return replace(instruction, tasks=tuple(tasks)) if fetched else instruction
-
-
-def _neighbours(instruction: Instruction, nodes: Sequence[Node]) -> Iterator[tuple[Task, Task]]:
-    """Every two tasks of which the second is carried out right after the first, at least where that succeeds."""
-    for i, node in enumerate(nodes):
-        following = node.then if isinstance(node, If) else nodes[i + 1 :]
-        if following:
-            yield instruction.task(node.task), instruction.task(following[0].task)
-        if isinstance(node, If):
-            yield from _neighbours(instruction, node.then)
-            yield from _neighbours(instruction, node.orelse)
 
 
 def _is_passed_on(task: Task, following: Task) -> bool:

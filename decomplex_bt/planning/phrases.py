@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.nouns import singulars
-from decomplex_bt.errors import ImpossibleGoalError
+from decomplex_bt.errors import ImpossibleGoalError, InputError
 from decomplex_bt.instruction import Argument
 from decomplex_bt.planning.modifiers import (
     PICKS,
@@ -54,6 +54,15 @@ def read_phrases(text: str, domain: Domain) -> tuple[NounPhrase, ...]:
     and is not at the place inside its phrase ("the window in the study").
     """
     return _read_phrases(normal_words(text), domain, text)
+
+
+def named_by(words: str, domain: Domain) -> tuple[str, ...]:
+    """What words name; nothing where they are not understood."""
+    try:
+        phrases = read_phrases(words, domain)
+    except InputError:
+        return ()
+    return tuple(name for phrase in phrases for name in (phrase.entities or phrase.plurals))
 
 
 def read_argument(argument: Argument, text: str, domain: Domain) -> tuple[NounPhrase, ...]:

@@ -4,15 +4,11 @@ kitchen and check if there is milk"), and the room whose door was named ("if the
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import InputError
-from decomplex_bt.flow import If, Node
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.phrases import named_by
 
 _THERE_IS = re.compile(r"\b(?:if|whether|that)\s+there(?:['\u2019]?s|['\u2019]re|\s+is|\s+are)\b", re.IGNORECASE)
 _SENTENCE_END = re.compile(r"[.!?;]\s")
@@ -32,7 +28,7 @@ def with_place_sent(instruction: Instruction, task: Task, domain: Domain) -> Tas
     if task.type != "check_state" or task.argument(*_WHERE) is not None or before is None or before.type != "motion":
         return task
     goal, said = before.argument("goal"), [a.span.end for a in task.arguments if a.type == "object" and a.span]
-    if goal is None or not said or (before.id, task.id) not in _neighbours(instruction.flow.nodes):
+    if goal is None or not said or (before.id, task.id) not in instruction.flow.neighbours():
         return task
     asked = instruction.text[before.span.end : max(said)]
     is_asked = _THERE_IS.search(asked) is not None and _SENTENCE_END.search(asked) is None
@@ -63,21 +59,9 @@ def _behind(words: str, domain: Domain) -> str:
     return f"to {room}" if _is_room(room, domain) else ""
 
 
-def _neighbours(nodes: Sequence[Node]) -> Iterator[tuple[int, int]]:
-    """The numbers of every two tasks of which the second is always done right behind the first."""
-    yield from ((one.task, other.task) for one, other in pairwise(nodes) if not isinstance(one, If))
-    for node in nodes:
-        if isinstance(node, If):
-            yield from _neighbours(node.then)
-            yield from _neighbours(node.orelse)
-
-
 def _is_room(words: str, domain: Domain) -> bool:
-    try:
-        phrases = read_phrases(words, domain)
-    except InputError:
-        return False
-    return all(p.entities and domain.house.rooms.keys() >= set(p.entities) for p in phrases)
+    names = named_by(words, domain)
+    return bool(names) and domain.house.rooms.keys() >= {*names}
 
 
 def _bare(words: str) -> str:

@@ -6,9 +6,8 @@ import re
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Argument, Span, Task
-from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.phrases import named_by
 
 _ALONG = re.compile(
     r"^(?P<thing>\S.*?) with (?P<along>(?:an?|some|another|two|three|four|my|his|her) .+)$", re.IGNORECASE
@@ -40,9 +39,5 @@ def _part(argument: Argument, found: re.Match[str], name: str) -> Span | None:
 
 
 def _is_carried(words: str, domain: Domain) -> bool:
-    try:
-        phrases = read_phrases(words, domain)
-    except InputError:
-        return False
-    names = {name for phrase in phrases for name in (*phrase.entities, *phrase.plurals)}
-    return bool(names) and names <= domain.house.things.keys()
+    names = named_by(words, domain)
+    return bool(names) and domain.house.things.keys() >= {*names}

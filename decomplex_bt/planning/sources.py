@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Argument, Task
-from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.phrases import named_by
 from decomplex_bt.planning.prepositions import split_preposition
 
 _OFF_A_TOP = frozenset(("on", "off", "from"))
@@ -51,8 +50,5 @@ def _halves(words: str, domain: Domain) -> tuple[str, str] | None:
 
 
 def _names_place(words: str, domain: Domain) -> bool:
-    try:
-        phrases = read_phrases(words, domain)
-    except InputError:
-        return False
-    return all(domain.room_of(n) is not None and n not in domain.house.rooms for p in phrases for n in p.entities)
+    names = named_by(words, domain)
+    return bool(names) and all(domain.room_of(n) is not None and n not in domain.house.rooms for n in names)

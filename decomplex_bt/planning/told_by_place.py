@@ -10,10 +10,10 @@ import re
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import ImpossibleGoalError, InputError
+from decomplex_bt.errors import ImpossibleGoalError
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import is_fixed
-from decomplex_bt.planning.phrases import read_phrases, rooms_of
+from decomplex_bt.planning.phrases import named_by, rooms_of
 from decomplex_bt.planning.prepositions import split_preposition
 
 _IS = r"(?:\s+(?:is|are|am)|['\u2019](?:s|re|m))\b"
@@ -52,7 +52,7 @@ def _told(instruction: Instruction, task: Task, argument: Argument, domain: Doma
     assert argument.span is not None
     head = _CLAUSE.sub("", argument.value)
     start = argument.span.start + len(head)
-    names = _names(head, domain)
+    names = named_by(head, domain)
     if len(names) < 2 or not all(is_fixed(name, domain) for name in names):
         return task
     are_rooms = all(name in domain.house.rooms for name in names)
@@ -78,7 +78,7 @@ def _value(task: Task, head: str, clause: re.Match[str], are_rooms: bool, domain
     who = _named(clause, domain)
     if not are_rooms or who is None:
         return None
-    names = _names(who, domain)
+    names = named_by(who, domain)
     rooms = {room for name in names for room in rooms_of(name, domain)}
     if all(is_fixed(name, domain) for name in names):
         preposition = split_preposition(head, domain)[0]
@@ -90,25 +90,16 @@ def _named(clause: re.Match[str], domain: Domain) -> str | None:
     """Who or what a clause says is there, where its words name something."""
     groups = clause.groupdict("")
     longer = f"{groups['who']}{groups.get('more', '')}"
-    return next((words for words in (longer, groups["who"]) if _names(words, domain)), None)
+    return next((words for words in (longer, groups["who"]) if named_by(words, domain)), None)
 
 
 def _beside(task: Task, who: str, domain: Domain) -> str | None:
     """What "where Tom is" alone is a word for: to him, or next to a thing; None where it names nothing."""
-    names = _names(who, domain)
+    names = named_by(who, domain)
     if not names:
         return None
     is_to = task.type != "placing" or any(name in domain.house.people for name in names)
     return f"to {who}" if is_to else f"next to {who}"
-
-
-def _names(words: str, domain: Domain) -> tuple[str, ...]:
-    """What words name; nothing where they are not understood."""
-    try:
-        phrases = read_phrases(words, domain)
-    except InputError:
-        return ()
-    return tuple(name for phrase in phrases for name in (phrase.entities or phrase.plurals))
 
 
 def _with_value(task: Task, argument: Argument, value: str) -> Task:

@@ -443,6 +443,11 @@ _TABLE = _build_table()
 _LONGEST = max(map(len, _TABLE))
 
 
+CONDITIONAL = frozenset(
+    "if only_if unless when until before before_that before_all after so else fail depending".split()
+)
+"""With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
+the flow to say."""
 OPPOSITES: Mapping[str, str] = MappingProxyType(
     {
         word: opposite

@@ -723,6 +723,21 @@ def test_a_configuration_that_cannot_be_is_refused_at_once(config, says):
         gym.make(HOUSEHOLD, config=config)
 
 
+def test_nothing_comes_through_a_wall_at_the_bounds_of_a_configuration():
+    world = {"substep": 0.05, "max_speed": 2.0, "max_acceleration": 20.0, "max_turn_rate": 10.0}
+    env = gym.make(HOUSEHOLD, instruction="Go to the kitchen.", config={"world": world})
+    rng = np.random.default_rng(0)
+    for seed in range(4):
+        env.reset(seed=seed)
+        for step in range(120):
+            drive = rng.uniform(-1, 1, 2) if step % 40 == 0 else (1.0, rng.uniform(-0.2, 0.2))
+            action = {"drive": np.array(drive, dtype=np.float32), "interact": 0, "target": 0}
+            observation, _, terminated, truncated, _ = env.step(action)
+            assert observation in env.observation_space
+            if terminated or truncated:
+                break
+
+
 def test_what_a_config_holds_is_named_so_where_it_is_given_as_an_argument():
     with pytest.raises(InputError, match=r"reward: .* a field of its config; .*config=\{'reward': 'progress'\}"):
         gym.make(HOUSEHOLD, reward="progress")

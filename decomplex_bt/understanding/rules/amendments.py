@@ -34,7 +34,6 @@ from decomplex_bt.understanding.rules.conditions import without_cases
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.extents import with_features, with_purposes, with_whole_places, without_questions
-from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.guesses import without_guessed
@@ -42,7 +41,7 @@ from decomplex_bt.understanding.rules.handing import accompanied, called, divide
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
-from decomplex_bt.understanding.rules.needs import belonging, due, in_need
+from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
@@ -53,10 +52,9 @@ from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
-from decomplex_bt.understanding.rules.transfers import transfers
+from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, kept_from
-from decomplex_bt.understanding.rules.wants import wants
 from decomplex_bt.understanding.rules.wishes import backgrounds
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
@@ -155,7 +153,7 @@ def amended(
         if report.message:
             kept = [a for a in kept if a.tokens.start not in report.message]
             kept.append(FoundArgument("message", report.verb, report.message, CERTAIN))
-    for fragment in (*fragments(document), *transfers(observed), *belonging(document), *wants(observed, tasks)):
+    for fragment in unspoken(observed, tasks):
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]

@@ -17,12 +17,11 @@ from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
-from decomplex_bt.understanding.rules.fragments import fragments
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.loading import loading
-from decomplex_bt.understanding.rules.needs import belonging, needed
+from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
@@ -31,10 +30,9 @@ from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.telegraph import telegraphed
-from decomplex_bt.understanding.rules.transfers import transfers
+from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, postponed
-from decomplex_bt.understanding.rules.wants import wants
 from decomplex_bt.understanding.rules.wishes import is_background, is_served
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -179,12 +177,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
-    for fragment in (
-        *fragments(document),
-        *transfers(observed),
-        *belonging(document),
-        *wants(observed, {**found, **idioms}),
-    ):
+    for fragment in list(unspoken(observed, {**found, **idioms})):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type
     for case in second_cases(document):

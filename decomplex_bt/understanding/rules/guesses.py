@@ -22,7 +22,7 @@ def guesses(document: Document) -> Iterator[range]:
     """The words of a guess that ends a sentence behind the only "if" of a text, a negated one, where the next sentence
     takes the thing up and is no matter of that place: it neither begins with a "then" or the like nor says "there"."""
     tokens, sentences = document.tokens, document.sentences
-    if [token.lower for token in tokens].count("if") != 1:
+    if "if" not in document.words or sum(token.lower == "if" for token in tokens) != 1:
         return
     for i, token in enumerate(tokens):
         if token.lower not in _SUBJECTS or i == 0 or i + 3 >= len(tokens):

@@ -19,13 +19,14 @@ NEEDING = frozenset("need needs want wants needed wanted".split())
 _COULD_DO_WITH = ("could", "do", "with")
 _PRESENT = frozenset(("VBP", "VBZ", "VB", "NNS"))
 _BETWEEN = frozenset("also still really badly now urgently just both all".split())
-_OPENING = frozenset(
-    ", and also oh right now so ok okey okay well um uh erm hi hello hey robot please then anyway listen look".split()
+OPENING = frozenset(
+    ", and also oh right now so ok okey okay well um uh er erm hi hello hey robot please then anyway listen "
+    "look".split()
 )
-"""What may stand between the beginning of a sentence and the thing that needs something done."""
+"""What may stand between the beginning of a sentence and the thing that needs something done, or who wants it."""
 _CASES = frozenset("if when unless once whenever".split())
 _SAYING_SO = NEEDING | {"could", "time"}
-_BEFORE_TIME = _OPENING | frozenset("it 's \u2019s is its about high".split())
+_BEFORE_TIME = OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
 _INSIDE = _PLACING | {"'s", "\u2019s"}
@@ -178,7 +179,7 @@ def _subject(document: Document, need: int) -> range:
     start = need
     while start and sentences[start - 1] == sentences[need] and tokens[start - 1].lower not in (",", "and"):
         start -= 1
-    while start < need and tokens[start].lower in _OPENING:
+    while start < need and tokens[start].lower in OPENING:
         start += 1
     return range(start, need)
 
@@ -195,7 +196,7 @@ def _is_of_thing(document: Document, need: int) -> bool:
     if any(token.pos not in _NOMINAL and token.lower not in _INSIDE and token.tag != "PRP$" for token in words):
         return False
     first = sentences.index(sentences[need])
-    ahead = [i for i in range(first, said.start) if tokens[i].lower not in _OPENING]
+    ahead = [i for i in range(first, said.start) if tokens[i].lower not in OPENING]
     needs = [i for i in ahead if _is_need(tokens[i])]
     is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[said.start - 1].text == ","
     is_first = not ahead or is_case or (len(needs) == 1 and _is_of_thing(document, needs[0]))

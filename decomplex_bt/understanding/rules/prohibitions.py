@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cues import CONDITIONAL, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.rules.spared import CONDITIONAL, spared
+from decomplex_bt.understanding.rules.spared import spared
 
 _NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from decomplex_bt.understanding.cues import CONDITIONAL
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import noun_chunks
@@ -21,12 +22,6 @@ _GOING = frozenset("go walk come head run drive return".split())
 """Behind these what is left is left where one has gone."""
 _DEFINITE = frozenset(("DT", "PRP$", "PDT"))
 
-CONDITIONAL = frozenset(
-    "if only_if unless when until before before_that before_all after so else fail depending".split()
-)
-"""With one of these in its sentence a prohibition may be a condition's or an order's ("don't go until …"): that is for
-the flow to say."""
-
 
 def spared(observed: Observed) -> tuple[int, ...]:
     """The verbs of what is to be left as it is, in a sentence without a case, beside other orders: no word of the
@@ -42,7 +37,7 @@ def _leavings(document: Document) -> Iterator[int]:
     tokens = document.tokens
     for i, token in enumerate(tokens):
         is_order = token.lower == "leave" and token.tag in ("VB", "VBP", "NNP", "NN")
-        if is_order and (i == 0 or tokens[i - 1].lower in _OPENING or _begins_sentence(document, i)):
+        if is_order and (_begins_sentence(document, i) or tokens[i - 1].lower in _OPENING):
             yield i
 
 

@@ -29,7 +29,6 @@ _LEADING_THERE = frozenset(
 )
 """What there is to a place, as the key to a car."""
 _SAID_TO = frozenset("answer thank message reply toast cheer introduction".split())
-
 _BODY = frozenset("hand eye finger foot ear head arm leg knee paw back".split())
 
 
@@ -79,11 +78,7 @@ def _ordered(observed: Observed, words: range, mark: str) -> Iterator[Fragment]:
 def _transfer(observed: Observed, words: range) -> Fragment | None:
     """What goes where, or to whom: "First *the tea, to Tom*"."""
     document, tokens = observed.document, observed.document.tokens
-    start, stop = words.start, words.stop
-    while start < stop and tokens[start].lower in _LEADING:
-        start += 1
-    while stop > start and tokens[stop - 1].lower in _CLOSING:
-        stop -= 1
+    start, stop = _without_ends(document, words)
     carrier = next((i for i in range(stop - 1, start, -1) if tokens[i].lower in _CARRYING), None)
     if carrier is None:
         return None
@@ -104,6 +99,16 @@ def _transfer(observed: Observed, words: range) -> Fragment | None:
         kind = "bringing" if to == "to" else "placing"
         return Fragment(words, carrier, thing, place, kind)
     return Fragment(words, carrier, thing, range(0), "bringing", recipient=place)
+
+
+def _without_ends(document: Document, words: range) -> tuple[int, int]:
+    """Where words begin and end without what only leads on ("and then") or closes ("please")."""
+    start, stop = words.start, words.stop
+    while start < stop and document.tokens[start].lower in _LEADING:
+        start += 1
+    while stop > start and document.tokens[stop - 1].lower in _CLOSING:
+        stop -= 1
+    return start, stop
 
 
 def _is_named(observed: Observed, thing: range, *, is_parted: bool) -> bool:
@@ -133,11 +138,7 @@ def _is_thing(observed: Observed, words: range) -> bool:
 def _served(observed: Observed, words: range) -> Fragment | None:
     """What is asked for by no more than its name and a "please", carried by its noun: "*Coffee*, please"."""
     tokens = observed.document.tokens
-    start, stop = words.start, words.stop
-    while start < stop and tokens[start].lower in _LEADING:
-        start += 1
-    while stop > start and tokens[stop - 1].lower in _CLOSING:
-        stop -= 1
+    start, stop = _without_ends(observed.document, words)
     thing = range(start, stop)
     if not thing or not _is_named(observed, thing, is_parted=False):
         return None

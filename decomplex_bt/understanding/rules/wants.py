@@ -9,16 +9,13 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
 from decomplex_bt.understanding.rules.fragments import NO_THINGS, STATES, Fragment
+from decomplex_bt.understanding.rules.needs import OPENING
 
 _SPEAKERS = frozenset(("i", "we"))
 _NEEDING = frozenset("need needs want wants".split())
 _WOULD = frozenset("would 'd \u2019d".split())
 _LIKING = frozenset(("like", "love", "prefer"))
 _ADVERBS = frozenset("also really just now rather still badly urgently".split())
-_OPENING = frozenset(
-    ", and also oh right now so ok okay well um uh er hi hello hey robot please then anyway listen".split()
-)
-"""What may stand between the beginning of a sentence and who wants something."""
 _ASKING = frozenset(("check_state", "searching"))
 _JOINING_CASES = frozenset(("and", "but", "or", ","))
 _GOING_ON = frozenset(("and", "also"))
@@ -72,7 +69,7 @@ def _wanting(document: Document, verb: int) -> range:
     if start >= stop or not _is_somebody(document, range(start, stop)):
         return range(0)
     first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
-    ahead = [i for i in range(first, start) if tokens[i].lower not in _OPENING]
+    ahead = [i for i in range(first, start) if tokens[i].lower not in OPENING]
     is_second = any(tokens[i].lower in _NEEDING for i in ahead)
     is_behind = bool(ahead) and not is_second and tokens[start - 1].text == ","  # "I'm soaked, I need a towel"
     is_joined = is_second and tokens[start - 1].lower == "and"

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
@@ -332,8 +333,10 @@ def _done(words: _Words, at: int, doing: int) -> set[int]:
         return set()
     if is_noun and doing + 1 < stop and tokens[doing + 1].pos in ("NOUN", "PROPN"):
         return set()  # "skip the ironing board"
+    named = tokens[doing].lower
+    meant = frozenset(lemmas(named)) - {named} if named.endswith("ing") else frozenset()
     for clause in reversed(list(_clauses(words, at))):
-        verb = next((i for i in clause if tokens[doing].lower in _gerunds(tokens[i].lower)), None)
+        verb = next((i for i in clause if tokens[i].lower in meant), None)
         if verb is None:
             continue
         # the tagger takes the verb of "Vacuum the hall" for a name
@@ -347,12 +350,6 @@ def _done(words: _Words, at: int, doing: int) -> set[int]:
 def _may_tell(token: Token) -> bool:
     """Whether a word behind a verb may tell what it is done to, or goes with it: "the washing *up*"."""
     return token.pos in ("DET", "PRON", "ADJ", "NOUN", "PROPN", "NUM", "ADP", "PART", "ADV")
-
-
-def _gerunds(verb: str) -> frozenset[str]:
-    """The forms in which a bare verb may be named: "ironing" of "iron", "dusting", "mopping" and "wiping"."""
-    stem = verb[:-1] if verb.endswith("e") else verb
-    return frozenset((f"{verb}ing", f"{stem}ing", f"{verb}{verb[-1]}ing"))
 
 
 def _clauses(words: _Words, stop: int) -> Iterator[list[int]]:
