@@ -7,8 +7,8 @@ change with where the eye is: from how far a point can be seen and looked over, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, lru_cache
 from math import ceil, cos, pi, sin
 from struct import Struct
 from typing import NamedTuple
@@ -173,50 +173,70 @@ class Scene:
     """What is in the rooms in sight: fixed places, then the things and people there now.
 
     `ways`: the robot's room, then the rooms that wedges lead into, one twice where two do. `layout` has the fixed
-    places; `rows` and `points` go on with the things and people (`movable`, their rows), a point each, in `room` of
-    each; `limits` are the distances from which each can be seen [m]. `moved_at` is the caller's note of when they were
-    brought in line last.
+    places; `points` go on with the things and people (`movable`, their rows), a point each, in `room` of each; `limits`
+    are the distances from which each can be seen [m], `half_angle` [rad] is half of the field of view, `is_open`
+    `(places,)` which places are not shut. `in_view` is which of the points the last view took in. `moved_at` is the
+    caller's note of when things and people were brought in line last.
+
+    All that a view writes to is made once: it is asked for every few steps, and costs little more than its calls.
     """
 
     def __init__(
-        self, samples: Samples, ways: tuple[int, ...], movable: Rows, room: Rows, limits: Floats, position: Floats
+        self,
+        samples: Samples,
+        ways: tuple[int, ...],
+        movable: Rows,
+        room: Rows,
+        limits: Floats,
+        position: Floats,
+        *,
+        half_angle: float,
+        is_open: Bools,
     ) -> None:
         self.moved_at = -1
         self.layout = layout = samples.layout(ways)
         self.movable, self._limits = movable, SLACK - limits * limits
-        self.rows = np.concatenate((layout.rows, movable))
-        fixed = layout.points.shape[1]
+        fixed, rows = layout.points.shape[1], len(position)
         count = fixed + len(movable)
         self.points = np.empty((3, count))
         self.points[:, :fixed] = layout.points
         self.points[ONE, fixed:] = 1.0
         self._thresholds = thresholds = np.empty((len(layout.thresholds), count))
-        self._asked = np.empty((len(thresholds), 3))
-        self._questions = self._asked.data
-        self._put_down = Struct(f"{self._asked.size}d").pack_into
         thresholds[:, :fixed] = layout.thresholds
         thresholds[:RANGE, fixed:] = SLACK  # nothing lies on or in what can be moved: its nearness is not asked for
         np.subtract(SLACK, layout.elsewhere[:, room], out=thresholds[WEDGES:, fixed:])
         self._moving, self._ranges = self.points[: PLACE_Y + 1, fixed:], thresholds[RANGE, fixed:]
-        self._reach = samples.reach
+        self._reach, self._half_angle = samples.reach, half_angle
         self._is_one_way = len(ways) == len(layout.rooms)
+        self._asked = np.empty((len(thresholds), 3))
+        self._questions = self._asked.data
+        self._put_down = _packer(self._asked.size)
+        self._answers = np.empty(thresholds.shape)
+        self._is_within = np.empty(thresholds.shape, dtype=np.bool_)
+        self._found = np.empty(count + len(layout.holding_rows), dtype=np.bool_)
+        self.in_view, self._is_short = self._found[:count], self._found[count:]
+        self._is_near = self._is_within[NEARNESS, layout.holding_points]
+        self._holding_in_view = self.in_view[layout.holding_points]
+        self._stands_for = np.concatenate((layout.rows, movable, rows + layout.holding_rows))
+        self._unseen = np.zeros(rows + len(is_open), dtype=np.bool_)
+        self._unseen[rows - 1] = True  # the robot knows of itself
+        np.logical_not(layout.is_holding & is_open, out=self._unseen[rows:])
         self.move(position)
 
     def move(self, position: Floats) -> None:
         """Brings the points of things and people in line with all positions, `(rows, 2)`."""
         if self.movable.size:
-            self._moving[...] = x, y = position[self.movable].T
+            self._moving[...] = at = position[self.movable].T
+            x, y = at
             np.add(self._limits, x * x + y * y, out=self._ranges)
 
-    def view(
-        self, eye: complex, heading: float, half_angle: float, beyond: Sequence[tuple[int, Wedge]]
-    ) -> tuple[Bools, Bools]:
-        """For each point whether it is in view; of the `holding_points`, also whether from near enough to look over.
+    def view(self, eye: complex, heading: float, beyond: Sequence[tuple[int, Wedge]]) -> Bools:
+        """What is seen, `(rows,)`, then, `(places,)`, what is not in view with its whole contents; one fresh array.
 
-        `half_angle` [rad]: half of the field of view. `beyond`: the wedges into the other rooms.
+        `beyond`: the wedges into the other rooms.
         """
         x, y = eye.real, eye.imag
-        begin, end = heading - half_angle, heading + half_angle
+        begin, end = heading - self._half_angle, heading + self._half_angle
         rx, ry, lx, ly = cos(begin), sin(begin), cos(end), sin(end)
         a, b, c = 2 * x, 2 * y, -x * x - y * y
         asked = [a, b, c, -ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x, a, b, c]
@@ -224,11 +244,14 @@ class Scene:
             rx, ry, lx, ly = right.real, right.imag, left.real, left.imag
             asked += (-ry, rx, ry * x - rx * y, ly, -lx, lx * y - ly * x)
         self._put_down(self._questions, 0, *asked)
-        self._half_angle, self._beyond = half_angle, beyond
-        is_within = self._asked.dot(self.points) >= self._thresholds
-        in_view = self._all(is_within)
-        holding = self.layout.holding_points
-        return in_view, is_within[NEARNESS, holding] & in_view[holding]
+        self._beyond = beyond
+        np.greater_equal(self._asked.dot(self.points, self._answers), self._thresholds, self._is_within)
+        self._all(self._is_within, self.in_view)
+        np.logical_and(self._is_near, self._holding_in_view, self._is_short)
+        np.logical_not(self._is_short, self._is_short)
+        seen = self._unseen.copy()
+        seen[self._stands_for[self._found]] = True
+        return seen
 
     def shows(self, spots: Floats, room: Rows) -> Bools:
         """Which of some spots `(n, 2)` on the floors of these rooms the last view took in."""
@@ -238,20 +261,25 @@ class Scene:
         thresholds[:RANGE] = SLACK
         thresholds[RANGE] = SLACK + ((spots * spots).sum(axis=1) - self._reach**2)
         thresholds[WEDGES:] = SLACK - self.layout.elsewhere[:, room]
-        return self._all(self._asked.dot(points) >= thresholds) & self.layout.is_in_sight[room]
+        in_view = np.empty(len(spots), dtype=np.bool_)
+        self._all(self._asked.dot(points) >= thresholds, in_view)
+        return in_view & self.layout.is_in_sight[room]
 
-    def _all(self, is_within: Bools) -> Bools:
-        """Of answers to all that was asked of points, for each point whether it is in view."""
+    def _all(self, is_within: Bools, in_view: Bools) -> None:
+        """Of answers to all that was asked of points, for each point whether it is `in_view`."""
         if self._half_angle >= pi:
             first = RANGE
         elif self._half_angle < pi / 2:
             first = LEFTMOST
         else:
             first = RIGHTMOST
-            np.logical_or(is_within[LEFTMOST], is_within[RIGHTMOST], out=is_within[RIGHTMOST])
+            right = is_within[RIGHTMOST]
+            np.logical_or(is_within[LEFTMOST], right, right)
         if self._is_one_way:
-            return np.logical_and.reduce(is_within[first:])
-        return np.logical_and.reduce([*is_within[first:WEDGES], *self._through(is_within, self._beyond)])
+            np.logical_and.reduce(is_within[first:], 0, None, in_view)
+        else:
+            through = self._through(is_within, self._beyond)
+            np.logical_and.reduce([*is_within[first:WEDGES], *through], 0, None, in_view)
 
     @staticmethod
     def _through(is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:
@@ -261,6 +289,12 @@ class Scene:
             right = WEDGES + 2 * wedge
             ways.setdefault(room, []).append(is_within[right] & is_within[right + 1])
         return [np.logical_or.reduce(through) for through in ways.values()]
+
+
+@cache
+def _packer(count: int) -> Callable[..., None]:
+    """What writes so many numbers into a buffer."""
+    return Struct(f"{count}d").pack_into
 
 
 @lru_cache(maxsize=8)

@@ -50,13 +50,14 @@ class Sensor:
         self._movable = slice(geometry.place_count, geometry.robot_row)
         self._floors = slice(geometry.place_count - len(geometry.rooms), geometry.place_count)
         self._half_angle = radians(min(config.field_of_view, 360.0)) / 2
+        self._count = len(geometry.names)
         count = geometry.robot_row - geometry.place_count
         self._shut = np.zeros(self._places + 1, dtype=np.bool_)  # the last one is for what is at no place
         self._seen_floor = samples.never_seen[: samples.floor_count].copy()
         self._seen_when = samples.never_seen[:count].copy()  # of what is out of view; what is in view: by the last look
         self._seen_at = 0.0
-        self._none_full = np.zeros(self._places, dtype=np.bool_)
-        self._full_before = deque([self._none_full] * (config.looks - 1), maxlen=config.looks - 1)
+        all_short = np.ones(self._places, dtype=np.bool_)
+        self._short_before = deque([all_short] * (config.looks - 1), maxlen=config.looks - 1)
         self._tracked = np.zeros(count, dtype=np.bool_)
         known, shown = _tables(geometry)
         self._known, self._shown = known.copy(), shown.copy()
@@ -73,9 +74,8 @@ class Sensor:
         self._rooms = np.empty(0, dtype=np.int64)
         self._last_seen = b"", b""
         self.changes = 0
-        self._robot_alone = np.zeros(len(geometry.names), dtype=np.bool_)
-        self._robot_alone[-1] = True
-        self.visible, self.inspected = self._robot_alone, self._none_full
+        self.visible = np.zeros(self._count, dtype=np.bool_)
+        self.inspected = np.zeros(self._places, dtype=np.bool_)
 
     def look(self) -> bool:
         """Looks if it is time to, or if the robot changed something; says whether it looked.
@@ -143,20 +143,17 @@ class Sensor:
         eye, room = complex(x, y), world.robot_room
         beyond = wedges(world.geometry, room, eye, world.closed_leaves, reach=self.config.range)
         scene = self._scene_of((room, *[other for other, _ in beyond]))
+        seen = scene.view(eye, world.robot_heading, beyond)
+        self.visible, is_short = seen[: self._count], seen[self._count :]
+        short = is_short
+        for before in self._short_before:
+            short = short | before
+        self._short_before.append(is_short)
+        self.inspected = inspected = ~short
         layout = scene.layout
-        in_view, is_near = scene.view(eye, world.robot_heading, self._half_angle, beyond)
-        visible = self.visible = self._robot_alone.copy()
-        visible[scene.rows[in_view]] = True
-        is_full = layout.is_holding & self._is_open
-        is_full[layout.holding_rows[~is_near]] = False
-        inspected = is_full
-        for before in self._full_before:
-            inspected = inspected & before
-        self._full_before.append(is_full)
-        self.inspected = inspected
-        self._seen_floor[layout.floor_numbers[in_view[layout.floor_points]]] = now
+        self._seen_floor[layout.floor_numbers[scene.in_view[layout.floor_points]]] = now
         oldest = np.minimum.reduceat(self._seen_floor, self._samples.floor_starts)
-        np.greater_equal(oldest, now - self.config.memory, out=self.inspected[self._floors])
+        np.greater_equal(oldest, now - self.config.memory, out=inspected[self._floors])
         return scene
 
     def _scene_of(self, ways: tuple[int, ...]) -> Scene:
@@ -176,6 +173,8 @@ class Sensor:
                 self._rooms[here],
                 self._limit[movable - self._places],
                 self.world.position,
+                half_angle=self._half_angle,
+                is_open=self._is_open,
             )
             scene.moved_at = self._stirs
         if scene.moved_at != self._stirs:

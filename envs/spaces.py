@@ -67,10 +67,12 @@ def observation_space(rows: int, bounds: Rect, tray_slots: int) -> spaces.Dict:
 def read_action(action: Mapping[str, Any], rows: int) -> tuple[float, float, Interaction, int]:
     """Forward and turning speed in [-1, 1] (clipped), interaction and target. Raises `InputError` for no action."""
     try:
-        drive = np.asarray(action["drive"])
+        drive = action["drive"]
         interact, target = index(action["interact"]), index(action["target"])
-        if drive.shape == (2,) and drive.dtype.kind in _REAL and interact >= 0 and 0 <= target < rows:
-            forward, turn = drive.tolist()
+        if type(drive) is not np.ndarray:
+            drive = np.asarray(drive)
+        if drive.dtype.kind in _REAL and interact >= 0 and 0 <= target < rows:
+            forward, turn = drive.tolist()  # of another shape than (2,) these are no two numbers
             interaction = _INTERACTIONS[interact]
             if -1.0 <= forward <= 1.0 and -1.0 <= turn <= 1.0:
                 return forward, turn, interaction, target

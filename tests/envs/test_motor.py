@@ -105,7 +105,8 @@ def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
     geometry = setting_of(domain).geometry
     samples = Samples(geometry, 5.0, 2.0)
     rng = np.random.default_rng(0)
-    nobody = np.empty(0, dtype=np.int64)
+    nobody, nowhere = np.empty(0, dtype=np.int64), np.full((len(geometry.names), 2), np.nan)
+    all_open = np.ones(geometry.place_count, dtype=bool)
     jambs = [line[:2] for line in geometry.openings.values()] + [line[2:] for line in geometry.openings.values()]
     shown = two_ways = 0
     for _ in range(80):
@@ -115,9 +116,9 @@ def test_a_scene_shows_what_is_in_range_ahead_and_behind_no_wall(seed):
         beyond = wedges(geometry, room, complex(x, y), (), reach=5.0)
         ways = (room, *[other for other, _ in beyond])
         two_ways += len(set(ways)) < len(ways)
-        scene = Scene(samples, ways, nobody, nobody, np.empty(0), np.empty((0, 2)))
-        in_view, _ = scene.view(complex(x, y), heading, radians(100), beyond)
-        for index, seen in enumerate(in_view):
+        scene = Scene(samples, ways, nobody, nobody, np.empty(0), nowhere, half_angle=radians(100), is_open=all_open)
+        scene.view(complex(x, y), heading, beyond)
+        for index, seen in enumerate(scene.in_view):
             px, py = scene.points[[PLACE_X, PLACE_Y], index].tolist()
             if any(_off(jamb, (x, y), (px, py)) < 0.12 for jamb in jambs):
                 continue  # wedges end at the jambs, walls at their round ends
