@@ -276,10 +276,10 @@ class Scene:
             right = is_within[RIGHTMOST]
             np.logical_or(is_within[LEFTMOST], right, right)
         if self._is_one_way:
-            np.logical_and.reduce(is_within[first:], 0, None, in_view)
+            np.logical_and.reduce(is_within[first:], out=in_view)
         else:
             through = self._through(is_within, self._beyond)
-            np.logical_and.reduce([*is_within[first:WEDGES], *through], 0, None, in_view)
+            np.logical_and.reduce([*is_within[first:WEDGES], *through], out=in_view)
 
     @staticmethod
     def _through(is_within: Bools, beyond: Sequence[tuple[int, Wedge]]) -> list[Bools]:

@@ -410,3 +410,59 @@ def test_whether_it_is_so_already_is_asked_ahead_of_the_order(case: str, settled
     assert roles == (("task", "condition", "task") if settled else ("condition", "mention", "task"))
     sides = stated_sides(found, ("task", "condition", "task"), ("top", "top", "<1+"))
     assert sides == (">1-" if settled else "top", "top", "<1+")
+
+
+@pytest.mark.parametrize(
+    ("orders", "sides", "settled"),
+    [
+        ("if [it](4:object)['s](4:check_state) [full](4:state)", ("top", "top"), (">1+", "top")),
+        ("if [it](4:object)['s](4:check_state) [full](4:state)", (">1+", "<1+"), (">1+", "top")),
+        ("unless [it](4:object)['s](4:check_state) [clean](4:state)", ("top", "<1-"), (">1+", "top")),
+        ("if [Ann](4:object)['s](4:check_state) [here](4:location)", ("top", "top"), ("top", "top")),
+        (", and if [it](4:object)['s](4:check_state) [full](4:state)", ("top", "top"), ("top", "top")),
+    ],
+)
+def test_orders_in_a_row_hang_on_the_condition_behind_each(
+    orders: str, sides: tuple[str, str], settled: tuple[str, str]
+) -> None:
+    found = clauses(
+        "[Water](1:change_state) [the fern](1:object) if [it](2:object)['s](2:check_state) [dry](2:state), "
+        f"[empty](3:change_state) [the bin](3:object) {orders}, and then [lock](5:change_state) [the door](5:object)."
+    )
+    roles = ("task", "condition", "task", "condition", "task")
+    assert stated_sides(found, roles, (">1+", "top", *sides, "top"))[2:4] == settled
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "side"),
+    [
+        ("clean", "if [it](4:object)['s](4:check_state) [dirty](4:state)", "<1-"),
+        ("clean", "if [it](4:object) [is](4:check_state)n't", "<1-"),
+        ("clean", "unless [it](4:object)['s](4:check_state) [clean](4:state)", "<1-"),
+        ("clean", "if [it](4:object)['s](4:check_state) [clean](4:state)", "<1+"),
+    ],
+)
+def test_an_order_may_hang_on_the_other_side_told_behind_it(first: str, second: str, side: str) -> None:
+    found = clauses(
+        f"[Bring](1:bringing) [the cup](1:object) if [it](2:object)['s](2:check_state) [{first}](2:state) and "
+        f"[move](3:placing) [it](3:object) {second}."
+    )
+    roles = ("task", "condition", "task", "mention")
+    assert stated_sides(found, roles, (">1+", "top", "<1+", "<1"))[2] == side
+
+
+@pytest.mark.parametrize(
+    ("listed", "sides"),
+    [
+        (", and then [feed](4:change_state) [the cat](4:object)", ("<1-", "top")),
+        (", otherwise [feed](4:change_state) [the cat](4:object)", ("<1-", "<1+")),
+        (" and [feed](4:change_state) [the cat](4:object)", ("<1+", "<1+")),
+    ],
+)
+def test_what_is_listed_on_behind_an_if_it_isnt_is_done_anyway(listed: str, sides: tuple[str, str]) -> None:
+    found = clauses(
+        "See if [the gate](1:object) [is](1:check_state) [shut](1:state), [shut](2:change_state) [it](2:object) if "
+        f"[it](3:object) [is](3:check_state)n't{listed}."
+    )
+    settled = stated_sides(found, ("condition", "task", "mention", "task"), ("top", "<1+", "<1", "<1+"))
+    assert (settled[1], settled[3]) == sides

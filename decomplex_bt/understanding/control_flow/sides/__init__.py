@@ -41,6 +41,7 @@ _RULES = (
     reversals.follow,
     prohibitions.permit,
     scopes.guard,
+    scopes.guard_each,
     scopes.ask_first,
     scopes.ask_ahead,
     scopes.check_ahead,

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, T
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
+_LISTING = ((), ("and",), ("then",), ("and", "then"))
 _OF_QUESTIONS = frozenset(("whether", "not", "still", "there"))
 
 
@@ -96,9 +97,10 @@ def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 
 def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done "if it isn't", said behind it at the end of a sentence, is done where what was asked before proves
-    false ("see whether it's shut, and shut it *if it isn't*"), and what is done "if it is" where that was denied
-    ("shut it if it isn't shut, and tell me *if it is*")."""
+    """What is done "if it isn't", said behind it at the end of a sentence or ahead of a comma, is done where what was
+    asked before proves false ("see whether it's shut, and shut it *if it isn't*"), and what is done "if it is" where
+    that was denied ("shut it if it isn't shut, and tell me *if it is*"). What is listed on behind that is done in any
+    case ("..., *and then come here*")."""
     clause, task = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
@@ -107,11 +109,19 @@ def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     is_other = (clause.wording.is_negated or is_failing) != clauses[first].wording.is_negated
     opener = ("whether",) if task.task.type == "informing" else ("if",)  # "tell me if it isn't"
     is_opened = is_failing or clause.near[:1] in (("if",), opener)
-    is_behind = clause.is_trailing and clause.sentence == task.sentence and is_opened
+    is_listed = not clause.ends_sentence and clauses[k + 1].boundary == ","
+    is_closed = clause.boundary == "none" and (clause.ends_sentence or is_listed)
+    is_behind = is_closed and clause.sentence == task.sentence and is_opened
     is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
     is_plain = clause.says_only_whether and not is_turned and clauses[first].ability == ""
-    if is_other and is_behind and is_plain and sides[k - 1] == HOLDS:
-        sides[k - 1] = FAILS
+    if not (is_other and is_behind and is_plain and sides[k - 1] in (HOLDS, FAILS)):
+        return
+    sides[k - 1] = FAILS
+    for j in range(k + 1, len(clauses) if is_listed and clauses[k + 1].near in _LISTING else 0):
+        is_next = j == k + 1 and roles[j] == "task" and sides[j] in (HOLDS, FAILS)  # the "not" ahead is the mention's
+        if not (is_next or goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = f"<2{sides[first][2:]}" if sides[first] in (HOLDS, FAILS) else "top"
 
 
 def search_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import takewhile
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     asks_of,
@@ -375,6 +375,27 @@ def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     if asks_of(clauses[k], clauses[k - 1], clauses[first]):
         is_next = "then" in clauses[k - 1].near and clauses[k - 1].sentence == clauses[first].sentence
         sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
+
+
+def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of orders in a row, each with a condition of its own thing right behind it, each hangs on its own ("switch the
+    stove off if it's on, *close the door if it's open*, and come here"), be it the other side of the one before ("bring
+    the cup if it's clean and *wash it if it's dirty*")."""
+    if k < 3 or tuple(roles[k - 3 : k]) != ("task", "condition", "task"):
+        return
+    last, order, clause = clauses[k - 2 : k + 1]
+    is_row = sides[k - 3][:2] == ">1" and last.boundary == "none" and last.sentence == order.sentence
+    is_behind = clause.boundary == "none" and clause.near in (("if",), ("unless",)) and TURNING.isdisjoint(order.near)
+    if not (is_row and is_behind and clause.is_check):
+        return
+    is_last = k + 1 == len(clauses) or clauses[k + 1].boundary != "none"  # not "... if it's hot just bring it"
+    if roles[k] == "mention" and sides[k - 1] in (HOLDS, FAILS) and is_last:
+        is_opposite = is_flipped(1, 0, (last.wording, clause.wording)) != last.wording.is_negated
+        sides[k - 1] = FAILS if is_opposite else HOLDS
+    is_own = clause.names_same(order) or clause.takes_up(order)
+    if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
+        sides[k - 1] = ">1+"
+        sides[k] = f"<2{sides[k - 2][2:]}" if sides[k - 2] in (HOLDS, FAILS) else "top"
 
 
 def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
