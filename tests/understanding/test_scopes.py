@@ -466,3 +466,23 @@ def test_what_is_listed_on_behind_an_if_it_isnt_is_done_anyway(listed: str, side
     )
     settled = stated_sides(found, ("condition", "task", "mention", "task"), ("top", "<1+", "<1", "<1+"))
     assert (settled[1], settled[3]) == sides
+
+
+@pytest.mark.parametrize(("then", "side"), [("and then", "top"), ("and", "<1+")])
+def test_what_a_then_lists_on_behind_an_if_it_is_is_done_anyway(then: str, side: str) -> None:
+    found = clauses(
+        "Check if [the gate](1:object) [is](1:check_state) [open](1:state), [shut](2:change_state) [it](2:object) if "
+        f"[it](3:object) [is](3:check_state), {then} [feed](4:change_state) [the cat](4:object)."
+    )
+    settled = stated_sides(found, ("condition", "task", "mention", "task"), ("top", "<1+", "<1", "<1+"))
+    assert (settled[1], settled[3]) == ("<1+", side)
+
+
+@pytest.mark.parametrize("ask", ["Could you", "Please"])
+def test_a_case_in_a_polite_question_is_a_case(ask: str) -> None:
+    end = "?" if ask == "Could you" else "."
+    found = clauses(
+        f"{ask} [shut](1:change_state) [the gate](1:object) if [it](2:object) [is](2:check_state) [open](2:state){end}"
+    )
+    assert found[1].is_check
+    assert not found[1].is_question

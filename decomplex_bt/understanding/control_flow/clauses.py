@@ -48,7 +48,7 @@ from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidde
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
-_COVERING = frozenset(("if", "only_if", "unless", "when"))
+_CASES = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
 _ALL_OF_IT = frozenset((*(f"all {it}" for it in _IT), *(f"all of {it}" for it in _IT), *(f"{it} all" for it in _IT)))
 _NONE_OF_IT = frozenset(
@@ -148,9 +148,9 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             document.tokens[indices[-1]].lower in REFERRING for _, indices in task.arguments if len(indices)
         ),
         number=next((_number(document, indices) for kind, indices in task.arguments if kind == "object"), ""),
-        covers=_covers(document, [cue for cue in ahead if cue.name in _COVERING]),
+        covers=_covers(document, [cue for cue in ahead if cue.name in _CASES]),
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
-        is_asked=observed.question[token]
+        is_asked=(observed.question[token] and _CASES.isdisjoint(near))  # not "could you close it *if it's open*?"
         or "whether" in behind
         or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
         is_forbidden=is_forbidden(document, token),

@@ -27,6 +27,7 @@ _RULES = (
     reversals.affirm,
     reversals.correct,
     reversals.deny,
+    reversals.agree_behind,
     reversals.search_on,
     reversals.affirm_ahead,
     scopes.stand_apart,

@@ -117,9 +117,28 @@ def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     if not (is_other and is_behind and is_plain and sides[k - 1] in (HOLDS, FAILS)):
         return
     sides[k - 1] = FAILS
-    for j in range(k + 1, len(clauses) if is_listed and clauses[k + 1].near in _LISTING else 0):
-        is_next = j == k + 1 and roles[j] == "task" and sides[j] in (HOLDS, FAILS)  # the "not" ahead is the mention's
-        if not (is_next or goes_on(clauses, roles, sides, j, clause.sentence)):
+    if is_listed:
+        _list_on(clauses, roles, sides, k, first)
+
+
+def agree_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" lists on behind an order and its "if it is" is done in any case ("check if it's open, close it *if
+    it is*, and then tell me")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+        return
+    is_listed = k + 1 < len(clauses) and clauses[k + 1].boundary == "," and "then" in clauses[k + 1].near
+    is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.sentence == clauses[k - 1].sentence
+    if is_listed and is_behind and clause.wording.is_echo and not clause.wording.is_negated:
+        _list_on(clauses, roles, sides, k, first)
+
+
+def _list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int, first: int) -> None:
+    """Sets what is listed on behind mention `k` beside the condition `first` that it is of."""
+    for j in range(k + 1, len(clauses) if clauses[k + 1].near in _LISTING else 0):
+        is_next = j == k + 1 and roles[j] == "task" and sides[j] in (HOLDS, FAILS)  # a "not" ahead is the mention's
+        if not (is_next or goes_on(clauses, roles, sides, j, clauses[k].sentence)):
             return
         sides[j] = f"<2{sides[first][2:]}" if sides[first] in (HOLDS, FAILS) else "top"
 

@@ -392,7 +392,7 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if roles[k] == "mention" and sides[k - 1] in (HOLDS, FAILS) and is_last:
         is_opposite = is_flipped(1, 0, (last.wording, clause.wording)) != last.wording.is_negated
         sides[k - 1] = FAILS if is_opposite else HOLDS
-    is_own = clause.names_same(order) or clause.takes_up(order)
+    is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather
     if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
         sides[k - 1] = ">1+"
         sides[k] = f"<2{sides[k - 2][2:]}" if sides[k - 2] in (HOLDS, FAILS) else "top"
