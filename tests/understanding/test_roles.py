@@ -659,3 +659,19 @@ def test_another_change_of_the_same_thing_is_not_the_same_order_again(order: str
 def test_the_particle_of_a_verb_is_no_state(check: str, state: str | None) -> None:
     found = clauses(f"[Turn](1:change_state) [on](1:state) [the radio](1:object). If {check}, [call](3:informing) me.")
     assert found[1].wording.state == state
+
+
+@pytest.mark.parametrize(
+    ("case", "role"),
+    [
+        ("Unless [it](1:object) [is](1:check_state) [wet](1:state)", "condition"),
+        ("If [Ann](1:object) [is](1:check_state) [in](1:location)", "condition"),
+        ("If you can [find](1:searching) [the key](1:object)", "task"),
+        ("If you [find](1:searching) [the key](1:object)", "task"),
+    ],
+)
+def test_behind_the_order_of_a_case_an_if_you_cant_is_of_that_order(case: str, role: str) -> None:
+    found = clauses(
+        f"{case}, [open](2:change_state) [the gate](2:object). If you can't, [tell](3:informing) [me](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "task", "task"))[1] == role

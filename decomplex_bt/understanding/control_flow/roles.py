@@ -57,6 +57,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _fall_back,
         _turn_back,
         _be_able,
+        _be_unable,
         _ask_openly,
         _find_first,
         _report,
@@ -333,6 +334,17 @@ def _be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     first = next((j for j in range(k - 2, -1, -1) if roles[j] != "task"), None)
     if first is not None and roles[first] == "condition" and clauses[first].ability == "asked":
         roles[k - 1] = "task"
+
+
+def _be_unable(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Behind the one order of a case that asks neither what can be done nor what can be found an "if you can't" is of
+    that order ("unless it's raining, open the gate. *If you can't*, tell me")."""
+    if k < 2 or clauses[k].ability != "denied" or tuple(roles[k - 2 : k + 1]) != ("condition", "task", "task"):
+        return
+    check, order = clauses[k - 2 : k]
+    is_case = check.is_check and not check.ability
+    if is_case and order.task.type in _DOING | {"informing"} and not order.is_forbidden and not order.turns:
+        roles[k - 1] = "condition"
 
 
 def taken_up(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
