@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
-from math import atan2, hypot
+from math import atan2, dist, hypot
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 PACE = 0.8  # [m/s]
 LEASH = 3.0  # [m] a walker waits while the robot is farther behind
-ARRIVED = 0.12  # [m]
+ARRIVED = 0.12  # [m] so near to a corner of their way a walker turns to the next
+THERE = 0.05  # [m] so near to its end they stand
 DOOR_REACH = 0.7  # [m] from where a walker opens a closed door ahead
 COURTESY = 0.25  # [m] gap to the robot ahead at which a walker stops
 PATIENCE = 1.5  # [s] a walker waits for the robot to clear the way before they look for a way around it
@@ -98,7 +99,7 @@ def advance(world: World) -> None:
 
 def _advance(world: World, walk: Walk) -> None:
     here = _point(world, walk.person)
-    while walk.rest and hypot(walk.rest[0][0] - here[0], walk.rest[0][1] - here[1]) < ARRIVED:
+    while walk.rest and dist(walk.rest[0], here) < (ARRIVED if len(walk.rest) > 1 else THERE):
         walk.rest.pop(0)
     if not walk.rest:
         del world.walks[walk.person]
@@ -184,7 +185,8 @@ def _way(world: World, start: Point, end: Point, *, avoids_robot: bool = False) 
         obstacles.append(Disc(*world.robot, ROBOT_RADIUS))
     goal = plan.cells_around(*end, nearest=0.0, farthest=0.3, room=None)
     way = plan.way(start, goal, obstacles=obstacles)
-    return None if way is None else list(way.points[1:]) or [end]
+    # To the very spot: others, even so near to it, need not leave the robot its way past.
+    return None if way is None else [*way.points[1:], end]
 
 
 def _point(world: World, person: int) -> Point:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import dist, hypot
 
 import pytest
 
 from decomplex_bt.envs.floorplan import floorplan_of
+from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.navigation import Driver, Limits, Pose
 from decomplex_bt.envs.walking import advance, open_doors
@@ -52,6 +53,28 @@ def test_a_person_walks_to_the_room_asked_for_and_stays(beside_anna):
     assert rooms[t.world.room[t.row["anna"]]] == "kitchen"
     assert not t.world.walks
     assert t.world.geometry.room_at(*t.world.robot) == rooms.index("kitchen")
+
+
+def test_a_person_stands_where_the_robot_still_gets_past_them(beside_anna):
+    t = beside_anna
+    t.do(Interaction.SAY, "hallway_floor")
+    end = t.world.walks[t.row["anna"]].end
+    walk(t, 300)
+    assert not t.world.walks
+    assert dist(t.world.position[t.row["anna"]].tolist(), end) < 0.06
+
+
+@pytest.mark.parametrize("seed", [0, 5, 14])
+def test_the_robot_gets_to_a_place_past_who_led_it_into_the_room(seed):
+    env = HouseholdEnv("Follow Anna to the front door and open it.")
+    observation, info = env.reset(seed=seed)
+    oracle = env.policy("oracle")
+    oracle.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(oracle.act(observation))
+    assert info["feasible"]
+    assert info["is_success"]
 
 
 def test_a_person_waits_for_a_robot_that_stays_behind(beside_anna):
