@@ -233,7 +233,7 @@ class Scene:
     def view(self, eye: complex, heading: float, beyond: Sequence[tuple[int, Wedge]]) -> Bools:
         """What is seen, `(rows,)`, then, `(places,)`, what is not in view with its whole contents; one fresh array.
 
-        `beyond`: the wedges into the other rooms.
+        `eye`: x + iy [m], `heading` [rad]; `beyond`: the wedges into the other rooms.
         """
         x, y = eye.real, eye.imag
         begin, end = heading - self._half_angle, heading + self._half_angle

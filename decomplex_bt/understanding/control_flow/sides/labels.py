@@ -14,6 +14,11 @@ TURNING = frozenset("else fail so unless either_way only_if even_if but either u
 MOVING = frozenset(("placing", "bringing"))
 
 
+def beside(side: str) -> str:
+    """The side of what stands beside a condition on this side, as seen from behind that condition."""
+    return f"<2{side[2:]}" if side in (HOLDS, FAILS) else "top"
+
+
 def hangs_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, sentence: int) -> bool:
     """Whether an order of this sentence hangs on the condition behind it."""
     return roles[k] == "task" and sides[k][:2] == ">1" and clauses[k].sentence == sentence

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.failures import is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import turns_on_report
 from decomplex_bt.understanding.control_flow.roles import may_choose, opened_if_not
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, goes_on
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, beside, goes_on
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
@@ -140,7 +140,7 @@ def _list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         is_next = j == k + 1 and roles[j] == "task" and sides[j] in (HOLDS, FAILS)  # a "not" ahead is the mention's
         if not (is_next or goes_on(clauses, roles, sides, j, clauses[k].sentence)):
             return
-        sides[j] = f"<2{sides[first][2:]}" if sides[first] in (HOLDS, FAILS) else "top"
+        sides[j] = beside(sides[first])
 
 
 def search_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

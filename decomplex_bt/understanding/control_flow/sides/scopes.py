@@ -27,6 +27,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     MOVING,
     OPENING,
     TURNING,
+    beside,
     goes_on,
     hangs_ahead,
 )
@@ -210,7 +211,7 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         for j in ahead:
             sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
     for j in later:
-        sides[j] = f"<2{sides[k][2:]}" if sides[k] in (HOLDS, FAILS) else "top"
+        sides[j] = beside(sides[k])
 
 
 def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -395,7 +396,7 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather
     if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
         sides[k - 1] = ">1+"
-        sides[k] = f"<2{sides[k - 2][2:]}" if sides[k - 2] in (HOLDS, FAILS) else "top"
+        sides[k] = beside(sides[k - 2])
 
 
 def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -423,7 +424,7 @@ def go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if not (clause.is_had_done and roles[k] == "task" and sides[k] in (HOLDS, FAILS) and clause.boundary == "none"):
         return
     if roles[k - 1] == "condition" and not OPENING.isdisjoint(before.near) and before.sentence == clause.sentence:
-        sides[k] = f"<2{sides[k - 1][2:]}" if sides[k - 1] in (HOLDS, FAILS) else "top"
+        sides[k] = beside(sides[k - 1])
     elif roles[k - 1] == "task" and before.is_had_done and clause.near == ("and",):
         sides[k] = sides[k - 1]
 
