@@ -15,6 +15,7 @@ from typing import Any
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
 from decomplex_bt.understanding.attributes import KnownMatches
+from decomplex_bt.understanding.dialects import joined
 
 ENDS = frozenset((".", "?", "!", ";"))
 """Marks that end a sentence."""
@@ -231,6 +232,11 @@ def _load_pipeline() -> Any:
         _check_pipeline(nlp.meta["name"], nlp.meta["version"], nlp.pipe_names, expected_name=name)
         ruler = nlp.get_pipe("attribute_ruler")
         ruler.matcher = KnownMatches(ruler)
+        for parts in joined():
+            for case in (str.lower, str.capitalize, str.upper):
+                word = case("".join(parts))
+                halves = (word[: len(parts[0])], word[len(parts[0]) :])
+                nlp.tokenizer.add_special_case(word, [{"ORTH": half} for half in halves])
         return nlp
     raise LanguageModelError(
         f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "

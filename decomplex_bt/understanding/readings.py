@@ -27,6 +27,7 @@ from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.amendments import amended
 from decomplex_bt.understanding.rules.facts import corrected
 from decomplex_bt.understanding.rules.prohibitions import forbidden
+from decomplex_bt.understanding.rules.uses import uses
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals, withdrawals_of
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
@@ -113,7 +114,7 @@ class ReadingModel:
 def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple[Reading, ...]:
     """All readings of a document, that of the likeliest tasks first, of each set of tasks the likeliest flow first."""
     withdrawals = withdrawals_of(observed)
-    gone = withdrawals.tokens.union(forbidden(observed))
+    gone = withdrawals.tokens.union(forbidden(observed), (use.verb for use in uses(observed.document)))
     alternatives = stages.tasks.alternatives(observed)
     return tuple(
         reading
@@ -125,8 +126,8 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
 def _settled(
     observed: Observed, alternatives: Sequence[FoundTasks], gone: frozenset[int], ontology: Ontology
 ) -> Iterator[FoundTasks]:
-    """The task sets with what is settled by facts and without the tokens that are taken back or forbidden; each set
-    once, the likelier one."""
+    """The task sets with what is settled by facts and without the tokens that are `gone`: taken back, forbidden, or no
+    orders; each set once, the likelier one."""
     seen: set[tuple[tuple[int, str], ...]] = set()
     for found in alternatives:
         kept = tuple(task for task in found.tasks if task.token not in gone)

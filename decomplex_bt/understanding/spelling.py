@@ -14,6 +14,7 @@ from functools import cached_property
 from pathlib import Path
 
 from decomplex_bt.understanding.damage import ModelError
+from decomplex_bt.understanding.dialects import plain_words
 from decomplex_bt.understanding.document import ENDS, Document
 
 WORDS_FILE = "words.json"
@@ -49,9 +50,10 @@ class Speller:
             raise ModelError(path, f"no counts of words ({type(error).__name__})") from None
 
     def meant(self, words: Sequence[str], lemmas: Lemmas) -> list[str] | None:
-        """The words as they were meant, one for one; None where none is mistyped. A name is a word with a capital that
-        begins no sentence."""
-        found: list[str] | None = None
+        """The words as they were meant, one for one; None where all are plain words, none mistyped. A name is a word
+        with a capital that begins no sentence."""
+        found = plain_words(words)
+        words = found or words
         for i, word in enumerate(words):
             lower = word.lower()
             if (

@@ -15,6 +15,11 @@ def parser() -> Parser:
     return Parser()
 
 
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load("household")
+
+
 @pytest.mark.parametrize(
     ("text", "word"),
     [
@@ -96,3 +101,59 @@ def test_what_is_told_in_a_case_is_no_message(text: str, flow: list[object]) -> 
     assert found.flow.to_json() == flow
     if len(flow) == 1 and flow != [1]:
         assert found.tasks[0].value("message") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("If she doesn't want it give it to Lea.", "want"),
+        ("If my aunt does not care for pears, bring her the plums.", "care"),
+        ("Unless the twins don't mind, shut the blinds.", "mind"),
+    ],
+)
+def test_what_somebody_does_not_do_needs_no_mark(parser: Parser, text: str, word: str) -> None:
+    document = parser.parse(text)
+    orders = {t.i: "bringing" for t in document.tokens if t.lower in ("give", "bring", "shut")}
+    assert [document.tokens[i].text for i in untold(document, orders)] == [word]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If it doesn't matter, bring her the plums.",
+        "If you don't mind, bring her the plums.",
+        "If the first attempt doesn't work, bring her the plums.",
+        "Ask Lea, if she doesn't want it, to bring the plums.",
+    ],
+)
+def test_what_is_said_by_the_way_is_no_case(parser: Parser, text: str) -> None:
+    document = parser.parse(text)
+    orders = {
+        t.i: "informing" if t.lower == "ask" else "bringing" for t in document.tokens if t.lower in ("ask", "bring")
+    }
+    assert untold(document, orders) == frozenset()
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("I've no idea whether there's any wax. If not, tell Lea.", "'s"),
+        ("Not sure if the hatch is shut; if so, open it.", "is"),
+    ],
+)
+def test_what_nobody_knows_is_a_check_where_an_order_goes_by_it(parser: Parser, text: str, word: str) -> None:
+    document = parser.parse(text)
+    orders = {t.i: "informing" for t in document.tokens if t.lower in ("tell", "open")}
+    assert [document.tokens[i].text for i in untold(document, orders)] == [word]
+
+
+def test_who_does_not_want_what(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("If she doesn't want it, give it to me.")
+    assert found.tasks[0].value("object") == "she"
+    assert found.to_json()["flow"] == [{"if": 1, "else": [2]}]
+
+
+def test_what_there_may_be(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("I've no idea whether there's wax. If not, call Kim.")
+    assert found.tasks[0].value("object") == "wax"
+    assert found.to_json()["flow"] == [{"if": 1, "else": [2]}]

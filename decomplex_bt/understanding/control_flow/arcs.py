@@ -12,7 +12,8 @@ attachment  `top`, or direction, rank and side: `<1+` is the branch of the neare
             without a side, `<1`, the condition that a mention is of, or how many plain tasks back an `again` means.
             Conditions count by groups of mentions; seen from the left, conditions joined by "and" / "or" count as one,
             their last. "As stated" includes the clause's own negation, so that `+` is the
-            plain case after "if it is not there" too; the negation is a matter of grammar and handed in.
+            plain case after "if it is not there" too; the negation is a matter of grammar and handed in. `>1+=` is
+            that branch and the other, which no model says and a rule may
 order       `keep` (text order), `before` (ahead of the sibling before it), `first` (ahead of all siblings),
             `after` (behind the siblings after it in its sentence, at least one), `last` (behind all siblings);
             `before+` and `first+` take the siblings after it in its sentence along, as far as they have no order of
@@ -29,6 +30,8 @@ CONDITION_ROLES = frozenset(("condition", "mention", "and", "or"))
 JOINTS = frozenset(("and", "or"))
 ORDERS = ("keep", "before", "after", "first", "last", "before+", "first+")
 TOP = "top"
+BOTH = "="
+"""Ends an attachment of what is done on the other side as well."""
 
 
 @dataclass(frozen=True, slots=True)

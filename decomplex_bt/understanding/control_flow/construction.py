@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from decomplex_bt.flow import Do, Flow, If, Node, in_reading_order
 from decomplex_bt.understanding.control_flow.arcs import (
+    BOTH,
     CONDITION_ROLES,
     JOINTS,
     TOP,
@@ -60,7 +61,8 @@ class Builder:
                 top.append(i)
             else:
                 group, side = target
-                self.groups[group].sides[side].append(i)
+                for each in (side, other_side(side)) if arc.attachment.endswith(BOTH) else (side,):
+                    self.groups[group].sides[each].append(i)
         return self._nodes(top)
 
     def collect_groups(self) -> None:
@@ -90,7 +92,7 @@ class Builder:
             self.flips[token] = flip_of(token, group, self.wordings, used)
 
     def _side_of(self, i: int, token: int) -> str:
-        return side_of(self.flips[token] != self.arcs[i].attachment.endswith("-"))
+        return side_of(self.flips[token] != (self.arcs[i].attachment[2:3] == "-"))
 
     def _repeat_of(self, i: int) -> int | None:
         """The earlier plain task that task `i` mentions again, which is noted."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from decomplex_bt.understanding.control_flow.arcs import BOTH
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.repetitions import repeats
 
@@ -19,6 +20,7 @@ def stated_orders(
         _keep_turn(clauses, roles, sides, stated, k)
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
+        _make_ready(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
         _surround(clauses, roles, sides, stated, k)
@@ -86,6 +88,23 @@ def _prepare(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[st
     if is_ahead and sides[k] == f"<1{sides[k - 2][2:]}" and not leads_on:
         takes_along = k + 1 < len(clauses) and clauses[k + 1].boundary == "none" and bool(_FIRST & {*clause.near})
         orders[k] = "before+" if takes_along else "before"
+
+
+def _make_ready(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """A condition behind an order goes ahead of it where what makes ready for it hangs on it ("put it away if it's
+    clean, otherwise wash it *first*": `preparations.make_ready`), and so does that of an order of both branches."""
+    if _is_first(clauses[k]) and any(side.endswith(BOTH) for side in sides[:k]) and orders[k] == "keep":
+        orders[k] = "before"
+        return
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    is_behind = before.sentence == clause.sentence == after.sentence and sides[k - 1] == sides[k]
+    is_turned = not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
+    if is_behind and is_turned and _is_first(after) and sides[k + 1][:2] == "<1" and orders[k] == "keep":
+        orders[k] = "before"
 
 
 def _clear_way(

@@ -26,6 +26,7 @@ from decomplex_bt.understanding.rules.checks import (
     identified,
     that_there_is,
     with_named_state,
+    with_subject,
     with_told,
     with_whole_state,
     without_left,
@@ -53,6 +54,7 @@ from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.unspoken import unspoken
+from decomplex_bt.understanding.rules.uses import with_uses
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, kept_from
 from decomplex_bt.understanding.rules.wishes import backgrounds
@@ -101,7 +103,7 @@ def amended(
     kept = [a for a in kept if a.tokens.start not in how or a.type in _WAYS]
     kept = without_cases(document, tasks, kept)
     kept = without_questions(document, tasks, with_whole_places(document, kept))
-    kept = with_features(document, tasks, kept)
+    kept = with_uses(document, with_features(document, tasks, kept))
     kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     kept = with_questions(document, tasks, kept)
@@ -135,6 +137,7 @@ def amended(
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
+            kept = with_subject(document, kept, token)
         if kind == "informing":
             kept = without_times(document, with_reports(document, tasks, kept, token), token)
             kept = with_next_told(document, kept, token)

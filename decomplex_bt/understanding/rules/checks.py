@@ -8,6 +8,7 @@ from itertools import dropwhile
 
 from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
+from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
@@ -20,6 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
 _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
+_EMPTY = frozenset("it there that this what which who that nothing nobody none".split())
 _STATING = frozenset("be 's \u2019s 're have".split())
 _LEFT = frozenset("left over still".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
@@ -89,6 +91,31 @@ def that_there_is(document: Document, arguments: Sequence[FoundArgument], check:
         else a
         for a in arguments
     ]
+
+
+def with_subject(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments with what a check asks if "there is", where it has none, and with who a wish is of, and what is
+    wished for: "whether there's *bread*", "if *she* doesn't want *the cake*"."""
+    tokens = document.tokens
+    if any(a.owner == check for a in arguments):
+        return list(arguments)
+    chunks = list(noun_chunks(document))
+    told: dict[str, range | None] = {}
+    if tokens[check].lemma in WISHING:
+        told = {"object": _dependent(document, chunks, check, "nsubj")}
+        told["state"] = _dependent(document, chunks, check, "dobj")
+    elif check > 1 and tokens[check - 1].lower == "there" and tokens[check - 2].lower == "whether":
+        told = {"object": next((chunk for chunk in chunks if chunk.start == check + 1), None)}
+    return with_told(arguments, check, {name: words for name, words in told.items() if words})
+
+
+def _dependent(document: Document, chunks: Sequence[range], verb: int, relation: str) -> range | None:
+    """The phrase of a verb's subject or object."""
+    tokens = document.tokens
+    head = next((i for i in document.children[verb] if tokens[i].dep == relation), None)
+    if head is None or tokens[head].lower in _EMPTY:
+        return None
+    return next((chunk for chunk in chunks if head in chunk), range(head, head + 1))
 
 
 def without_left(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:

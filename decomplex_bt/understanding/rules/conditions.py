@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
+from decomplex_bt.understanding.rules.uses import uses
 
 _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))
@@ -19,6 +20,10 @@ _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".spl
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
 """What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
+_DO = frozenset(("do", "does", "did"))
+_NOT = frozenset("not n't n\u2019t nt".split())
+_UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
+_GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _OF_TASKS = frozenset("fail succeed manage".split())
 """What tells how a task went: "in the case that this fails"."""
 _LONGEST = 6
@@ -27,13 +32,15 @@ _LONGEST = 6
 
 def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     """The "is" or "has" of every case that begins a clause, has a noun, a person or "there" for its subject, and none
-    of whose words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told. Of
-    `certain_cases` any verb, wherever they stand."""
+    of whose words up to its mark is among the `tasks`, which are tokens with types; not of what somebody is told. What
+    is said not to be wanted or done needs no mark. Of `certain_cases` any verb, wherever they stand."""
     tokens = document.tokens
     certain = frozenset(case.verb for case in certain_cases(document) if _is_untold(document, case, tasks))
     return (
         certain
         | frozenset(_departures(document, tasks))
+        | frozenset(_denials(document, tasks))
+        | frozenset(_doubts(document, tasks))
         | frozenset(
             be
             for i, token in enumerate(tokens)
@@ -61,6 +68,50 @@ def _departures(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         is_gone = be is not None and tokens[be].lower in _HAVE and tokens[be + 1].lower in _LEFT
         if be is not None and is_gone and tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i):
             yield be
+
+
+def _denials(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The verb behind the "doesn't" of every case that says what somebody or something named does not do, and that has
+    no task up to it nor is followed by a check: "if *she doesn't want* it give it to the dog"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower not in _OPENING or not (i == 0 or tokens[i - 1].text in MARKS | _JOINING):
+            continue
+        subject = range(i + 1, min(len(tokens) - 2, i + 1 + _LONGEST))
+        do = next((j for j in subject if j > i + 1 and tokens[j].lower in _DO), None)
+        if do is None or not _is_named_subject(document, range(i + 1, do)):
+            continue
+        verb = do + 1
+        while verb + 1 < len(tokens) and (tokens[verb].lower in _NOT or tokens[verb].tag == "RB"):
+            verb += 1
+        is_denied = any(tokens[j].lower in _NOT for j in range(do, verb))
+        is_next = next((tasks[j] for j in sorted(tasks) if j >= i), "check_state") != "check_state"
+        is_own = tokens[verb].tag in ("VB", "VBP") and tokens[verb].lemma not in _OF_TASKS
+        is_free = tasks.keys().isdisjoint(range(i, verb + 1)) and not _is_told(document, tasks, i)
+        if is_denied and is_own and is_next and is_free:
+            yield verb
+
+
+def _doubts(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "is" or "has" of what the speaker does not know, where an "if so" or "if not" right behind goes by it: "I've
+    no idea whether *there's* bread. If not, ..."."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-2]):
+        if token.lower not in ("if", "whether") or i == 0:
+            continue
+        first = next((j + 1 for j in range(i - 1, -1, -1) if tokens[j].text in MARKS), 0)
+        stop = next((j for j in range(i, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        is_unknown = _UNKNOWING & {t.lemma for t in tokens[first:i]} and not tasks.keys() & set(range(first, stop))
+        behind = tuple(t.lower for t in tokens[stop + 1 : stop + 3])
+        be = _be(document, range(i + 1, stop)) if is_unknown and behind in _GOING_BY else None
+        if be is not None:
+            yield be
+
+
+def _is_named_subject(document: Document, words: range) -> bool:
+    named = document.tokens[words.start : words.stop]
+    is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
+    return is_named and named[0].lower not in _UNNAMED and _TRIED.isdisjoint(t.lemma for t in named)
 
 
 def without_cases(
@@ -92,13 +143,12 @@ def _be(document: Document, clause: range) -> int | None:
     be = next((i for i in subject if i > clause.start and tokens[i].lower in _BE_OR_HAVE), None)
     if be is None or tokens[clause.start].lower in _UNNAMED:
         return None
-    if tokens[clause.start].lower == "there":
-        named = tokens[be + 1 : clause.stop]
-        is_named = be == clause.start + 1 and all(t.tag != "TO" for t in named)  # "if there's nothing to sort out"
-    else:
-        named = tokens[clause.start : be]
-        is_named = any(t.pos in ("NOUN", "PROPN") for t in named) or named[0].lower in _PERSONS
-    return be if is_named and _TRIED.isdisjoint(t.lemma for t in named) else None
+    if tokens[clause.start].lower != "there":
+        return be if _is_named_subject(document, range(clause.start, be)) else None
+    named = tokens[be + 1 : clause.stop]
+    used = {i for use in uses(document) for i in use.words}
+    is_named = all(t.tag != "TO" or t.i in used for t in named)  # not "if there's nothing to sort out"
+    return be if be == clause.start + 1 and is_named and _TRIED.isdisjoint(t.lemma for t in named) else None
 
 
 def _is_told(document: Document, tasks: Mapping[int, str], opener: int) -> bool:

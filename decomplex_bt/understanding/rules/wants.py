@@ -10,6 +10,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
 from decomplex_bt.understanding.rules.fragments import NO_THINGS, STATES, Fragment
 from decomplex_bt.understanding.rules.needs import OPENING
+from decomplex_bt.understanding.rules.uses import uses
 
 _SPEAKERS = frozenset(("i", "we"))
 _NEEDING = frozenset("need needs want wants".split())
@@ -169,10 +170,14 @@ def _is_place(document: Document, words: range) -> bool:
 
 
 def _named(document: Document, verb: int) -> range:
-    """The thing behind a verb of wanting: "a pen and some ink", "a cup of tea", "something to write with"."""
+    """The thing behind a verb of wanting: "a pen and some ink", "a cup of tea", "something to write with", "a cloth
+    to wipe the table with"."""
     tokens, start = document.tokens, verb + 1
     if start >= len(tokens):
         return range(0)
+    use = next((use.words for use in uses(document) if use.words.start > start), range(0))
+    if use and all(t.pos in _NOMINAL | {"DET", "PRON", "CCONJ"} for t in tokens[start : use.start]):
+        return range(start, use.stop)
     if tokens[start].lower in _SOMETHING:
         stop = start + 1
         while stop < len(tokens) and tokens[stop].pos == "ADJ":
@@ -180,7 +185,10 @@ def _named(document: Document, verb: int) -> range:
         if stop + 1 < len(tokens) and tokens[stop].lower == "to" and tokens[stop + 1].tag == "VB":
             stop += 2
             stop += stop < len(tokens) and tokens[stop].tag in ("IN", "RP")
-        return range(start, stop) if stop > start + 1 else range(0)
+        if stop == start + 1:
+            return range(0)
+        is_joined = stop + 1 < len(tokens) and tokens[stop].lower == "and" and tokens[stop + 1].lower in _SOMETHING
+        return range(start, _named(document, stop).stop or stop) if is_joined else range(start, stop)
     is_led = tokens[start].lower in _INDEFINITE | _OWN or tokens[start].pos == "NUM" or tokens[start].lower == "the"
     stop = start + 1
     while stop < len(tokens) and is_led:
@@ -198,14 +206,16 @@ def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool
     """Whether it is a thing to be brought: for others, and for "us" without a word where, only what is known to be
     carried about or is their own, since people want jobs and dogs, and "we need milk" may be for the next shopping."""
     tokens = observed.document.tokens
-    nouns = [tokens[i] for i in thing if tokens[i].pos in _NAMING]
+    used = {i for use in uses(observed.document) for i in use.words}
+    nouns = [tokens[i] for i in thing if tokens[i].pos in _NAMING and i not in used]
     heads = [noun for noun in nouns if noun.i + 1 == thing.stop or tokens[noun.i + 1].pos not in _NAMING]
     if tokens[thing.start].lower in _SOMETHING:
         return who == "i"
     if not heads or any(token.lemma in NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
         return False
     kinds = {observed.gazetteer.category(token.lemma) for token in heads}
-    if not kinds.isdisjoint(_PLACES) or not PERSON_NOUNS.isdisjoint(token.lemma for token in heads):
+    is_fixed = not kinds.isdisjoint(_PLACES) and used.isdisjoint(thing)
+    if is_fixed or not PERSON_NOUNS.isdisjoint(token.lemma for token in heads):
         return False
     is_known = "thing" in kinds
     if who == "we":

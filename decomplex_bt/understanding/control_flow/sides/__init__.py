@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides import mentions, prohibitions, resumptions, reversals, scopes, states
+from decomplex_bt.understanding.control_flow.sides import (
+    mentions,
+    preparations,
+    prohibitions,
+    resumptions,
+    reversals,
+    scopes,
+    states,
+)
 
 _RULES = (
     mentions.repeat,
@@ -68,6 +76,8 @@ _RULES = (
     scopes.turn_away,
     scopes.leave_rest,
     reversals.choose,
+    preparations.make_ready,
+    preparations.use_found,
 )
 """One after the other on each task, left to right: a later one speaks of a rarer wording and has the last word."""
 

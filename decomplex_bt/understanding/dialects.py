@@ -1,0 +1,110 @@
+"""Dialects: the plain word for one that only some people say or type ("fae", "owt", "oot").
+
+Only words that are none in plain English, and of which the training corpus has few ("u" and "pls" it knows). What is
+meant is read; spans and values keep what was said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from types import MappingProxyType
+
+_PLAIN = {
+    # Scotland, the north of England, Ireland
+    "no": "naw nae",
+    "yes": "aye",
+    "nothing": "nowt nuttin nothin nothink",
+    "anything": "owt anythin anythink",
+    "something": "summat sommat somethin somethink summink summin",
+    "from": "fae frae",
+    "to": "tae",
+    "with": "wi wiv wid",
+    "do": "dae",
+    "give": "gie",
+    "go": "gae",
+    "have": "hae",
+    "take": "tak",
+    "make": "mak",
+    "out": "oot",
+    "about": "aboot",
+    "around": "aroon aroond",
+    "down": "doon",
+    "off": "aff",
+    "on": "oan",
+    "over": "ower",
+    "now": "noo",
+    "before": "afore",
+    "behind": "ahint",
+    "between": "atween",
+    "house": "hoose",
+    "window": "windae",
+    "windows": "windaes",
+    "head": "heid",
+    "you": "ye yous youse yez yiz",
+    "your": "yer yir",
+    "yourself": "yersel yerself",
+    "myself": "masel mesel meself",
+    "maybe": "mebbe mibbe mebbies",
+    # wherever people talk or type fast
+    "probably": "prolly probs probly",
+    "definitely": "deffo defo",
+    "that": "dat",
+    "this": "dis",
+    "these": "dese",
+    "them": "dem",
+    "there": "dere",
+    "should": "shud",
+    "could": "cud",
+    "would": "wud",
+    "what": "wot wat",
+    "though": "tho",
+    "through": "thru",
+    "night": "nite",
+    "tonight": "tonite",
+}
+PLAIN: Mapping[str, str] = MappingProxyType({word: plain for plain, words in _PLAIN.items() for word in words.split()})
+"""The plain word for each that is none, lower case."""
+_STEMS = {stem: stem for stem in "can could did does had has have is are must should was were will would".split()}
+_STEMS |= {
+    "din": "do",
+    "dis": "does",
+    "disn": "does",
+    "hiv": "have",
+    "shid": "should",
+    "wid": "would",
+    "win": "will",
+    "wis": "was",
+}
+"""What a Scottish "not" is joined to, and the plain word for it."""
+_NOTS = frozenset(("nae", "na", "ny", "nay"))
+_ENGLISH = frozenset(("arena", "canny"))
+_JOINING = frozenset(", . ; : ! ? - and but so then right okay ok".split())
+
+
+def joined() -> Iterator[tuple[str, str]]:
+    """The two parts of each word that joins a verb to a "not" ("can" and "nae" of "cannae"), in lower case."""
+    return ((stem, end) for stem, end in product(_STEMS, sorted(_NOTS)) if stem + end not in _ENGLISH)
+
+
+def plain_words(words: Sequence[str]) -> list[str] | None:
+    """The words with the plain one for each that is none, one for one; None where there is none such."""
+    found: list[str] | None = None
+    for i, word in enumerate(words):
+        other = _plain_word(words, i)
+        if other is not None:
+            found = found or list(words)
+            found[i] = other.capitalize() if word[0].isupper() else other
+    return found
+
+
+def _plain_word(words: Sequence[str], i: int) -> str | None:
+    word = words[i].lower()
+    if word in _NOTS and i > 0 and words[i - 1].lower() in _STEMS:
+        return "no" if i > 1 and words[i - 2].lower() == "there" else "not"
+    if word in _STEMS:
+        is_joined = i + 1 < len(words) and words[i + 1].lower() in _NOTS
+        return _STEMS[word] if is_joined and _STEMS[word] != word else PLAIN.get(word)
+    if word == "gonnae":  # "gonnae shut it" asks, "she's gonnae come" says what will be
+        return "please" if i == 0 or words[i - 1].lower() in _JOINING else None
+    return PLAIN.get(word)
