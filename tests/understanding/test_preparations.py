@@ -87,3 +87,21 @@ def test_a_first_step_of_its_own_case_stays_there(interpreter: Interpreter, text
 )
 def test_what_was_found_in_either_place_is_used_anyway(interpreter: Interpreter, text: str, flow: Any) -> None:
     assert interpreter.interpret(text).to_json()["flow"] == flow
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        (
+            "See whether the hens are in, then sweep the barn. If they were in, shut the hatch.",
+            [{"if": [1, 3], "then": [2, 4], "else": [{"same": [2]}]}],
+        ),
+        (
+            "See whether the stove is lit, then put it out. If it isn't, tell Lea.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        ("Check the hatch too, bolt that as well if it isn't.", [{"if": [1, 3], "else": [2]}]),
+    ],
+)
+def test_what_stands_between_a_check_and_its_answer(interpreter: Interpreter, text: str, flow: Any) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == flow

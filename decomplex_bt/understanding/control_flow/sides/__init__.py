@@ -59,6 +59,7 @@ _RULES = (
     resumptions.disregard,
     resumptions.rejoin,
     resumptions.add_also,
+    resumptions.go_between,
     scopes.list_on,
     scopes.make_up,
     scopes.move_on,

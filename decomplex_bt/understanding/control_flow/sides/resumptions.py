@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, goes_on
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, beside, goes_on
 
+_WHETHER = frozenset(("whether", "if"))
 _GOING_ON = frozenset("and then also after_that last".split())
 
 
@@ -48,9 +49,27 @@ def add_also(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k] = f"<1{sides[k - 2][2:]}"
 
 
+def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" leads on to behind an order to check, about another thing, is done whatever that finds where a
+    later sentence goes by it ("see whether the gate is shut, *then feed the hens*. If it was open, ...")."""
+    check, clause = clauses[k - 1], clauses[k]
+    is_led_on = clause.near in (("then",), ("and", "then")) and _WHETHER.issuperset(clause.far)
+    if (roles[k - 1], roles[k]) != ("condition", "task") or not is_led_on:
+        return
+    is_next = check.is_asked and not check.is_question and check.sentence == clause.sentence
+    is_other = not clause.has_pronoun and bool(clause.nouns) and check.nouns.isdisjoint(clause.nouns)
+    stop = k + 1
+    while stop < len(clauses) and roles[stop] == "task" and clauses[stop].sentence == clause.sentence:
+        stop += 1
+    goes_by = stop < len(clauses) and roles[stop] == "mention" and clauses[stop].sentence > clause.sentence
+    if is_next and is_other and goes_by and all(sides[j] == HOLDS for j in range(k, stop)):
+        for j in range(k, stop):
+            sides[j] = beside(sides[k - 1])
+
+
 def _take_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int, outer: str) -> None:
     """Takes an order, and what goes on with it, out of the case that it hangs on to where that stands itself."""
-    side, outside = sides[k], f"<2{outer[2:]}" if outer in (HOLDS, FAILS) else "top"
+    side, outside = sides[k], beside(outer)
     if roles[k] != "task" or side not in (HOLDS, FAILS):
         return
     for j in range(k, len(clauses)):

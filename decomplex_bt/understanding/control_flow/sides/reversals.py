@@ -105,10 +105,11 @@ def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
-    is_failing = clause.near == ("fail",)  # "if it doesn't"
+    opening = tuple(cue for cue in clause.near if cue != "also")  # "shut that as well if it isn't"
+    is_failing = opening == ("fail",)  # "if it doesn't"
     is_other = (clause.wording.is_negated or is_failing) != clauses[first].wording.is_negated
     opener = ("whether",) if task.task.type == "informing" else ("if",)  # "tell me if it isn't"
-    is_opened = is_failing or clause.near[:1] in (("if",), opener)
+    is_opened = is_failing or opening[:1] in (("if",), opener)
     is_listed = not clause.ends_sentence and clauses[k + 1].boundary == ","
     is_closed = clause.boundary == "none" and (clause.ends_sentence or is_listed)
     is_behind = is_closed and clause.sentence == task.sentence and is_opened
