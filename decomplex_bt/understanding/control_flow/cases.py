@@ -17,8 +17,18 @@ _TURNING = frozenset(("unless", "only_if", "even_if", "or"))
 
 
 def told_apart(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[int]]:
-    """The conditions that tell three or more states of one thing, each list in text order."""
-    return [run for run in told_in_a_row(clauses, roles) if len(run) >= _MANY]
+    """The conditions that tell three or more states of one thing, or two and what else there may be, each list in text
+    order."""
+    runs = told_in_a_row(clauses, roles)
+    return [run for run in runs if len(run) + _has_rest(clauses, roles, run) >= _MANY]
+
+
+def _has_rest(clauses: Sequence[Clause], roles: Sequence[str], run: Sequence[int]) -> bool:
+    """Whether an "otherwise" stands behind two or more states: "if it's hot, ...; if cold, ...; *otherwise* ..."."""
+    later = range(run[-1] + 1, len(clauses)) if len(run) > 1 else range(0)
+    first = next((j for j in later if roles[j] != "task" or {"else", "or"} & {*clauses[j].far, *clauses[j].near}), None)
+    is_behind = first is not None and first > run[-1] + 1 and roles[first] == "task"
+    return first is not None and is_behind and len(clauses[first].turns) == 1
 
 
 def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[int]]:

@@ -21,6 +21,7 @@ def stated_orders(
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _make_ready(clauses, roles, sides, stated, k)
+        _come_between(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
         _surround(clauses, roles, sides, stated, k)
@@ -105,6 +106,19 @@ def _make_ready(
     is_turned = not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
     if is_behind and is_turned and _is_first(after) and sides[k + 1][:2] == "<1" and orders[k] == "keep":
         orders[k] = "before"
+
+
+def _come_between(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """A condition right behind an order goes ahead of it where what hangs on it is done before that, which is said
+    again ("turn the kettle on. If it's empty, fill it *before turning it on*")."""
+    first = next((j for j in range(k - 1, 0, -1) if roles[j] == "condition"), None)
+    is_again = roles[k] == "again" and "before" in clauses[k].near and clauses[k].boundary == "none"
+    if first is None or not is_again or roles[first - 1] != "task" or sides[first] != sides[first - 1]:
+        return
+    if repeats(clauses[k], clauses[first - 1]) and orders[first] == "keep":
+        orders[first], orders[first - 1] = "before", "keep"
 
 
 def _clear_way(

@@ -47,6 +47,8 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _take_up,
         _find_out,
         _part,
+        _ask_of_other_order,
+        _ask_ahead_of_other,
         _ask_ahead,
         _try_out,
         _oppose,
@@ -169,8 +171,38 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def _ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Whether what is ordered is so already is no outcome of the order ("open it. *If it's open already*, ...")."""
     is_outcome = roles[k - 1] == "condition" and roles[k] == "mention" and "mention" not in roles[k + 1 :]
-    if is_outcome and asks_needless(clauses[k], clauses[k - 1]):
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    things = set(clauses[first].objects) if first is not None else set()
+    is_other = bool(things) and things.isdisjoint(clauses[k - 1].objects)
+    # "if the study is empty, close the window; if *that's closed already*, ...", not "if it's on, turn it off; ..."
+    is_nested = (roles[k - 1], roles[k]) == ("task", "mention") and bool(clauses[k - 1].objects) and is_other
+    if (is_outcome or is_nested) and asks_needless(clauses[k], clauses[k - 1]):
         roles[k - 1 : k + 1] = "task", "condition"
+
+
+def _ask_of_other_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order that an "or" opens hangs on, said behind it, is a case of its own ("open the window if it's sunny,
+    *or* light the stove *if it's raining*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.is_check
+    is_order = roles[k - 1] in ("task", "or") and order.task.type in _DOING | {"informing", "motion"}
+    is_led = k > 1 and roles[k - 2] == "condition" and order.near[:1] == ("or",) and is_order
+    is_echo = clause.says_only_whether or is_opposite_of(clause, clauses[k - 2])
+    is_case = roles[k] in ("or", "mention", "condition") and not is_echo
+    if is_led and is_behind and is_case and clauses[k - 2].boundary == "none":
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def _ask_ahead_of_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an "or if" opens behind an order and its case, with an order of its own, is no part of that case ("hang it
+    up if it's wet, *or if it's dry*, fold it")."""
+    if k < 2 or k + 1 >= len(clauses) or roles[k] != "or" or (roles[k - 2], roles[k + 1]) != ("task", "task"):
+        return
+    order, check, clause, other = clauses[k - 2 : k + 2]
+    is_behind = check.boundary == "none" and check.near == ("if",) and roles[k - 1] == "condition"
+    is_led = clause.boundary == "," and clause.near == ("or", "if") and other.boundary == "," and not other.near
+    if is_behind and is_led and order.sentence == clause.sentence == other.sentence:
+        roles[k] = "mention" if is_opposite_of(clause, check) else "condition"
 
 
 def _try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -266,8 +298,15 @@ def _choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def _fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Of several fallbacks in a row each is for where the one before it fails, too."""
-    if roles[k - 1] == "task" and roles[k] in ("task", "condition") and is_fallback_for(clauses[k], clauses[k - 1]):
+    """Of several fallbacks in a row each is for where the one before it fails, too, and what "or, failing that" opens
+    is for where the order before it does, in a case that denies something ("if there's no bread, bring crackers *or,
+    failing that, an apple*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_or = {"or", "fail"} <= {*clause.far, *clause.near} and clause.sentence == order.sentence
+    is_denied = k > 1 and roles[k - 2] in CONDITION_ROLES and clauses[k - 2].wording.is_negated
+    is_for_order = is_or and is_denied and order.task.type != "check_state" and not order.is_forbidden
+    is_next = roles[k - 1] == "task" and roles[k] in ("task", "condition")
+    if is_next and (is_for_order or is_fallback_for(clause, order)):
         roles[k - 1] = "condition"
 
 

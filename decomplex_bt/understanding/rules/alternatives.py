@@ -515,8 +515,11 @@ def _is_contrary(document: Document, part: _Part) -> bool:
 def _is_either(document: Document, before: Sequence[_Part], part: _Part, condition: _Part) -> bool:
     """Whether "A or B if C" means B where C holds and A where not, rather than A or B, as you like, where C holds."""
     tokens = document.tokens
-    if not before or before[-1].lead == "if":
+    if not before:
         return False
+    if before[-1].lead == "if":  # "to Ann if she's up, or *to Tom* if she isn't"
+        is_led = tokens[part.body.start].lower in PREPOSITIONS and tokens[part.opening.start - 1].text == ","
+        return is_led and len(before) == 2 and before[0].lead == "start"
     if tokens[part.opening.start - 1].text in MARKS or tokens[before[-1].body.start].lower == "either":
         return True
     asked = tokens[condition.body.start : condition.body.stop]

@@ -51,6 +51,7 @@ _RULES = (
     prohibitions.permit,
     scopes.guard,
     scopes.guard_each,
+    scopes.guard_other,
     scopes.ask_first,
     scopes.ask_ahead,
     scopes.check_ahead,

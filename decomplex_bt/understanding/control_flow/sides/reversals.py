@@ -30,7 +30,10 @@ def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = FAILS
     if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
         is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
-        sides[k] = HOLDS if is_of_it else sides[k]
+        for j in range(k, len(clauses)) if is_of_it else ():
+            if j > k and not goes_on(clauses, roles, sides, j, clauses[k].sentence):
+                break
+            sides[j] = HOLDS
     elif _is_affirmed_before(clauses, roles, sides, k) and {"else", "fail"} & {*clauses[k].far, *clauses[k].near}:
         for j in range(k, len(clauses)):
             if roles[j] != "task" or sides[j] != FAILS or clauses[j].sentence != clauses[k].sentence:
@@ -78,7 +81,8 @@ def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         return
     is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[first].wording)
     is_taken_up = clause.wording.is_echo or clause.task.type == "searching"
-    is_trailing = is_taken_up and clause.sentence == task.sentence and clause.is_trailing
+    is_end = clause.ends_sentence or clauses[k + 1].is_otherwise
+    is_trailing = is_taken_up and clause.sentence == task.sentence and clause.boundary == "none" and is_end
     is_leading = k > 1 and clauses[k - 2].sentence != task.sentence
     is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}

@@ -62,7 +62,7 @@ def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
 def precede(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "before that", in its sentence, is done in the same case ("otherwise switch it on, but before that
     plug it in"), and so is what is done with it then."""
-    near = clauses[k].near
+    near = clauses[k].near or clauses[k].far  # "but before that, ..."
     if "before_that" not in near or "either_way" in near or roles[k] != "task" or roles[k - 1] != "task":
         return
     if sides[k - 1] not in (HOLDS, FAILS):
@@ -227,9 +227,10 @@ def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is so already is not brought about ("open the window. *If it's open already*, turn the fan on")."""
-    is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] == sides[k] == "top"
-    if is_next and k + 1 < len(clauses) and sides[k + 1] == HOLDS and asks_needless(clauses[k], clauses[k - 1]):
-        sides[k - 1] = ">1-"
+    is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] in ("top", HOLDS, FAILS)
+    is_beside = is_next and sides[k] in (sides[k - 1], "<1")
+    if is_beside and k + 1 < len(clauses) and sides[k + 1] == HOLDS and asks_needless(clauses[k], clauses[k - 1]):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -378,6 +379,16 @@ def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
 
 
+def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "or if" opens behind an order and its case is asked where that is not so, with its own order ("hang it up
+    if it's wet, *or if it's torn, mend it*")."""
+    if k < 2 or k + 1 >= len(clauses) or clauses[k].near != ("or", "if") or clauses[k - 1].boundary != "none":
+        return
+    if tuple(roles[k - 2 : k]) == ("task", "condition") and sides[k - 2][:2] == ">1" and roles[k] != "or":
+        sides[k] = FAILS if roles[k] == "condition" else "<1"
+        sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
+
+
 def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Of orders in a row, each with a condition of its own thing right behind it, each hangs on its own ("switch the
     stove off if it's on, *close the door if it's open*, and come here"), be it the other side of the one before ("bring
@@ -386,6 +397,10 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         return
     last, order, clause = clauses[k - 2 : k + 1]
     is_row = sides[k - 3][:2] == ">1" and last.boundary == "none" and last.sentence == order.sentence
+    is_alternative = order.near == ("or",) and roles[k] == "condition"  # "..., or light the stove if it's raining"
+    if is_row and is_alternative and clause.near == ("if",) and clause.boundary == "none":
+        sides[k - 1], sides[k] = ">1+", FAILS
+        return
     is_behind = clause.boundary == "none" and clause.near in (("if",), ("unless",)) and TURNING.isdisjoint(order.near)
     if not (is_row and is_behind and clause.is_check):
         return

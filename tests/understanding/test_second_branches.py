@@ -1,0 +1,129 @@
+"""The second branch of a condition, and a second condition beside the first, however they are told."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.load("household")
+
+
+def flow(interpreter: Interpreter, text: str) -> Any:
+    return interpreter.interpret(text).to_json()["flow"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "See if the lantern is on. Turn it off if it is, otherwise go to the cellar and close the blinds.",
+        "Is the jug full? Empty it if it is, otherwise fill it and bring it to Lea.",
+        "See if the hatch is open. Close it if it is, otherwise go to the attic and turn on the lantern.",
+    ],
+)
+def test_what_goes_on_with_an_otherwise_is_on_its_side(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 3], "then": [2], "else": [4, 5]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the jug is full, empty it; if it is empty, fill it; otherwise bring it to me.",
+        "If the soup is hot, serve it; if it's cold, heat it; if neither, tell Lea.",
+    ],
+)
+def test_two_opposite_states_and_the_rest_are_three_cases(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4], "else": [5]}]}]
+
+
+def test_two_opposite_states_are_two_sides(interpreter: Interpreter) -> None:
+    text = "If the jug is full, empty it; if it is empty, fill it, and bring it to me in any case."
+    assert flow(interpreter, text) == [{"if": [1, 3], "then": [2], "else": [4]}, 5]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Open the hatch if it is sunny, or light the stove if it is raining.",
+        "Lay the rug on the wall if it is wet, or on the floor if it is torn.",
+        "Bring me the jug if it is clean, or if it is broken, bring me the bowl.",
+    ],
+)
+def test_an_or_leads_to_a_case_of_its_own(interpreter: Interpreter, text: str) -> None:
+    found = interpreter.interpret(text)
+    (first,) = found.to_json()["flow"]
+    assert first["then"] == [1]
+    assert len(first["else"]) == 1
+    assert first["else"][0]["then"] in ([3], [4])
+
+
+def test_a_second_place_may_have_its_own_case(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Bring the jug to Lea if she is awake, or to Kim if she isn't.")
+    assert found.to_json()["flow"] == [{"if": [2, 4], "then": [1], "else": [3]}]
+    assert found.tasks[2].value("recipient") == "to Kim"
+    assert found.tasks[2].value("object") == "the jug"
+
+
+def test_two_parts_of_one_case_stay_together(interpreter: Interpreter) -> None:
+    text = "Call me if it rains, or if it snows."
+    assert flow(interpreter, text) == [{"if": 2, "then": [1], "else": [{"if": 3, "then": [{"same": [1]}]}]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the study is empty, go in and close the hatch; if the hatch is already closed, just light the stove.",
+            [{"if": 1, "then": [2, {"if": 4, "then": [5], "else": [3]}]}],
+        ),
+        (
+            "If the stove's out, light it. If it's lit already, just put the kettle on.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+    ],
+)
+def test_what_is_so_already_is_asked_ahead_of_its_order(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+def test_what_is_done_before_that_is_of_the_same_case(interpreter: Interpreter) -> None:
+    text = "If the sack is empty, go to the barn, but before that, put down the jug."
+    assert flow(interpreter, text) == [{"if": 1, "then": [3, 2]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If there is no bread, bring me crackers or, failing that, a pear.",
+            [{"if": 1, "else": [{"if": 2, "else": [3]}]}],
+        ),
+        (
+            "If Lea isn't in, give the jug to Kim or, failing that, to Ann.",
+            [{"if": 1, "else": [{"if": 2, "else": [3]}]}],
+        ),
+    ],
+)
+def test_a_fallback_may_be_for_the_order_of_a_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Switch on the stove. If it's dirty, wipe it before switching it on.",
+            [{"if": 2, "then": [3]}, {"same": [1, 4]}],
+        ),
+        ("Bring me the jug. If it's dirty, wash it before you bring it.", [{"if": 2, "then": [3]}, {"same": [1, 4]}]),
+    ],
+)
+def test_what_comes_before_an_order_said_again_goes_ahead_of_it(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected
