@@ -127,3 +127,20 @@ def test_what_comes_before_an_order_said_again_goes_ahead_of_it(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Bring me a soda. If there is no soda, bring me a tea. If there is no tea either, bring me water.",
+            [{"if": 2, "then": [1], "else": [{"if": [3, 4], "else": [5]}]}],
+        ),
+        (
+            "Bring me milk. If there is no milk, bring me oat milk. If there is no oat milk either, bring me cream.",
+            [{"if": [1, 2], "else": [{"if": [3, 4], "else": [5]}]}],
+        ),
+    ],
+)
+def test_each_lack_is_of_what_was_named_last(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

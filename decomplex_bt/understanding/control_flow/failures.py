@@ -24,6 +24,13 @@ def is_absence_of(clause: Clause, before: Clause) -> bool:
     return bool(kinds & {"recipient", "goal"}) and "unless" not in clause.near and is_all and (is_gone or is_away)
 
 
+def lacks_too(clause: Clause, before: Clause) -> bool:
+    """Whether it says that there is none of what the order before names, "either": "bring me a pear. If *there's no
+    pear either*, ..."."""
+    is_named = clause.says_there_is and clause.names_same(before) and clause.wording.is_negated
+    return is_named and "either" in clause.behind and before.task.type in FINDING and "if" in clause.near
+
+
 def is_failure_of(clause: Clause, before: Clause, named: Clause) -> bool:
     """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
     the trunk won't open"; `named`: the clause up to there that last names a thing, which may be put in what is

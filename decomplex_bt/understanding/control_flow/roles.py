@@ -26,6 +26,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     is_case_against,
     is_failure_of,
     is_fallback_for,
+    lacks_too,
     tries_out,
 )
 from decomplex_bt.understanding.control_flow.outcomes import asks_needless, is_answer_to, needs_found, turns_on_report
@@ -135,7 +136,8 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
     is_failure = is_failure_of(clause, before, last_named(clauses, k))
     is_outcome = (finds_out(before, clause) and is_own) or is_failure
-    if is_outcome and not clause.is_trailing:
+    is_lacking = roles[k] == "mention" and lacks_too(clause, before)
+    if (is_outcome and not clause.is_trailing) or is_lacking:
         return k - 1
     if is_absence_of(clause, before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
         return k - 1

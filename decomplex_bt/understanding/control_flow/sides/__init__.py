@@ -54,6 +54,7 @@ _RULES = (
     scopes.guard_other,
     scopes.ask_first,
     scopes.ask_ahead,
+    scopes.do_without,
     scopes.check_ahead,
     scopes.ask_anew,
     scopes.come_first,

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_of_other_matter,
     is_rival_of,
 )
+from decomplex_bt.understanding.control_flow.failures import lacks_too
 from decomplex_bt.understanding.control_flow.outcomes import (
     asks_needless,
     comes_through,
@@ -230,6 +231,21 @@ def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] in ("top", HOLDS, FAILS)
     is_beside = is_next and sides[k] in (sides[k - 1], "<1")
     if is_beside and k + 1 < len(clauses) and sides[k + 1] == HOLDS and asks_needless(clauses[k], clauses[k - 1]):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def do_without(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What there is none of is not fetched ("bring me a pear. If *there is no pear*, bring me a plum. If *there is no
+    plum either*, ...")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k]) != ("task", "condition") or roles[k + 1] in ("mention", "and"):
+        return
+    order, clause = clauses[k - 1 : k + 1]
+    is_lacking = clause.says_there_is and clause.wording.is_negated and clause.names_same(order) and not clause.places
+    is_next = "if" in clause.near and "unless" not in clause.near and clause.boundary != "none"
+    is_fetched = is_next and order.task.type in _CARRYING
+    if is_lacking and is_fetched and sides[k - 1] == sides[k] == "top":
+        sides[k - 1] = ">1-"
+    if is_fetched and lacks_too(clause, order) and sides[k - 1] in (HOLDS, FAILS):
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
