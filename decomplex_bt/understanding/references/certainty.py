@@ -58,8 +58,9 @@ _ABSENT = frozenset(("missing", "gone", "lost"))
 def referable(context: Context, gap: Gap) -> list[Candidate]:
     """The candidates that a gap may refer to, as far as English settles it, in the order of the context's pool."""
     document = context.observed.document
-    # "that one" always is one that was named
+    # "that one" always is one that was named, and the last of those that were named as a "one"
     is_pointed = is_pointing_back(document, gap)
+    one = _last_one(context, gap) if is_pointed else None
     settled = meant(context, gap)
     identity = settled or _identity(context, gap) or _fronted(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
@@ -72,6 +73,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
         return not (
             (containers and candidate not in containers)
             or (is_pointed and (candidate.owner == gap.task.id or candidate.tokens.start > gap.position))
+            or (one and candidate.tokens != one)
             or (identity and candidate.tokens != identity)
             or (is_of_nobody and not _is_somebody(context, gap, candidate))
             or (before and (candidate.owner, candidate.type) != (before, "object"))
@@ -81,6 +83,14 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
         )
 
     return [candidate for candidate in context.pool if may_be(candidate)]
+
+
+def _last_one(context: Context, gap: Gap) -> range | None:
+    """The words of the last thing before a gap that was named as a "one": "the lower one", "the one in the study"."""
+    words = [token.lower for token in context.observed.document.tokens]
+    ahead = [c.tokens for c in context.pool if c.tokens.stop <= gap.position and c.owner != gap.task.id]
+    ones = [named for named in ahead if words[named.start] == "the" and not _ONES.isdisjoint(words[i] for i in named)]
+    return max(ones, key=lambda named: named.start, default=None)
 
 
 def is_pointing_back(document: Document, gap: Gap) -> bool:
