@@ -34,6 +34,8 @@ _OF_CLAUSE = frozenset("is are was were has i you we he she it they".split())
 _STILL = r"(?:\s+(?:still|already|currently))?"
 _BEING = re.compile(rf"\s(?:that|which)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:switched |turned |plugged )?\w+)$")
 _WHICHEVER = re.compile(rf"^(?:whichever|whatever)\s+(.+?)(?:'s|'re|\s+is|\s+are){_STILL}\s+((?:\w+ )?\w+)$")
+_USE = re.compile(r"(?<!\bsomething)(?<!\banything)\s+to\s+\w+\s.*?\b(?:with|from|into|onto|in|on|under|over)$")
+"""What a thing is for ("a cloth *to wipe the table with*"); what "something" is for tells which it is."""
 _JOINT = re.compile(r"\s*(?:,\s*(?:and|or|plus)?|\b(?:and|plus|as well as|(?:along|together) with|&)\b)\s+")
 _CHOICE = re.compile(r"^n?either\s+(?=.*\sn?or\s)|\s+n?or\s+")
 _ONE = re.compile(r"^((?:the|an?|that|this|those|these)\s+(?:[\w-]+\s+){0,2})(ones?)\b(?!\s+of\b)")
@@ -129,7 +131,7 @@ def _read_phrases(words: str, domain: Domain, text: str) -> tuple[NounPhrase, ..
     words = _MORE_THAN.sub(lambda match: one_more(match[1], domain), _AT_LEAST.sub("", words))
     preposition, rest = split_preposition(words, domain)
     rest = _WHICHEVER.sub(r"any \1 that is \2", rest)
-    rest, clause = _without_clause(rest), _BEING.search(rest)
+    rest, clause = _without_clause(_USE.sub("", rest)), _BEING.search(rest)
     parts = [part.strip() for part in _JOINT.split(_spelt_out(rest, domain)) if part and part.strip()]
     phrases: list[NounPhrase] = []
     later: NounPhrase | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from decomplex_bt.domain.dialects import plain_words
 from decomplex_bt.domain.loader import Domain
 
 
@@ -31,7 +32,8 @@ def leading_preposition(words: str, domain: Domain) -> str:
 
 
 def normal_words(text: str) -> str:
-    """The words in lower case, with plain apostrophes and single blanks, without marks but commas, "&" and hyphens."""
+    """The words in lower case, with plain apostrophes and single blanks, without marks but commas, "&" and hyphens; the
+    plain words for those of dialects."""
     plain = text.lower().replace("\u2019", "'").replace("\u2018", "'")
-    plain = re.sub(r"[^\w\s',&-]", " ", plain)
-    return re.sub(r"\s+", " ", plain).strip(" ,'-")
+    words = re.sub(r"[^\w\s',&-]", " ", plain).split()
+    return " ".join(plain_words(words) or words).strip(" ,'-")

@@ -12,10 +12,10 @@ from itertools import islice
 from threading import Lock
 from typing import Any
 
+from decomplex_bt.domain.dialects import joined
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
 from decomplex_bt.understanding.attributes import KnownMatches
-from decomplex_bt.understanding.dialects import joined
 
 ENDS = frozenset((".", "?", "!", ";"))
 """Marks that end a sentence."""

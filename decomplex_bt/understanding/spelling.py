@@ -13,8 +13,8 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from decomplex_bt.domain.dialects import plain_words
 from decomplex_bt.understanding.damage import ModelError
-from decomplex_bt.understanding.dialects import plain_words
 from decomplex_bt.understanding.document import ENDS, Document
 
 WORDS_FILE = "words.json"

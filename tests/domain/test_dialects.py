@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from decomplex_bt.understanding.dialects import plain_words
+from decomplex_bt.domain.dialects import plain_words
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 
