@@ -144,3 +144,26 @@ def test_what_comes_before_an_order_said_again_goes_ahead_of_it(
 )
 def test_each_lack_is_of_what_was_named_last(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If Lea's awake, ask her whether she wants soup. If she does, bring her a bowl.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        ("Shut the hatch, unless Lea's in there, and then feed the goat.", [{"if": 2, "else": [1]}, 3]),
+        (
+            "Put the crate in the barn, unless it's full, then put it in the shed.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+        ("Close the hatch, if it's open, and bring me a towel.", [{"if": 2, "then": [1]}, 3]),
+        ("Sweep the attic, if you haven't already, and empty the sack.", [{"if": 2, "else": [1]}, 3]),
+        ("See if it's raining and tell me.", [1, 2]),
+        ("See if the hatch is open and close it.", [{"if": 1, "then": [2]}]),
+        ("Take the crate out to the road. If the gate is locked, open it.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_what_hangs_on_no_case_or_on_an_answer(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -479,7 +479,8 @@ def test_what_is_done_before_something_is_asked_is_done_in_the_same_branch() -> 
         ("[Wash](1:change_state) [the van](1:object)", "and [shut](3:change_state) [the gate](3:object)", "top"),
         ("[Wash](1:change_state) [the van](1:object)", "and [take](3:bringing) [it](3:object) home", "<1+"),
         ("[Go](1:motion) [to the den](1:goal)", "and [shut](3:change_state) [the gate](3:object)", "<1+"),
-        ("[Wash](1:change_state) [the van](1:object)", "then [shut](3:change_state) [the gate](3:object)", "<1-"),
+        ("[Wash](1:change_state) [the van](1:object)", "then [shut](3:change_state) [the gate](3:object)", "top"),
+        ("[Wash](1:change_state) [the van](1:object)", "then [park](3:change_state) [it](3:object)", "<1-"),
         (
             "[Wash](1:change_state) [the van](1:object)",
             "in that case [shut](3:change_state) [the gate](3:object)",

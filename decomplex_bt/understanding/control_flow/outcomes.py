@@ -16,6 +16,22 @@ def is_guard_of(clause: Clause, before: Clause) -> bool:
     return is_needed and (clause.names_same(before) or (clause.has_pronoun and not clause.objects))
 
 
+def is_cleared(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether condition `k` asks in a sentence of its own if something is shut or full that the order before carries
+    something past or into, and all that is done in that case undoes this."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return False
+    order, check, remedy = clauses[k - 1 : k + 2]
+    is_carried = order.task.type in ("placing", "bringing", "taking") and not order.is_forbidden
+    is_asked = check.boundary in (".", ";") and check.near == ("if",) and check.is_check
+    is_shut = check.wording.state in OBSTRUCTED and not check.wording.is_negated
+    is_opened = check.wording.state == "locked" and remedy.verb == "open"
+    is_undone = is_opened or check.wording.state in remedy.needs
+    is_undone = is_undone and remedy.has_pronoun and not remedy.objects
+    is_all = k + 2 == len(clauses) or clauses[k + 2].sentence != remedy.sentence
+    return is_carried and is_asked and is_shut and is_undone and is_all and remedy.boundary == ","
+
+
 def undoes(clause: Clause, before: Clause) -> bool:
     """Whether it takes back what the order before brings about: "light it" and "blow it out", "put it in the oven"
     and "take it out", "go there" and "come back"."""
@@ -96,15 +112,23 @@ def turns_on_report(clause: Clause, report: Clause) -> str:
 
 def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bool:
     """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
-    does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things."""
+    does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things, or say how
+    somebody is, which no "does" takes up ("if she's up, ask her if she wants tea. If she *does*, ...")."""
     is_fitting = clause.verb == "do" or not before.question.isdisjoint((clause.verb, "'s", "\u2019s"))
     is_of_them = clause.is_of_somebody and not any(other.number == "many" for other in others)
     is_answer = clause.says_only_whether and bool(before.question) and is_fitting
     is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
     is_told = clause.sentence == before.sentence and clause.is_of_somebody
-    return is_answer and (is_told or (is_of_things and (clause.is_of_person or is_of_them)))
+    is_only_of_it = clause.verb == "do" and clause.is_of_somebody and all(other.verb in _BEING for other in others)
+    return is_answer and (is_told or is_only_of_it or (is_of_things and (clause.is_of_person or is_of_them)))
 
 
+_BEING = frozenset("be 's \u2019s 're \u2019re s".split())
+OBSTRUCTED = frozenset(
+    "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
+    "service order".split()
+)
+"""States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())

@@ -16,8 +16,10 @@ from decomplex_bt.understanding.control_flow.contrasts import (
 )
 from decomplex_bt.understanding.control_flow.failures import lacks_too
 from decomplex_bt.understanding.control_flow.outcomes import (
+    OBSTRUCTED,
     asks_needless,
     comes_through,
+    is_cleared,
     is_guard_of,
     is_only_of,
     undoes,
@@ -44,11 +46,6 @@ _FILLED = frozenset("full packed crammed overflowing".split())
 _TELLING = frozenset(("informing", "check_state"))
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
-_OBSTRUCTED = frozenset(
-    "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "
-    "service order".split()
-)
-"""States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
 
 
 def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -128,7 +125,7 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
     is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
-    is_shut = clause.wording.state in _OBSTRUCTED and not clause.wording.is_negated
+    is_shut = clause.wording.state in OBSTRUCTED and not clause.wording.is_negated
     is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
     # "if the bin is full, take it out", not "take them out", of which one is not full
     is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
@@ -249,6 +246,13 @@ def do_without(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
+def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
+    locked, *unlock it*")."""
+    if is_cleared(clauses, roles, k) and (sides[k - 1], sides[k]) == (">1-", "top"):
+        sides[k - 1] = "top"
+
+
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is checked first not to be so is for the order ahead, which is not done where it is so and the thing is put
     elsewhere or left ("warm the milk, but first check that it isn't sour, and if it is, pour it away")."""
@@ -367,6 +371,40 @@ def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         if not frozenset(order.objects).isdisjoint(clause.nouns) or clause.sentence != order.sentence:
             return
         sides[j] = "top"
+
+
+def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What goes on behind an order and a case that commas set off is done in any case: behind an "unless" with a "then"
+    and another matter ("shut the door, unless Mum's in there, *and then feed the dog*", not "..., then leave it open"),
+    behind whether the order is needed with an "and" ("close it, if it's open, *and bring me a towel*")."""
+    if k != 2 or (roles[0], roles[1], roles[2]) != ("task", "condition", "task") or sides[0][:2] != ">1":
+        return
+    order, check, clause = clauses[:3]
+    is_set_off = check.boundary == clause.boundary == "," and order.sentence == check.sentence == clause.sentence
+    is_instead = clause.task.type == order.task.type and order.task.type in _CARRYING
+    is_other = not (is_instead or clause.has_pronoun or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
+    is_on = check.near == ("unless",) and clause.near in (("then",), ("and", "then")) and is_other
+    is_done = is_guard_of(check, order) or (check.says_already and not check.has_pronoun and not check.objects)
+    is_needless = check.near == ("if",) and clause.near == ("and",) and is_done
+    if not is_set_off or not (is_on or is_needless) or TURNING & set(clause.far) - {"not"}:
+        return
+    for j in range(k, len(clauses)):
+        if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j][:2] != "<1":
+            return
+        sides[j] = "top"
+
+
+def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an order to check found is told whatever that is, where "and tell me" says no more and nothing goes by the
+    answer ("see if it's raining *and tell me*")."""
+    check, clause = clauses[k - 1], clauses[k]
+    if (roles[k - 1], roles[k]) != ("condition", "task") or sides[k] != HOLDS or k + 1 < len(clauses):
+        return
+    is_asked = check.is_asked and not check.is_question and check.near[:1] != ("if",)
+    is_report = clause.task.type == "informing" and all(kind == "recipient" for kind, _ in clause.task.arguments)
+    is_joined = clause.near[-1:] == ("and",) and {"whether", "and"}.issuperset(clause.near)
+    if is_asked and is_report and is_joined and clause.boundary == "none":
+        sides[k] = beside(sides[k - 1])
 
 
 def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
