@@ -154,10 +154,20 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
         is_near = sentences[last] + 1 >= sentences[place]
         return last if is_near and _is_alike(observed, tasks[last], found.tokens) else None
     is_of_question = bool(found.praise) and sentences[last] + 2 == sentences[place]  # "No luck? Then the radio will do"
-    if sentences[last] != sentences[place] and not is_of_question and next(begins, None) is None:
+    is_added = sentences[last] + 1 == sentences[place] and _is_afterthought(observed.document, found)
+    is_near = sentences[last] == sentences[place] or is_of_question or is_added
+    if not is_near and next(begins, None) is None:
         return None
     is_conditional = bool(found.condition) or any(last < i < place for i in openings)
     return last if is_conditional or tasks[last].type != "searching" else None
+
+
+def _is_afterthought(document: Document, found: Alternative) -> bool:
+    """Whether an "or" or "and" that begins a sentence adds an alternative with its condition to the order before:
+    "Put it on the table. *Or on the shelf*, if the table's full"."""
+    joint = found.tokens.start - 1
+    is_joined = joint > 0 and document.tokens[joint].lower in ("or", "and") and document.tokens[joint - 1].text in MARKS
+    return is_joined and bool(found.condition or found.own)
 
 
 def _orders_before(observed: Observed, tasks: Mapping[int, Task], place: int) -> list[int]:

@@ -167,3 +167,17 @@ def test_each_lack_is_of_what_was_named_last(interpreter: Interpreter, text: str
 )
 def test_what_hangs_on_no_case_or_on_an_answer(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Bring me a pear. Or a plum, if the pears are still green.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Put it on the bench. Or on the shelf, if the bench is full.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Light the lantern. And the stove, if it's cold.", [1, {"if": 3, "then": [2]}]),
+        ("Call Kim. And Lea, unless she's asleep.", [1, {"if": 3, "else": [2]}]),
+        ("Wash the van. And if it's dark, light the lantern.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_an_afterthought_has_its_own_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

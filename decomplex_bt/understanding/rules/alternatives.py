@@ -209,13 +209,14 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     """Whether what is named with a condition of its own comes on top of the one order before: "water the roses, *and
     the tulips too* if they're dry"."""
     part = parts[k]
-    if part.is_last or part.lead != "mark" or not 0 < k < len(parts) - 1:
+    is_afterthought = part.lead == "start" and bool(part.body) and document.tokens[part.body.start].lower == "and"
+    if part.is_last or not (part.lead == "mark" or is_afterthought) or not 0 < k < len(parts) - 1:
         return False
     condition, before, tokens = parts[k + 1], parts[k - 1], document.tokens
     gap = tokens[part.body.stop : condition.opening.start]
     is_too = not _ADDING.isdisjoint(tokens[i].lower for i in part.body)
     is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body)
-    is_next = not gap or (is_too and [token.text for token in gap] == [","])
+    is_next = not gap or ((is_too or is_afterthought) and [token.text for token in gap] == [","])
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     is_next = is_next and condition.lead == "if" and is_done
     is_joined = (tokens[part.body.start].lower == "and" or is_too) and before.lead == "start"
