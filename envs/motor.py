@@ -27,6 +27,7 @@ try:
         _chipmunk.cpBodySetAngularVelocity,
         _chipmunk.pmSpaceBodyGetIteratorFuncBatched,
         _chipmunk.cpBodyIsSleeping,
+        _chipmunk.cpBodyGetPosition,
     )
     _READ: int = _chipmunk.POSITION | _chipmunk.ANGLE | _chipmunk.VELOCITY | _chipmunk.ANGULAR_VELOCITY
 except (ImportError, AttributeError):  # pragma: no cover - another pymunk than those known
@@ -36,6 +37,7 @@ _ROOM = 16
 """Numbers that there is room for where a body is read into: more than are read, for what is full is made anew."""
 _STATE = Struct("6d")
 _exhaust = deque[Any](maxlen=0).extend
+Point = tuple[float, float]
 State = tuple[float, float, float, float, float, float]
 """x, y [m], angle [rad], velocity along x and y [m/s], angular velocity [rad/s]."""
 
@@ -53,10 +55,16 @@ class Motor(Protocol):
         """How the body is and moves."""
 
     def watch(self, others: Iterable[pymunk.Body]) -> None:
-        """Whom `is_stirring` is about from now on."""
+        """Whom it sees besides from now on, in this order."""
 
     def is_stirring(self) -> bool:
         """Whether one of the others is awake."""
+
+    def is_awake(self, index: int) -> bool:
+        """Whether that one of the others is."""
+
+    def point(self, index: int) -> Point:
+        """Where that one of the others is [m]."""
 
 
 def make_motor(space: pymunk.Space, body: pymunk.Body) -> Motor:
@@ -92,6 +100,12 @@ class PymunkMotor:
     def is_stirring(self) -> bool:
         return any(not body.is_sleeping for body in self._others)
 
+    def is_awake(self, index: int) -> bool:
+        return not self._others[index].is_sleeping
+
+    def point(self, index: int) -> Point:
+        return self._others[index].position
+
 
 class DirectMotor:
     """Moves a body by the Chipmunk functions that pymunk calls."""
@@ -100,7 +114,7 @@ class DirectMotor:
         self._pymunk_space: Any = space
         self._space: Any = space._space
         self._owner, self._body = body, body._body
-        self._step, self._set_velocity, self._set_turn_rate, self._get, self._sleeps = _FUNCTIONS
+        self._step, self._set_velocity, self._set_turn_rate, self._get, self._sleeps, self._where = _FUNCTIONS
         self._others: tuple[Any, ...] = ()
         numbers = _ffi.new("cpFloat[]", _ROOM)
         self._taken = _ffi.new("pmFloatArray *", {"arr": numbers, "max": _ROOM})
@@ -132,3 +146,10 @@ class DirectMotor:
             if not sleeps(body):
                 return True
         return False
+
+    def is_awake(self, index: int) -> bool:
+        return not self._sleeps(self._others[index])
+
+    def point(self, index: int) -> Point:
+        at = self._where(self._others[index])
+        return at.x, at.y

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from math import cos, pi, sin
-from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -235,7 +234,7 @@ class World:
         self._people: dict[int, pymunk.Shape] = {}
         self._leaf_shapes: dict[str, pymunk.Shape] = {}
         self.closed_leaves: tuple[str, ...] = ()
-        self._loose: list[tuple[int, pymunk.Body]] = []  # what may move, besides the robot, in order of rows
+        self._loose: list[int] = []  # the rows of what may move, besides the robot, in order
         self._awake: set[int] = set()
         self._moved: set[int] = set()
         for name in geometry.leaves:
@@ -270,8 +269,7 @@ class World:
         self._bodies[row] = (body, (shape, *joints))
         put(self.space, shape, body, joints)
         if row != self.geometry.robot_row:
-            self._loose = sorted((*self._loose, (row, body)), key=itemgetter(0))
-            self._motor.watch(body for _, body in self._loose)
+            self._watch(sorted((*self._loose, row)))
             self._awake.add(row)
         self.arrangement += 1
 
@@ -280,11 +278,14 @@ class World:
             self._read_all()
         body, parts = self._bodies.pop(row)
         self.space.remove(*parts, body)
-        self._loose = [(other, loose) for other, loose in self._loose if other != row]
-        self._motor.watch(body for _, body in self._loose)
+        self._watch([other for other in self._loose if other != row])
         self._awake.discard(row)
         self._moved.discard(row)
         self.arrangement += 1
+
+    def _watch(self, rows: list[int]) -> None:
+        self._loose = rows
+        self._motor.watch(self._bodies[row][0] for row in rows)
 
     def _stand(self, person: int) -> None:
         self._people[person] = shape = self._stage.person(person, self.position[person].tolist())
@@ -330,12 +331,12 @@ class World:
     def _read_all(self) -> None:
         """Reads the bodies that may have moved; what is carried goes along."""
         self._is_stale = False
-        position = self._position
+        position, motor = self._position, self._motor
         position[-1] = self.robot
-        for row, body in self._loose:
-            is_awake = not body.is_sleeping
+        for index, row in enumerate(self._loose):
+            is_awake = motor.is_awake(index)
             if is_awake or row in self._awake:  # one that has just fallen asleep is read once more
-                position[row] = body.position
+                position[row] = motor.point(index)
                 self._moved.add(row)
                 (self._awake.add if is_awake else self._awake.discard)(row)
         if self._moved or self._is_carrying:
