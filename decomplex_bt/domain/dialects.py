@@ -6,11 +6,10 @@ meant is read; spans and values keep what was said.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import product
-from types import MappingProxyType
 
-_PLAIN = {
+_WORDS = {
     # Scotland, the north of England, Ireland
     "no": "naw nae",
     "yes": "aye",
@@ -63,8 +62,7 @@ _PLAIN = {
     "night": "nite",
     "tonight": "tonite",
 }
-PLAIN: Mapping[str, str] = MappingProxyType({word: plain for plain, words in _PLAIN.items() for word in words.split()})
-"""The plain word for each that is none, lower case."""
+_PLAIN = {word: plain for plain, words in _WORDS.items() for word in words.split()}
 _STEMS = {stem: stem for stem in "can could did does had has have is are must should was were will would".split()}
 _STEMS |= {
     "din": "do",
@@ -104,7 +102,7 @@ def _plain_word(words: Sequence[str], i: int) -> str | None:
         return "no" if i > 1 and words[i - 2].lower() == "there" else "not"
     if word in _STEMS:
         is_joined = i + 1 < len(words) and words[i + 1].lower() in _NOTS
-        return _STEMS[word] if is_joined and _STEMS[word] != word else PLAIN.get(word)
+        return _STEMS[word] if is_joined and _STEMS[word] != word else _PLAIN.get(word)
     if word == "gonnae":  # "gonnae shut it" asks, "she's gonnae come" says what will be
         return "please" if i == 0 or words[i - 1].lower() in _JOINING else None
-    return PLAIN.get(word)
+    return _PLAIN.get(word)

@@ -232,16 +232,21 @@ def _load_pipeline() -> Any:
         _check_pipeline(nlp.meta["name"], nlp.meta["version"], nlp.pipe_names, expected_name=name)
         ruler = nlp.get_pipe("attribute_ruler")
         ruler.matcher = KnownMatches(ruler)
-        for parts in joined():
-            for case in (str.lower, str.capitalize, str.upper):
-                word = case("".join(parts))
-                halves = (word[: len(parts[0])], word[len(parts[0]) :])
-                nlp.tokenizer.add_special_case(word, [{"ORTH": half} for half in halves])
+        _part_joined(nlp.tokenizer)
         return nlp
     raise LanguageModelError(
         f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "
         "(it is a dependency of this package)"
     )
+
+
+def _part_joined(tokenizer: Any) -> None:
+    """Has a verb and the "not" of a dialect that is joined to it be two tokens, as in plain English."""
+    for parts in joined():
+        for case in (str.lower, str.capitalize, str.upper):
+            word = case("".join(parts))
+            halves = (word[: len(parts[0])], word[len(parts[0]) :])
+            tokenizer.add_special_case(word, [{"ORTH": half} for half in halves])
 
 
 def _check_pipeline(name: str, version: str, components: Sequence[str], *, expected_name: str) -> None:

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, beside, goes_on
+from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
 
+_CARRYING = frozenset(("placing", "bringing", "taking"))
+_TELLING = frozenset(("informing", "check_state"))
 _WHETHER = frozenset(("whether", "if"))
 _GOING_ON = frozenset("and then also after_that last".split())
 
@@ -65,6 +69,117 @@ def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if is_next and is_other and goes_by and all(sides[j] == HOLDS for j in range(k, stop)):
         for j in range(k, stop):
             sides[j] = beside(sides[k - 1])
+
+
+def list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is listed on behind an "instead" is done in any case ("fetch the pan, if it's dirty take the pot instead,
+    *lay the table, light the candles*")."""
+    clause = clauses[k]
+    is_behind = "instead" in clauses[k - 1].behind and clause.sentence == clauses[k - 1].sentence
+    is_listed = clause.boundary == "," and clause.near in ((), ("then",)) and roles[k - 1] == "task"
+    if not (is_behind and is_listed) or clause.has_pronoun or not clause.objects:
+        return
+    for j in range(k, len(clauses)):
+        if sides[j] not in (HOLDS, FAILS) or clauses[j].sentence != clause.sentence:
+            return
+        if j > k and not goes_on(clauses, roles, sides, j, clause.sentence) and roles[j] != "condition":
+            return
+        sides[j] = "top"
+        if roles[j] == "condition":
+            return
+
+
+def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done ", then" behind the one thing that makes up for what is not so is done in any case ("if there isn't
+    a clean cup, wash one, *then fill it*")."""
+    clause, before = clauses[k], clauses[k - 1]
+    if k < 2 or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    is_next = (clause.boundary, clause.near) == (",", ("then",)) and clause.sentence == before.sentence
+    is_of_lack = clauses[k - 2].wording.is_negated and clauses[k - 2].sentence == clause.sentence
+    is_step = "first" in (*before.far, *before.near, *before.behind)
+    if not (is_next and is_of_lack) or is_step or sides[k] != sides[k - 1] or sides[k] not in (HOLDS, FAILS):
+        return
+    for j in range(k, len(clauses)):
+        if j > k and not (sides[j] == sides[k - 1] and goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = "top"
+
+
+def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" leads on to, with another thing, behind the one order that undoes what was found to be so is done
+    in any case ("if the iron is still on, turn it off, *and then bring me the basket*"), but not a report of it."""
+    clause, order = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] not in ("task", "mention")), None) if k > 1 else None
+    if first is None or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    is_alone = "task" not in roles[first : k - 1] and roles[first] == "condition" and sides[first] == "top"
+    check, last = clauses[first], clauses[k - 2]  # "is the gate open? *If it is*, close it, then ..."
+    is_alone = is_alone and (last.is_question or not OPENING.isdisjoint(last.near))
+    state = last.wording.state or check.wording.state
+    is_undone = is_alone and state in (order.effects if last.wording.is_negated else order.needs)
+    is_of_it = order.names_same(check) or (order.is_of_it and not order.objects)
+    known = {word for before in (check, order) for word in (*before.nouns, *before.thing)}
+    is_new = not clause.has_pronoun and bool(clause.nouns) and known.isdisjoint(clause.nouns)
+    is_next = "then" in clause.near and {"and", "then", "please"}.issuperset(clause.near) and not clause.is_only_then
+    is_plain = is_next and clause.boundary in (",", "none") and "first" not in order.behind
+    if not (is_undone and is_of_it and is_new and is_plain) or clause.task.type in _TELLING:
+        return
+    if last.sentence != clause.sentence or sides[k - 1] not in (HOLDS, FAILS):
+        return
+    for j in range(k, len(clauses)):
+        if sides[j] != sides[k - 1] or not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)):
+            return
+        sides[j] = "top"
+
+
+def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What goes on behind an order and a case that commas set off is done in any case: behind an "unless" with a "then"
+    and another matter ("shut the door, unless Mum's in there, *and then feed the dog*", not "..., then leave it open"),
+    behind whether the order is needed with an "and" ("close it, if it's open, *and bring me a towel*")."""
+    if k != 2 or (roles[0], roles[1], roles[2]) != ("task", "condition", "task") or sides[0][:2] != ">1":
+        return
+    order, check, clause = clauses[:3]
+    is_set_off = check.boundary == clause.boundary == "," and order.sentence == check.sentence == clause.sentence
+    is_instead = clause.task.type == order.task.type and order.task.type in _CARRYING
+    is_other = not (is_instead or clause.has_pronoun or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
+    is_on = check.near == ("unless",) and clause.near in (("then",), ("and", "then")) and is_other
+    is_done = is_guard_of(check, order) or (check.says_already and not check.has_pronoun and not check.objects)
+    is_needless = check.near == ("if",) and clause.near == ("and",) and is_done
+    if not is_set_off or not (is_on or is_needless) or TURNING & set(clause.far) - {"not"}:
+        return
+    for j in range(k, len(clauses)):
+        if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j][:2] != "<1":
+            return
+        sides[j] = "top"
+
+
+def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an order to check found is told whatever that is, where "and tell me" says no more and nothing goes by the
+    answer ("see if it's raining *and tell me*")."""
+    check, clause = clauses[k - 1], clauses[k]
+    if (roles[k - 1], roles[k]) != ("condition", "task") or sides[k] != HOLDS or k + 1 < len(clauses):
+        return
+    is_asked = check.is_asked and not check.is_question and check.near[:1] != ("if",)
+    is_report = clause.task.type == "informing" and all(kind == "recipient" for kind, _ in clause.task.arguments)
+    is_joined = clause.near[-1:] == ("and",) and {"whether", "and"}.issuperset(clause.near)
+    if is_asked and is_report and is_joined and clause.boundary == "none":
+        sides[k] = beside(sides[k - 1])
+
+
+def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" does, behind both cases, with that into which something was put in either is done in any case ("if
+    there's milk, pour it into the jug, if not, put water in it, *and then bring the jug*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or "then" not in clause.near or (roles[k], sides[k], sides[k - 1]) != ("task", FAILS, FAILS):
+        return
+    filled = [clauses[j].receivers - set(clauses[j].objects) for j in range(first + 1, k) if sides[j] == HOLDS]
+    is_filled = bool(clause.objects) and any(goals.issuperset(clause.objects) for goals in filled)
+    is_in_both = order.has_pronoun or not order.receivers.isdisjoint(clause.objects)
+    is_turned = {"else", "fail"} & {*order.far, *order.near}
+    if is_filled and is_in_both and is_turned and sides[first] == "top" and roles[first] == "condition":
+        sides[k] = "top"
 
 
 def _take_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int, outer: str) -> None:

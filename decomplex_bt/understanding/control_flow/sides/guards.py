@@ -1,0 +1,109 @@
+"""Guards: which of the orders ahead of it a condition right behind an order is about."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import takewhile
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.contrasts import asks_of
+from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_guard_of, is_only_of, undoes
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    FAILS,
+    HOLDS,
+    OPENING,
+    TURNING,
+    beside,
+    goes_on,
+    hangs_ahead,
+)
+
+
+def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
+    wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
+    here")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_guard = is_guard_of(clause, order) and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
+    if not is_behind or OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
+        return
+    if is_guard and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1+", sides[k - 1]
+    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != ">1":
+        return
+    ahead = [j for j in range(k - 1) if clauses[j].sentence == clause.sentence and roles[j] == "task"]
+    is_listed = bool(ahead) and ahead[-1] == k - 2 and order.boundary == ","
+    later = list(takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))))
+    if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")):
+        return
+    if is_listed:
+        for j in ahead:
+            sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
+    for j in later:
+        sides[j] = beside(sides[k])
+
+
+def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order hangs on what is asked right behind it after its own thing, and behind a "then" that is asked whatever
+    came of another condition ("is the tv on? Turn it off, *then* close the window if *it's open*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != "<1":
+        return
+    if asks_of(clauses[k], clauses[k - 1], clauses[first]):
+        is_next = "then" in clauses[k - 1].near and clauses[k - 1].sentence == clauses[first].sentence
+        sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
+
+
+def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "or if" opens behind an order and its case is asked where that is not so, with its own order ("hang it up
+    if it's wet, *or if it's torn, mend it*")."""
+    if k < 2 or k + 1 >= len(clauses) or clauses[k].near != ("or", "if") or clauses[k - 1].boundary != "none":
+        return
+    if tuple(roles[k - 2 : k]) == ("task", "condition") and sides[k - 2][:2] == ">1" and roles[k] != "or":
+        sides[k] = FAILS if roles[k] == "condition" else "<1"
+        sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
+
+
+def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of orders in a row, each with a condition of its own thing right behind it, each hangs on its own ("switch the
+    stove off if it's on, *close the door if it's open*, and come here"), be it the other side of the one before ("bring
+    the cup if it's clean and *wash it if it's dirty*")."""
+    if k < 3 or tuple(roles[k - 3 : k]) != ("task", "condition", "task"):
+        return
+    last, order, clause = clauses[k - 2 : k + 1]
+    is_row = sides[k - 3][:2] == ">1" and last.boundary == "none" and last.sentence == order.sentence
+    is_alternative = order.near == ("or",) and roles[k] == "condition"  # "..., or light the stove if it's raining"
+    if is_row and is_alternative and clause.near == ("if",) and clause.boundary == "none":
+        sides[k - 1], sides[k] = ">1+", FAILS
+        return
+    is_behind = clause.boundary == "none" and clause.near in (("if",), ("unless",)) and TURNING.isdisjoint(order.near)
+    if not (is_row and is_behind and clause.is_check):
+        return
+    is_last = k + 1 == len(clauses) or clauses[k + 1].boundary != "none"  # not "... if it's hot just bring it"
+    if roles[k] == "mention" and sides[k - 1] in (HOLDS, FAILS) and is_last:
+        is_opposite = is_flipped(1, 0, (last.wording, clause.wording)) != last.wording.is_negated
+        sides[k - 1] = FAILS if is_opposite else HOLDS
+    is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather
+    if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
+        sides[k - 1] = ">1+"
+        sides[k] = beside(sides[k - 2])
+
+
+def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
+    about ("light the candles and blow them out if they drip"), where what is asked comes through one ("fill the tub
+    and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
+    empty"), and where a comma parts it from them ("shut the door, and bring a chair if there is one")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
+    if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
+        return
+    ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
+    is_parted = order.boundary == "," and "and" in order.near and "when" not in clause.near
+    if any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead) or (
+        ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]]))
+    ):
+        for j in ahead:
+            sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"

@@ -1,0 +1,152 @@
+"""Substitutions: what a case behind an order has done in place of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.failures import lacks_too
+from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, is_cleared
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING
+
+_PARTING = frozenset((".", ";"))
+_SOME = frozenset("one ones some two three half few couple rest other others".split())
+_LEAVING = frozenset(("leave", "keep"))
+_CARRYING = frozenset(("placing", "bringing", "taking"))
+_FILLED = frozenset("full packed crammed overflowing".split())
+_REMOVING = frozenset("leave pour throw tip chuck bin".split())
+
+
+def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
+    put it on the shelf"), and that is asked where it would have been put."""
+    if k + 1 >= len(clauses) or roles[k] != "condition" or roles[k - 1] != roles[k + 1] or roles[k - 1] != "task":
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    are_moves = before.task.type in MOVING and after.task.type in MOVING
+    is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
+    is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
+    is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
+    is_shut = clause.wording.state in OBSTRUCTED and not clause.wording.is_negated
+    is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
+    # "if the bin is full, take it out", not "take them out", of which one is not full
+    is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
+    is_leading = after.sentence == clause.sentence and clause.boundary != "none"
+    if (
+        are_moves
+        and not is_carried
+        and is_place
+        and is_shut
+        and is_same
+        and is_leading
+        and sides[k - 1] in ("top", HOLDS, FAILS)
+    ):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def replace_there(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done *instead*, in a case that is asked of the place or the person of the order ahead, stands in place of
+    that order alone, and is asked where that would be done ("pick it up and put it in the box. If the box is full, put
+    it on the bench *instead*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_instead = "instead" in (*other.near, *other.behind) and other.sentence == check.sentence
+    is_led = check.boundary in _PARTING and "if" in check.near and not {*other.far, *other.near} & TURNING
+    is_place = not (order.nouns - set(order.objects)).isdisjoint(check.objects)
+    is_receiver = check.is_of_person and any(kind in ("recipient", "goal") for kind, _ in order.task.arguments)
+    is_moved = order.task.type in MOVING and sides[k + 1] == HOLDS
+    is_moved = is_moved and (other.verb not in _LEAVING or bool(other.receivers))
+    if not (is_instead and is_led and is_moved and (is_place or is_receiver)) or order.is_forbidden:
+        return
+    if sides[k - 1] == ">1-" and order.has_pronoun and not order.objects and other.task.type in MOVING:
+        for j in range(k - 2, -1, -1):
+            if roles[j] != "task" or sides[j] != ">1-" or clauses[j].sentence != order.sentence:
+                return
+            sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+    elif sides[k - 1] in ("top", HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is left somewhere in a case is not moved in it ("bring the washing in. If it's damp, *leave it on the
+    line*"); where only some of it is left, the rest is ("bring the milk in. If there are two, *leave one outside*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    before, clause, after = clauses[k - 1 : k + 2]
+    is_left = before.task.type in MOVING and after.task.type == "placing" and after.verb in _LEAVING
+    is_next = after.sentence == clause.sentence and after.boundary == "," and "if" in clause.near
+    is_led = clause.boundary in _PARTING and not {*clause.near, *after.near} & TURNING
+    if not (is_left and is_next and is_led and before.verb not in _LEAVING and sides[k - 1] in ("top", ">1-")):
+        return
+    is_turned = any("else" in (*later.far, *later.near) for later in clauses[k + 2 :])
+    is_known = not (clause.is_of_some or is_turned) and (
+        not clause.objects or not before.nouns.isdisjoint(clause.objects)
+    )
+    if after.is_of_it and is_known and sides[k - 1] == "top" and sides[k] == "top":
+        sides[k - 1] = ">1-"
+    elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
+        sides[k - 1] = "top"
+
+
+def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is so already is not brought about ("open the window. *If it's open already*, turn the fan on")."""
+    is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] in ("top", HOLDS, FAILS)
+    is_beside = is_next and sides[k] in (sides[k - 1], "<1")
+    if is_beside and k + 1 < len(clauses) and sides[k + 1] == HOLDS and asks_needless(clauses[k], clauses[k - 1]):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def do_without(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What there is none of is not fetched ("bring me a pear. If *there is no pear*, bring me a plum. If *there is no
+    plum either*, ...")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k]) != ("task", "condition") or roles[k + 1] in ("mention", "and"):
+        return
+    order, clause = clauses[k - 1 : k + 1]
+    is_lacking = clause.says_there_is and clause.wording.is_negated and clause.names_same(order) and not clause.places
+    is_next = "if" in clause.near and "unless" not in clause.near and clause.boundary != "none"
+    is_fetched = is_next and order.task.type in _CARRYING
+    if is_lacking and is_fetched and sides[k - 1] == sides[k] == "top":
+        sides[k - 1] = ">1-"
+    if is_fetched and lacks_too(clause, order) and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
+
+
+def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
+    locked, *unlock it*")."""
+    if is_cleared(clauses, roles, k) and (sides[k - 1], sides[k]) == (">1-", "top"):
+        sides[k - 1] = "top"
+
+
+def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is checked first not to be so is for the order ahead, which is not done where it is so and the thing is put
+    elsewhere or left ("warm the milk, but first check that it isn't sour, and if it is, pour it away")."""
+    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
+        return
+    check, echo, order = clauses[k : k + 3]
+    is_first = check.is_asked and check.wording.is_negated and bool({"before", "first"} & set(check.wording.orders))
+    is_so = echo.wording.is_echo and not echo.wording.is_negated and "if" in echo.near
+    is_removed = (order.task.type == "placing" or order.verb in _REMOVING) and order.has_pronoun and not order.objects
+    if is_first and is_so and is_removed and sides[k - 1] == "top" and sides[k + 2] == HOLDS:
+        sides[k - 1] = ">1+"
+
+
+def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done *instead* in a case that is asked in a sentence of its own stands in place of the last order of its
+    kind, with the same thing, not of those ahead about others ("before you sweep, put the toys in the box. If it's
+    full, put them on the shelf *instead*")."""
+    if k < 2 or k + 1 == len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, other = clauses[k - 1], clauses[k + 1]
+    is_instead = "instead" in (*other.near, *other.behind) and other.has_pronoun and sides[k + 1] == HOLDS
+    is_alike = order.task.type == other.task.type and order.task.type in _CARRYING and bool(order.objects)
+    if not is_instead or not is_alike or sides[k - 1] != ">1-" or clauses[k].sentence == order.sentence:
+        return
+    for j in range(k - 2, -1, -1):
+        clause = clauses[j]
+        if roles[j] != "task" or sides[j] != ">1-" or clause.has_pronoun:
+            return
+        if not frozenset(order.objects).isdisjoint(clause.nouns) or clause.sentence != order.sentence:
+            return
+        sides[j] = "top"
