@@ -34,6 +34,10 @@ def left(parser: Parser, text: str) -> str:
     [
         ("If it's, uh, if it's not hot, heat it.", "if it's not hot, heat it."),
         ("Turn on the, turn on the lamp.", "turn on the lamp."),
+        ("It's raining, isn't it? Shut it.", "It's raining? Shut it."),
+        ("You fed her, didn't you? If not, do.", "You fed her? If not, do."),
+        ("I said, didn't I, that it's on.", "I said, didn't I, that it's on."),
+        ("Is it on, or isn't it? Tell me.", "Is it on, or isn't it? Tell me."),
         ("Is - is there any tea?", "is there any tea?"),
         ("get the get the get the ball and throw it", "get the ball and throw it"),
         ("Put it on the, on the shelf.", "Put it on the shelf."),

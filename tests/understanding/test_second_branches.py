@@ -181,3 +181,20 @@ def test_what_hangs_on_no_case_or_on_an_answer(interpreter: Interpreter, text: s
 )
 def test_an_afterthought_has_its_own_case(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a ladle, and if they're all dirty, a fork.",
+        "Bring me the blue rug, and if it's wet, the white one.",
+        "Fetch the jug, and if it's broken, fetch the bowl.",
+    ],
+)
+def test_what_is_fetched_where_the_first_is_of_no_use_stands_in_its_place(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [3], "else": [1]}]
+
+
+def test_what_is_fetched_besides_stands_in_no_place(interpreter: Interpreter) -> None:
+    text = "Bring me the paper and, if it's still hot, bring me the coffee."
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]

@@ -39,10 +39,22 @@ def is_elsewhere_than(clause: Clause, first: Clause) -> bool:
 
 def is_rival_of(clause: Clause, first: Clause) -> bool:
     """Whether it asks what cannot be where the other holds: if it is another thing ("if it's the phone, ..., if
-    it's the doorbell, ..."), or if something is so instead."""
+    it's the doorbell, ..."), if somebody answers otherwise, or if something is so instead."""
     is_other = bool(clause.identified and first.identified) and clause.identified != first.identified
+    is_other = is_other or (clause.verb in _ANSWERING and is_other_wish(clause, first))
     are_stated = not (clause.wording.is_negated or first.wording.is_negated)
     return clause.is_check and are_stated and (is_other or clause.says_instead)
+
+
+def is_other_wish(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if the same one says or would have something else than the other asks: "if she says *tea*, ...,
+    if she says *coffee*, ...", "if he asks for *juice*, ..., if he asks for *tea*, ..."."""
+    is_same_verb = clause.verb == first.verb and clause.verb in _ANSWERING | _WISHING
+    are_stated = clause.is_check and first.is_check and not (clause.wording.is_negated or first.wording.is_negated)
+    is_same = clause.is_of_somebody or clause.names_same(first) or not (clause.objects and clause.said_state)
+    said, other = (frozenset(c.said_state or c.objects) for c in (clause, first))
+    is_other = bool(said - other and other - said)
+    return is_same_verb and are_stated and is_same and is_other and not (clause.says_answer or first.says_answer)
 
 
 def is_content_of(clause: Clause, first: Clause) -> bool:
@@ -63,12 +75,13 @@ def is_content_of(clause: Clause, first: Clause) -> bool:
 
 def is_opposite_of(clause: Clause, first: Clause) -> bool:
     """Whether it tests the opposite of an earlier condition, of the same thing by name: "if the tv is off, ..., if
-    the tv is on, ..."."""
+    the tv is on, ...", or denies of "her" what that asks of somebody."""
     one, other = clause.wording, first.wording
     is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
     is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
     is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
     is_same = clause.names_same(first) or (clause.says_answer and clause.is_of_somebody)
+    is_same = is_same or (is_denied and clause.is_of_person and first.may_be_of_person)
     return clause.is_check and first.is_check and is_turned and is_same and not is_of_other_place(clause, first)
 
 
@@ -170,6 +183,8 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
     is_of_other = asks_same_of_another(clause, first) or is_of_other_matter(clause, first)
     if is_of_other or asks_for_what_had_state(clause, first) or is_of_other_place(clause, first):
         return True
+    if is_other_wish(clause, first):
+        return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
         return False
     state, other = clause.wording.state, first.wording.state
@@ -185,6 +200,9 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
     return is_of_others or (first.asks_where and "location" not in own)
 
 
+_ANSWERING = frozenset("say answer reply choose pick want prefer".split())
+"""What somebody does or has one of at a time."""
+_WISHING = frozenset("ask need fancy like".split())
 _HOLDING = frozenset("contain hold have".split())
 _DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
 """What is in something though it may be empty."""

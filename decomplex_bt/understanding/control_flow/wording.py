@@ -21,6 +21,7 @@ _LEFT = frozenset(("they", "it", "those"))
 _ADDED = frozenset("if all already now completely just still and but or".split())
 BEING = frozenset(("be", "'s", "'re", "s"))
 REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
+_WHO = frozenset("it them him her me us".split())
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 _CLOSING = PUNCTUATION | {"but"}
 _COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
@@ -78,7 +79,8 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         or state in _CONTRARY
         or _says_used_up(tokens[first : last + 1])
         or (state == "out" and is_being_of(observed.document, task, PERSONS)),
-        is_bare(observed.document, task, last, ECHOING),  # "if he is", "if it does", "when they have"
+        # "if he is", "if it does", "when they have"
+        is_bare(observed.document, task, last, ECHOING) or _says_who(observed.document, task),
     )
 
 
@@ -116,12 +118,20 @@ def is_bare(document: Document, task: MarkedTask, last: int, words: frozenset[st
     )
 
 
+def _says_who(document: Document, task: MarkedTask) -> bool:
+    """Whether a check only says by a pronoun who somebody is: "if it's *him*"."""
+    states = [indices for kind, indices in task.arguments if kind == "state"]
+    return any(len(indices) == 1 and document.tokens[indices[0]].lower in _WHO for indices in states)
+
+
 def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
     """The word for the state that a clause tests: the end of its state argument, else a word with an opposite."""
     tokens = observed.document.tokens
     said = next((indices for kind, indices in task.arguments if kind == "state" and len(indices)), None)
     if said is not None:
         words = [tokens[j].lower for j in said]
+        if _says_who(observed.document, task):
+            return None
         first = words[words.index("or") - 1] if "or" in words[1:] else words[-1]
         is_choice = words[-1] in (OPPOSITES.get(first), first) or OPPOSITES.get(words[-1]) == first
         return first if is_choice else words[-1]  # "is it open or shut?" asks whether it is open

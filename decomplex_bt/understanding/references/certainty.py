@@ -26,6 +26,7 @@ _ENDED = frozenset(("off", "down", "shut", "closed"))
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
+_SAYING = frozenset("say answer reply choose pick".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ANIMATE = frozenset(("person", "animal", "name"))
 _ACTS = (
@@ -266,11 +267,13 @@ def _is_stuff(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "it" would be who wishes, or "him" what is wished for: "if *Emma* wants *tea*, bring it to her"."""
-    if candidate.task_type != "check_state" or context.lemmas.get(candidate.owner) not in WISHING:
+    """Whether "it" would be who wishes, or "him" what is wished for: "if *Emma* wants *tea*, bring it to her", "if he
+    says *soup*, ..."."""
+    verb = context.lemmas.get(candidate.owner)
+    if candidate.task_type != "check_state" or verb not in WISHING | _SAYING:
         return False
     kind = kind_of(context, candidate)
-    is_who = gap.word == "it" and candidate.type == "object" and kind in ("person", "name")
+    is_who = gap.word == "it" and candidate.type == "object" and kind in ("person", "name") and verb in WISHING
     return is_who or (gap.word in _SOMEBODY and candidate.type == "state" and kind not in _ANIMATE)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import ENDS, Document
 from decomplex_bt.understanding.rules.edits import (
     EDITING,
     HESITATING,
@@ -23,6 +23,9 @@ from decomplex_bt.understanding.rules.edits import (
 from decomplex_bt.understanding.rules.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.restarts import said_over
 
+_TAGGING = frozenset("is are was were do does did has have had ai".split())
+_NOTS = frozenset(("n't", "nt"))
+_TAGGED = frozenset("it he she they there we you i that".split())
 _OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 
 
@@ -30,13 +33,14 @@ def repaired(document: Document) -> frozenset[int]:
     """The tokens that are put otherwise in the same sentence, with what stands between.
 
     Words that are said over again; phrases, clauses and orders that others stand in place of behind a "no, sorry" or
-    the like; what breaks off at an article; a "tell you what". An order that is to be done *first* or *before* stands
-    in place of none.
+    the like; what breaks off at an article; a "tell you what"; the tag of a question, whose "not" denies nothing. An
+    order that is to be done *first* or *before* stands in place of none.
     """
     said = Said.of(document)
     cut = {i for stretch in said_over(said) for i in stretch}
     cut.update(i for opener in _openers(said) for i in opener)
     cut.update(i for sound in _hesitations(said) for i in sound)
+    cut.update(i for tag in _tags(said) for i in tag)
     for run in said.runs:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
@@ -86,6 +90,15 @@ def _hesitation(said: Said, start: int, at: int) -> int:
         return 1
     is_beside = at > start or (words[at - 1 : at] != [] and words[at - 1] in UNFINISHED)
     return 2 if is_beside and words[at : at + 2] == ["you", "know"] else 0
+
+
+def _tags(said: Said) -> Iterator[range]:
+    """Every tag that asks for a yes with a "not" ("it's raining, *isn't it*? Close the windows")."""
+    words = said.words
+    for i in range(2, len(words) - 3):
+        is_tag = words[i] in _TAGGING and words[i + 1] in _NOTS and words[i + 2] in _TAGGED
+        if is_tag and words[i - 1] in MARKS and words[i + 3] in ENDS:
+            yield range(i - 1, i + 3)
 
 
 def replaced_orders(document: Document) -> Iterator[range]:

@@ -48,6 +48,7 @@ _RULES = (
     substitutions.obstruct,
     substitutions.replace_there,
     substitutions.leave_be,
+    substitutions.stand_in,
     reversals.fall_back,
     reversals.follow,
     prohibitions.permit,

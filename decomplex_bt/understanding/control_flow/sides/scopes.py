@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_elsewhere_than,
     is_of_other_matter,
+    is_other_wish,
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside
@@ -153,7 +154,8 @@ def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
     give it to her, but if she's at lunch, ..."); and whether it is another thing, or is so instead, never where the
-    first holds ("if it's the phone, ..., *if it's the doorbell*, ...")."""
+    first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); whether somebody asks for something else is so in
+    any case."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
@@ -161,6 +163,8 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
     if is_led and is_rival_of(clause, clauses[first]) and sides[k] == HOLDS:
         sides[k] = FAILS
+    elif is_led and is_other_wish(clause, clauses[first]) and sides[k] == HOLDS:
+        sides[k] = beside(sides[first])
     if not {"but", "if"} <= {*clause.far, *clause.near} or not is_elsewhere_than(clause, clauses[first]):
         return
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):

@@ -13,6 +13,10 @@ _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _LEAVING = frozenset(("leave", "keep"))
 _CARRYING = frozenset(("placing", "bringing", "taking"))
+_USELESS = frozenset(
+    "dirty broken cracked torn ripped chipped empty stale sour mouldy moldy rotten used use order taken occupied gone "
+    "missing lost finished flat dead".split()
+)
 _FILLED = frozenset("full packed crammed overflowing".split())
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
 
@@ -87,6 +91,23 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
     elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
         sides[k - 1] = "top"
+
+
+def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched likewise in a case in which the thing ahead is of no use, or as another "one", is fetched in its
+    place ("bring me a spoon, and if they're all dirty, *bring me a fork*", "bring me the blue towel, and if it's wet,
+    *the white one*", as `retelling` tells it), not "bring me the paper and, if it's hot, bring me the coffee"."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_alike = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type in _CARRYING
+    is_other = is_alike and not (other.near or other.behind) and not other.names_same(order)
+    is_led = check.near == ("and", "if") and check.has_pronoun and not check.objects and check.is_check
+    is_useless = check.wording.state in _USELESS and not check.wording.is_negated
+    if not (is_other and is_led and other.sentence == order.sentence and (is_useless or "one" in other.thing)):
+        return
+    if sides[k + 1] == HOLDS and sides[k] == sides[k - 1] and sides[k] in ("top", HOLDS, FAILS):
+        sides[k - 1] = ">1-"
 
 
 def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
