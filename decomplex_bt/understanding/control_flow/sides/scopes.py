@@ -154,8 +154,7 @@ def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
     give it to her, but if she's at lunch, ..."); and whether it is another thing, or is so instead, never where the
-    first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); whether somebody asks for something else is so in
-    any case."""
+    first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); that they ask for more, in any case."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
