@@ -179,7 +179,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             for cue in stretch.cues
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
-        calls_off=task.type == "check_state" and calls_off(document, token, following, far + near),
+        calls_off=task.type == "check_state" and calls_off(document, previous, token, following, far + near),
         is_new_matter=previous >= 0
         and ((not is_joined and opens_matter(document, token)) or tells_matter(document, previous, token)),
         allows=task.type == "check_state" and allows(document, token, following, far + near),

@@ -111,7 +111,7 @@ _FAR = 2
 """From so many sentences on a "failing that" is not about the order before [sentences]."""
 _BROKEN = frozenset("broken faulty busted bust kaput knackered damaged order blink".split())
 """States in which nothing can be switched on: "out of *order*", "on the *blink*"."""
-_CALLED_OFF = frozenset("taking placing bringing change_state".split())
+_CALLED_OFF = frozenset("taking placing bringing change_state following motion".split())
 """The types of orders that may be called off: not what is looked for, asked or waited for."""
 _HANDING = frozenset(("bringing", "informing"))
 _MOVED = frozenset(("taking", "placing", "bringing"))

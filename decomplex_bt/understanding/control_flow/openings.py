@@ -92,23 +92,46 @@ def turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ..
     return tuple(found)
 
 
-def calls_off(document: Document, token: int, following: int, leading: Sequence[str]) -> bool:
+def calls_off(document: Document, previous: int, token: int, following: int, leading: Sequence[str]) -> bool:
     """Whether the words behind a condition, up to the next task in its sentence, begin with a "leave it" or the like,
-    or behind a "but" with a "let him" or a "wait"."""
+    or behind a "but" with a "let him" or a "wait"; or those between a "but" and the condition do ("but leave it *if
+    it's wet*"). `previous`: the task before."""
     if _OPENERS.isdisjoint(leading):
         return False
+    if _calls_off_ahead(document, previous, token):
+        return True
     tokens, sentence = document.tokens, document.sentences[token]
     words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
     for i in range(1, len(words)):
         if words[i - 1] in OTHERWISE:
             return False
-        said = next((phrase for phrase in _LEAVING if tuple(words[i : i + len(phrase)]) == phrase), None)
+        said = _leaves(words[i:])
         if said is not None:
-            rest = words[i + len(said) : i + len(said) + 1]
-            return not rest or rest[0] in PUNCTUATION or rest[0] in _AFTER_LEAVING
+            return said
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
+
+
+def _calls_off_ahead(document: Document, previous: int, token: int) -> bool:
+    words = [normal_form(t.lower) for t in document.tokens[previous + 1 : token]]
+    start = next((i for i in range(len(words) - 1, -1, -1) if words[i] == "but"), len(words)) + 1
+    stop = next((i for i in range(start, len(words)) if words[i] in _OPENERS), start)
+    while start < stop and words[start] in _URGING:
+        start += 1
+    order = words[start:stop]
+    is_letting = _is_letting(order[:3]) and PUNCTUATION.isdisjoint(order)
+    return stop < len(words) and previous >= 0 and (bool(_leaves(order)) or is_letting)
+
+
+def _leaves(words: Sequence[str]) -> bool | None:
+    """Whether words that begin with a "leave it" or the like leave it at that, not "... on the shelf"; None: they begin
+    otherwise."""
+    said = next((phrase for phrase in _LEAVING if tuple(words[: len(phrase)]) == phrase), None)
+    if said is None:
+        return None
+    rest = words[len(said) : len(said) + 1]
+    return not rest or rest[0] in PUNCTUATION or rest[0] in _AFTER_LEAVING
 
 
 def opens_matter(document: Document, token: int) -> bool:

@@ -15,11 +15,13 @@ def repeats(clause: Clause, before: Clause) -> bool:
 
 def forbids_same(clause: Clause, before: Clause) -> bool:
     """Whether one of both forbids what the other orders, with the same verb: "don't open it if it's windy,
-    otherwise *open it*", "water it, but if it's wet *don't water it*"."""
+    otherwise *open it*", "water it, but if it's wet *don't water it*", "mow it. *Don't mow it* if it's wet"."""
     is_same = clause.verb == before.verb and clause.task.type == before.task.type
     is_bare = all(kind != "object" for kind, _ in clause.task.arguments)
     is_of_it = clause.is_of_it or is_bare or (bool(clause.objects) and clause.names_same(before))
-    is_near = clause.sentence == before.sentence or (clause.is_otherwise and clause.sentence - before.sentence == 1)
+    is_next = clause.sentence - before.sentence == 1
+    is_taken_up = clause.is_forbidden and clause.is_of_it
+    is_near = clause.sentence == before.sentence or (is_next and (clause.is_otherwise or is_taken_up))
     is_near = is_near and clause.receivers <= before.receivers
     return clause.is_forbidden != before.is_forbidden and is_same and is_of_it and is_near
 

@@ -36,6 +36,7 @@ _DO_NOT = frozenset((("do", "n't"), ("do", "n\u2019t"), ("do", "not"), ("do", "n
 _TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
 """What may end a condition that is said in full: "if there isn't *one*", "if she's *home*"."""
+_MOVING = frozenset(("placing", "bringing", "taking"))
 _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split())
 _TO_WHOM = frozenset(("to", "for"))
 _UNSURE = frozenset((("else",), ("perhaps",), ("maybe",), ("possibly",), ("failing", "that")))
@@ -141,8 +142,17 @@ def other_places(document: Document, tasks: Mapping[int, str]) -> Iterator[tuple
             continue
         before = [t for t in tokens[:joint] if document.sentences[t.i] == document.sentences[joint]]
         verb = next((t for t in reversed(before) if t.pos in ("VERB", "AUX") or t.i in tasks), None)
-        if verb is not None and (verb.lemma in ("be", "'s") or tasks.get(verb.i) == "searching"):
+        is_there = verb is not None and (verb.lemma in ("be", "'s") or tasks.get(verb.i) == "searching")
+        if is_there and not _is_of_order(before, tasks):
             yield joint, place
+
+
+def _is_of_order(before: Sequence[Token], tasks: Mapping[int, str]) -> bool:
+    """Whether a second place behind a condition takes the place of that in the order ahead of it: "put it in the box if
+    there's room, or else *on the shelf*"; `before`: what its sentence says up to there."""
+    opener = next((n for n, t in enumerate(before) if t.lower in ("if", "unless")), 0)
+    ordered = next((n for n, t in enumerate(before[:opener]) if tasks.get(t.i, "check_state") in _MOVING), opener)
+    return any(t.lower in PREPOSITIONS for t in before[ordered:opener])
 
 
 def _reminders(document: Document) -> Iterator[range]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
 from decomplex_bt.understanding.rules.uses import uses
@@ -22,6 +23,16 @@ _TRIED = frozenset("attempt try search sign".split())
 """What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
 _DO = frozenset(("do", "does", "did"))
 _NOT = frozenset("not n't n\u2019t nt".split())
+_ANYBODY = tuple(
+    tuple(words.split())
+    for words in (
+        "nobody", "no one", "noone", "somebody", "someone", "anybody", "anyone", "everybody", "everyone",
+    )
+)  # fmt: skip
+_AHEAD = frozenset(
+    "has have had 's \u2019s does do did will ca can not n't n\u2019t already ever actually really".split()
+)
+"""What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
 _GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _OF_TASKS = frozenset("fail succeed manage".split())
@@ -40,6 +51,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         certain
         | frozenset(_departures(document, tasks))
         | frozenset(_denials(document, tasks))
+        | frozenset(_of_anybody(document, tasks))
         | frozenset(_doubts(document, tasks))
         | frozenset(
             be
@@ -89,6 +101,28 @@ def _denials(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         is_own = tokens[verb].tag in ("VB", "VBP") and tokens[verb].lemma not in _OF_TASKS
         is_free = tasks.keys().isdisjoint(range(i, verb + 1)) and not _is_told(document, tasks, i)
         if is_denied and is_own and is_next and is_free:
+            yield verb
+
+
+def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The verb of every case of nobody or somebody in particular, also behind its order, that has no task up to it nor
+    is followed by a check: "put it away if *nobody wants it*". Not of what is found out or told ("see if anyone ...").
+    """
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower not in _OPENING or (i and tokens[i - 1].lemma in ASKING_LEMMAS):
+            continue
+        words = [t.lower for t in tokens[i + 1 : i + 4]]
+        length = next((len(said) for said in _ANYBODY if tuple(words[: len(said)]) == said), 0)
+        verb = i + 1 + length + (words[length : length + 1] == ["else"])
+        while verb + 1 < len(tokens) and tokens[verb].lower in _AHEAD and tokens[verb + 1].tag[:2] in ("VB", "RB"):
+            verb += 1
+        if not length or verb >= len(tokens) or tokens[verb].tag[:2] != "VB":
+            continue
+        later = [tasks[j] for j in sorted(tasks) if j > i]
+        is_of_order = any(document.sentences[j] == document.sentences[i] for j in tasks)
+        is_free = tasks.keys().isdisjoint(range(i, verb + 1)) and not _is_told(document, tasks, i)
+        if is_free and is_of_order and later[:1] != ["check_state"]:
             yield verb
 
 

@@ -4,6 +4,7 @@ whatever a model says of them."""
 from __future__ import annotations
 
 from collections.abc import Collection
+from itertools import pairwise
 
 from decomplex_bt.understanding.cues import CONDITIONAL, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
@@ -126,12 +127,13 @@ def is_left_alone(document: Document, verb: int, tasks: Collection[int]) -> bool
 def _may_govern(document: Document, cue: int, negation: int) -> bool:
     """Whether a cue behind a negation lifts it ("don't open it, but if it's hot, do", "don't open it. If it's hot,
     do"), or stands in its sentence, and neither behind a semicolon nor opens what is contrasted with it: not "don't
-    wake her, but if she's up, ..."."""
+    wake her, but if she's up, ...", "don't turn it off, *just* turn it down if ..."."""
     is_next = document.sentences[cue] - document.sentences[negation]
     if cue > negation and is_next in (0, 1) and lifts(document, cue):
         return True
     between = [token.lower for token in document.tokens[negation + 1 : cue]]
-    return not is_next and between[-1:] != ["but"] and ";" not in between
+    is_contrasted = any(word in MARKS and after in _LIMITS for word, after in pairwise(between))
+    return not is_next and between[-1:] != ["but"] and ";" not in between and not is_contrasted
 
 
 def lifts(document: Document, start: int) -> bool:
@@ -253,7 +255,7 @@ def is_forbidden(document: Document, verb: int) -> bool:
         i -= 1
     is_negated = i >= 0 and tokens[i].lower in _NEGATIONS
     is_order = is_negated and (tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in _AUXILIARIES))
-    return is_order and tokens[verb].tag in ("VB", "VBP") and not _has_subject(document, verb)
+    return is_order and _is_bare(document, verb) and not _has_subject(document, verb)
 
 
 def _has_subject(document: Document, verb: int) -> bool:

@@ -30,6 +30,7 @@ _RULES = (
     prohibitions.make_exception,
     prohibitions.replace_order,
     prohibitions.forbid,
+    prohibitions.forbid_again,
     reversals.oppose,
     reversals.agree,
     reversals.report,

@@ -8,6 +8,7 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.failures import is_case_against
 from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
+from decomplex_bt.understanding.control_flow.repetitions import forbids_same
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on, hangs_ahead
 
 
@@ -86,6 +87,19 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             return
         if sides[j] == FAILS:
             sides[j] = HOLDS
+
+
+def forbid_again(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered and then forbidden in a case right behind is done where that is not so, and that is asked where
+    it would be done ("if the grass is long, mow it, but *don't mow it if it's wet*")."""
+    if (roles[k - 1], roles[k]) != ("again", "condition"):
+        return
+    again, check = clauses[k - 1 : k + 1]
+    order = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES or roles[j] == "task"), k)
+    is_behind = check.boundary == "none" and not {"if", "when"}.isdisjoint(check.near) and again.is_forbidden
+    is_ordered = is_behind and roles[order] == "task" and sides[order] in ("top", HOLDS, FAILS)
+    if is_ordered and forbids_same(again, clauses[order]):
+        sides[order], sides[k - 1], sides[k] = ">1-", ">1-", sides[order]
 
 
 def permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
