@@ -469,7 +469,7 @@ SCALES: tuple[frozenset[str], ...] = tuple(
     for words in (
         "hot warm lukewarm tepid cold cool chilled frozen freezing boiling", "wet dry damp moist soaked soaking soggy",
         "clean dirty filthy muddy dusty stained spotless grubby", "locked unlocked open closed shut ajar",
-        "asleep awake sleeping dozing crying fussing", "hungry thirsty starving", "burnt burned charred", "done cooked raw ready baked",
+        "asleep awake sleeping dozing crying fussing", "hungry thirsty starving full fed", "running dry", "burnt burned charred", "done cooked raw ready baked",
         "fresh sour stale mouldy moldy rotten spoiled spoilt", "salty sweet spicy bland", "creased wrinkled crumpled",
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
         "sick ill poorly feverish", "plugged unplugged", "on off running stopped lit unlit blinking flashing flickering",
@@ -478,6 +478,23 @@ SCALES: tuple[frozenset[str], ...] = tuple(
     )
 )  # fmt: skip
 """States that tell of one and the same matter."""
+
+
+_POLES = tuple(
+    frozenset(words.split())
+    for words in (
+        "hot warm boiling scalding", "cold cool chilled frozen freezing", "wet damp moist soaked soaking soggy",
+        "dirty filthy muddy dusty stained grubby", "asleep sleeping dozing", "burnt burned charred",
+        "broken cracked chipped torn ripped", "sour stale mouldy moldy rotten spoiled spoilt", "hungry thirsty",
+        "raining pouring snowing hailing drizzling windy stormy foggy icy",
+    )
+)  # fmt: skip
+"""States at the same end of a scale: neither is the other's opposite."""
+
+
+def are_near(state: str, other: str) -> bool:
+    """Whether two states stand at the same end of a scale: "raining" and "snowing", "wet" and "damp"."""
+    return state != other and any(state in pole and other in pole for pole in _POLES)
 
 
 def are_apart(state: str, other: str) -> bool:

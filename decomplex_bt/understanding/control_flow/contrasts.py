@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
-from decomplex_bt.understanding.cues import OPPOSITES, are_apart
+from decomplex_bt.understanding.cues import OPPOSITES, are_apart, are_near
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:
@@ -55,6 +55,15 @@ def is_other_wish(clause: Clause, first: Clause) -> bool:
     said, other = (frozenset(c.said_state or c.objects) for c in (clause, first))
     is_other = bool(said - other and other - said)
     return is_same_verb and are_stated and is_same and is_other and not (clause.says_answer or first.says_answer)
+
+
+def _is_state_beside(clause: Clause, first: Clause) -> bool:
+    """Whether it tests another state than the other, of the same, that is neither its opposite nor what is left where
+    it does not hold: "if the drum is *done*, ...; if it's *empty*, ..."; "if it's *raining*, ...; if it's *snowing*"."""
+    state, other = clause.wording.state or "", first.wording.state or ""
+    are_stated = not (clause.wording.is_negated or first.wording.is_negated) and clause.is_check and first.is_check
+    is_other = are_near(state, other) or (are_apart(state, other) and not clause.says_still)
+    return are_stated and is_other and not {*clause.far, *clause.near} & {"else", "fail", "so"}
 
 
 def is_content_of(clause: Clause, first: Clause) -> bool:
@@ -183,7 +192,7 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
     is_of_other = asks_same_of_another(clause, first) or is_of_other_matter(clause, first)
     if is_of_other or asks_for_what_had_state(clause, first) or is_of_other_place(clause, first):
         return True
-    if is_other_wish(clause, first):
+    if is_other_wish(clause, first) or _is_state_beside(clause, first):
         return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
         return False

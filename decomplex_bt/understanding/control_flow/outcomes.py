@@ -110,16 +110,25 @@ def turns_on_report(clause: Clause, report: Clause) -> str:
     return clause.behind[-1] if is_told and clause.behind[-1:] in (("so",), ("else",)) else ""
 
 
+def turns_on_answer(clause: Clause, question: Clause) -> bool:
+    """Whether an "if so" opens it behind an order to ask what yes or no answers, or, where no mark parts it from that,
+    an "if not": "ask him if he wants tea, *and if so*, make some"."""
+    is_near = clause.sentence - question.sentence <= 1 and question.task.type == "informing"
+    is_run_on = clause.turns == ("not",) and question.behind[-1:] == ("else",)
+    return is_near and bool(question.question) and ("so" in (*clause.far, *clause.near) or is_run_on)
+
+
 def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bool:
     """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
     does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things, or say how
-    somebody is, which no "does" takes up ("if she's up, ask her if she wants tea. If she *does*, ...")."""
+    somebody is, which no "does" or "has" takes up ("if she's up, ask her if she wants tea. If she *does*, ...")."""
     is_fitting = clause.verb == "do" or not before.question.isdisjoint((clause.verb, "'s", "\u2019s"))
     is_of_them = clause.is_of_somebody and not any(other.number == "many" for other in others)
     is_answer = clause.says_only_whether and bool(before.question) and is_fitting
     is_of_things = not any(other.is_of_somebody or other.may_be_of_person for other in others)
     is_told = clause.sentence == before.sentence and clause.is_of_somebody
-    is_only_of_it = clause.verb == "do" and clause.is_of_somebody and all(other.verb in _BEING for other in others)
+    is_only_of_it = clause.verb in ("do", "have") and clause.is_of_somebody
+    is_only_of_it = is_only_of_it and all(other.verb in _BEING for other in others)
     return is_answer and (is_told or is_only_of_it or (is_of_things and (clause.is_of_person or is_of_them)))
 
 

@@ -29,7 +29,13 @@ from decomplex_bt.understanding.control_flow.failures import (
     lacks_too,
     tries_out,
 )
-from decomplex_bt.understanding.control_flow.outcomes import asks_needless, is_answer_to, needs_found, turns_on_report
+from decomplex_bt.understanding.control_flow.outcomes import (
+    asks_needless,
+    is_answer_to,
+    needs_found,
+    turns_on_answer,
+    turns_on_report,
+)
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import WISHING
 
@@ -64,6 +70,7 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _ask_openly,
         _find_first,
         _report,
+        _lack_too,
         _name_other,
         _hold,
         _find_nobody,
@@ -362,9 +369,23 @@ def _find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def _report(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What is to be told is a condition of what is done in one case of it ("tell me if it's on and switch it off if
-    so")."""
-    if (roles[k - 1], roles[k]) == ("task", "task") and turns_on_report(clauses[k], clauses[k - 1]):
+    so"), and so is what somebody is asked ("ask him if he wants tea, and if so, make some")."""
+    if (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    if turns_on_report(clauses[k], clauses[k - 1]) or turns_on_answer(clauses[k], clauses[k - 1]):
         roles[k - 1] = "condition"
+
+
+def _lack_too(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What somebody does not do or have "either" tells how the order right before went, as the same said of another one
+    told of an order of its own ("call Tom. If he doesn't answer, call Ann. If *she doesn't answer either*, ...")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_too = clause.says_too and clause.wording.is_negated and clause.has_pronoun and roles[k] == "mention"
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if not is_too or first is None or roles[k - 1] != "task" or order.task.type not in ("informing", "searching"):
+        return
+    if clauses[first].verb == clause.verb and clauses[first].wording.is_negated:
+        roles[k - 1 if roles[first] == "mention" else k] = "condition"
 
 
 def _be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
