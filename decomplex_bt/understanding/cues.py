@@ -474,7 +474,7 @@ SCALES: tuple[frozenset[str], ...] = tuple(
         "squeaking squeaky creaking", "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed",
         "sick ill poorly feverish", "plugged unplugged", "on off running stopped lit unlit blinking flashing flickering",
         "heavy", "blue red green yellow amber black white grey gray brown pink orange purple",
-        "dead alive wilting wilted", "full half empty overflowing", "raining pouring snowing sunny dry",
+        "dead alive wilting wilted", "full half empty overflowing", "raining pouring snowing sunny dry shining",
     )
 )  # fmt: skip
 """States that tell of one and the same matter."""

@@ -198,3 +198,66 @@ def test_what_is_fetched_where_the_first_is_of_no_use_stands_in_its_place(interp
 def test_what_is_fetched_besides_stands_in_no_place(interpreter: Interpreter) -> None:
     text = "Bring me the paper and, if it's still hot, bring me the coffee."
     assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take the capes upstairs. If Lea's asleep, close her door.",
+        "Bring the board up. If the hatch is locked, ask my sister for the key.",
+    ],
+)
+def test_what_is_fetched_is_so_whatever_else_is_the_case(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring the horn from the cabinet. If the cabinet is locked, the key is in the drawer.",
+        "Feed the hens. If the sack's empty, there's another one in the barn.",
+    ],
+)
+def test_where_something_is_in_a_case_keeps_nothing_from_the_order(interpreter: Interpreter, text: str) -> None:
+    assert 1 in flow(interpreter, text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a ladle. If all the ladles are dirty, bring me a fork.",
+        "Bring me a ladle. If the ladles are all in the washer, bring me a fork.",
+    ],
+)
+def test_what_there_is_no_other_of_is_not_fetched(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [3], "else": [1]}]
+
+
+def test_what_is_put_back_was_taken(interpreter: Interpreter) -> None:
+    text = "Take the horn from the shelf, but if it is the wrong one, put it back."
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+def test_an_instead_is_for_the_order_of_its_kind(interpreter: Interpreter) -> None:
+    text = "Put the pie in the larder and close the hatch. If the larder is full, put the pie on the bench instead."
+    assert flow(interpreter, text) == [{"if": 3, "then": [4], "else": [1]}, 2]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I fancy a pear. If there aren't any in the larder, bring me an apple.",
+        "I could do with a pie. If there are none in the larder, bring me an apple.",
+        "I'd like a pear. Are there any in the larder? If there aren't, bring me an apple instead.",
+    ],
+)
+def test_what_somebody_fancies_is_brought_where_there_is_some(interpreter: Interpreter, text: str) -> None:
+    found = interpreter.interpret(text)
+    (node,) = found.flow.nodes
+    assert [found.tasks[n - 1].value("object") for n in node.orelse[0].tasks] == ["an apple"]
+    assert found.tasks[0].type == "bringing"
+
+
+@pytest.mark.parametrize("text", ["I could do with a blanket.", "I wouldn't mind a pear.", "I'm dying for a coffee."])
+def test_a_wish_is_an_order(interpreter: Interpreter, text: str) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == ["bringing"]

@@ -143,6 +143,10 @@ class Clause:
     """Whether a "wait" in the order of the text says to wait for it: "..., *wait until it's hot*", not "but wait"."""
     says_already: bool = False
     """Whether it asks if something is "already" so."""
+    tells_where: bool = False
+    """Whether all that is said of its case is where something is: "if it's locked, *the key is in the drawer*"."""
+    is_of_any: bool = False
+    """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 

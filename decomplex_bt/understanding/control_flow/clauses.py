@@ -24,6 +24,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     is_waited_for,
     opens_matter,
     tells_matter,
+    tells_where,
     turns,
 )
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION, Stretch
@@ -47,6 +48,7 @@ from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidde
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
+_ANY = frozenset(("any", "some", "one"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
 _CASES = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
@@ -202,6 +204,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_waited_for=is_waited_for(document, ahead, token),
         says_already=task.type == "check_state"
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
+        tells_where=task.type == "check_state" and tells_where(document, token),
+        is_of_any=is_of_somebody(document, task, _ANY),
         turns=turns(document, ahead, token),
     )
 

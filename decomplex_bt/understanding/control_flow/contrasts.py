@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.cues import OPPOSITES, are_apart, are_near
+from decomplex_bt.understanding.references.phrases import ANIMALS
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:
@@ -59,7 +60,7 @@ def is_other_wish(clause: Clause, first: Clause) -> bool:
 
 def _is_state_beside(clause: Clause, first: Clause) -> bool:
     """Whether it tests another state than the other, of the same, that is neither its opposite nor what is left where
-    it does not hold: "if the drum is *done*, ...; if it's *empty*, ..."; "if it's *raining*, ...; if it's *snowing*"."""
+    it does not hold: "if the drum is *done*, ...; if it's *empty*, ...", "if it's *raining*, ...; if it *snows*"."""
     state, other = clause.wording.state or "", first.wording.state or ""
     are_stated = not (clause.wording.is_negated or first.wording.is_negated) and clause.is_check and first.is_check
     is_other = are_near(state, other) or (are_apart(state, other) and not clause.says_still)
@@ -87,10 +88,12 @@ def is_opposite_of(clause: Clause, first: Clause) -> bool:
     the tv is on, ...", or denies of "her" what that asks of somebody."""
     one, other = clause.wording, first.wording
     is_other_state = one.is_opposite_of(other) or other.is_opposite_of(one)
-    is_denied = one.state is not None and one.state == other.state and one.is_negated != other.is_negated
+    is_doing = clause.verb == first.verb not in _BEING and {*clause.objects} <= {*first.objects}
+    is_denied = (one.state is not None or is_doing) and one.state == other.state and one.is_negated != other.is_negated
     is_turned = is_denied or (is_other_state and one.is_negated == other.is_negated)
     is_same = clause.names_same(first) or (clause.says_answer and clause.is_of_somebody)
-    is_same = is_same or (is_denied and clause.is_of_person and first.may_be_of_person)
+    is_somebody = first.may_be_of_person or not ANIMALS.isdisjoint(first.objects)
+    is_same = is_same or (is_denied and clause.is_of_person and is_somebody)
     return clause.is_check and first.is_check and is_turned and is_same and not is_of_other_place(clause, first)
 
 
@@ -168,12 +171,21 @@ def is_of_nobody_at(clause: Clause, first: Clause) -> bool:
 
 
 def is_apart_from(clause: Clause, order: Clause) -> bool:
-    """Whether it asks if nobody is in a place that an order has nothing to do with."""
+    """Whether it asks if nobody is in a place, or uses something, that an order has nothing to do with."""
     known = order.nouns | order.places | order.receivers
     is_handed = order.task.type == "bringing" and bool(order.receivers)
-    is_order = order.task.type in LEADING | {"change_state"} and not is_handed
-    is_elsewhere = bool(clause.places) and clause.places.isdisjoint(known | _THERE)
-    return is_order and clause.is_check and clause.is_of_nobody and is_elsewhere
+    is_order = order.task.type in LEADING | {"change_state"}
+    is_elsewhere = bool(clause.places) and clause.places.isdisjoint(known | _THERE) and not is_handed
+    is_used = clause.said_state[:1] == ("using",) and clause.nouns.isdisjoint(known) and not clause.has_pronoun
+    return is_order and clause.is_check and clause.is_of_nobody and (is_elsewhere or is_used)
+
+
+def is_other_weather(clause: Clause, first: Clause) -> bool:
+    """Whether both ask about the weather, and not after one and the same: "if it's dark, ..., and if it's raining"."""
+    state, other = clause.wording.state, first.wording.state
+    are_known = state is not None and other is not None and OPPOSITES.get(state) != other != state
+    is_weather = clause.is_of_weather or (clause.is_of_it and not clause.objects)
+    return first.is_of_weather and is_weather and are_known and clause.is_check and first.is_check
 
 
 def is_of_other_matter(clause: Clause, first: Clause) -> bool:

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.wording import PERSONS
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.prohibitions import is_behind_otherwise, lifts
 
 ITS = frozenset("it them 'em em him her this that these those".split())
@@ -31,6 +32,7 @@ _MATTERS = frozenset("note matter subject topic".split())
 _BEFORE_MATTER = frozenset("on to a an and but then now so for completely entirely quite".split())
 """What may stand before "another matter" where it tells only that one follows."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
+_BE = frozenset("is are 's \u2019s 're \u2019re".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
@@ -103,7 +105,7 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
     tokens, sentence = document.tokens, document.sentences[token]
     words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
     for i in range(1, len(words)):
-        if words[i - 1] in OTHERWISE:
+        if words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
             return False
         said = _leaves(words[i:])
         if said is not None:
@@ -111,6 +113,18 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
+
+
+def tells_where(document: Document, token: int) -> bool:
+    """Whether the words behind a case, up to the end of its sentence, say where something is: "if it's locked, *the key
+    is in the drawer*", "if we're out of it, *there's some in the cellar*"."""
+    tokens, sentences = document.tokens, document.sentences
+    rest = [t for t in tokens[token + 1 :] if sentences[t.i] == sentences[token]]
+    comma = next((n for n, t in enumerate(rest) if t.text == ","), len(rest))
+    said = rest[comma + 1 :]
+    be = next((n for n, t in enumerate(said) if t.lower in _BE), 0)
+    is_named = be > 0 and (said[be - 1].pos in ("NOUN", "PROPN") or said[be - 1].lower in ("there", "one"))
+    return is_named and any(t.lower in PREPOSITIONS for t in said[be + 1 :]) and all(t.tag != "VB" for t in said)
 
 
 def _calls_off_ahead(document: Document, previous: int, token: int) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, Wording
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
 from decomplex_bt.understanding.control_flow.cases import told_apart
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
@@ -94,9 +94,13 @@ def _leaves_state(clause: Clause) -> bool:
 
 def _join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Checks under one "if" or "unless" are one condition of several parts, and so are a mention of one and a further
-    case ("if he isn't, or if he's late, ...", "if not, or if he's late, ...")."""
+    case ("if he isn't, or if he's late, ...", "if not, or if he's late, ..."); an order to check is none of them
+    ("close it if it's open and *see if the heating is on*")."""
     if roles[k - 1] in CONDITION_ROLES:
         roles[k] = joining_role(clauses[k], clauses[k - 1]) or roles[k]
+    is_order = clauses[k].is_asked and not clauses[k].is_question and clauses[k].task.type == "check_state"
+    if roles[k] in JOINTS and is_order and clauses[k - 1].is_check:
+        roles[k] = "condition" if "mention" in roles[k + 1 :] else "task"
     if roles[k - 1] == "mention" and roles[k] in CONDITION_ROLES and is_other_case_than(clauses[k], clauses[k - 1]):
         roles[k] = "or"
     if roles[k] == "condition" and roles[:k] == ["condition", *["task"] * (k - 1)] and clauses[k].is_added_to_otherwise:

@@ -78,6 +78,7 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
         or _says_used_up(tokens[first : last + 1])
+        or _says_too_few([token.lower for token in tokens[first : last + 1]])
         or (state == "out" and is_being_of(observed.document, task, PERSONS)),
         # "if he is", "if it does", "when they have"
         is_bare(observed.document, task, last, ECHOING) or _says_who(observed.document, task),
@@ -94,6 +95,11 @@ def _asked_of(observed: Observed, task: int, last: int) -> list[int]:
     closing = {cue.first for cue in observed.cues if cue.name in GOVERNING}
     ends = (j for j in range(start, len(tokens)) if tokens[j].lower in _CLOSING or j in closing)
     return negations(observed, task, start, next(ends, len(tokens)) - 1)
+
+
+def _says_too_few(words: Sequence[str]) -> bool:
+    """Whether a clause says that there are fewer than was said, or too few."""
+    return not {"fewer", "less"}.isdisjoint(words[-1:]) or words[-2:] in (["too", "few"], ["too", "little"])
 
 
 def _says_used_up(clause: Sequence[Token]) -> bool:

@@ -22,6 +22,7 @@ from decomplex_bt.understanding.rules.assurances import with_assured
 from decomplex_bt.understanding.rules.checks import (
     asked,
     departed,
+    doing,
     done_by_nobody,
     identified,
     that_there_is,
@@ -44,6 +45,7 @@ from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, f
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.plans import plans
+from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import preferences
 from decomplex_bt.understanding.rules.prohibitions import prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
@@ -57,7 +59,7 @@ from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.uses import with_uses
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, kept_from
-from decomplex_bt.understanding.rules.wishes import backgrounds
+from decomplex_bt.understanding.rules.wishes import backgrounds, wishers
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals
 
 _PLACES = frozenset(("source", "location"))
@@ -92,7 +94,8 @@ def amended(
     say; where a thing is may be told by a reason ("since it's still in the sink, fish it out")."""
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
-    idle |= due(document) | forgone(document) | hearsays(document)
+    idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
+    idle |= wishers(document, tasks)
     idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
@@ -132,6 +135,7 @@ def amended(
             kept = without_left(document, kept, token)
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
+            kept = with_told(kept, token, doing(document, token))
             kept = _of_now(document, kept, token)
             kept = with_told(kept, token, predicated(document, token))
             kept = wishes[token].told(kept) if token in wishes else kept

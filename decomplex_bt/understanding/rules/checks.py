@@ -50,6 +50,19 @@ def done_by_nobody(document: Document, verb: int) -> dict[str, range]:
     return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
 
 
+def doing(document: Document, check: int) -> dict[str, range]:
+    """What somebody is doing to something, as the state of the check: "if Dad is still *mowing the lawn*"."""
+    tokens = document.tokens
+    verb = next((t.i for t in tokens[check + 1 :] if t.tag != "RB"), check)
+    if tokens[check].lower not in _BE | {"are", "'re", "\u2019re"} or tokens[verb].tag != "VBG":
+        return {}
+    thing = next((phrase for phrase in noun_chunks(document) if phrase.start == verb + 1), None)
+    if thing is None or tokens[thing.start].tag not in ("DT", "PRP$"):  # not "if it's sticking turn it down"
+        return {}
+    is_done_to = any(tokens[i].dep == "dobj" and i in thing for i in document.children[verb])
+    return {"state": range(verb, thing.stop)} if is_done_to else {}
+
+
 def whole_state(document: Document, state: range) -> range:
     """A state with those that are joined to it, where nothing else is said behind: "clean *and dry*", "awake *but not
     hungry*", "asleep *or busy*"."""

@@ -23,6 +23,7 @@ from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, i
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.plans import is_planned
+from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone
@@ -33,7 +34,7 @@ from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 from decomplex_bt.understanding.rules.waits import forgone, postponed
-from decomplex_bt.understanding.rules.wishes import is_background, is_served
+from decomplex_bt.understanding.rules.wishes import is_background, is_served, is_taken_up
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
@@ -92,7 +93,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
     idle = forgone(document)
-    within_others = within_reports(document, types_found).union(*(question.tokens for question in asked.values()))
+    within_others = within_reports(document, types_found) | precautions(document, types_found)
+    within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
         if task.token in asked:
@@ -118,6 +120,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or musing(document, task.token) is not None
             or means(document, task.token, types_found) is not None
             or (following is not None and _is_wish_for(document, task, following))
+            or (task.type in _HANDLING and is_taken_up(document, task.token, types_found))
+            or (bool(found) and _is_progressive(document, found[-1], task))
             or (following is not None and _is_with_see(document, task.token, following.token))
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
@@ -138,6 +142,13 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if not is_none:
             found.append(task)
     return _with_idioms(observed, found, types)
+
+
+def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bool:
+    """Whether a verb says what somebody is doing where that is a check: "if Dad *is* still *mowing* the lawn"."""
+    is_check = check.type == "check_state" != task.type and document.tokens[check.token].lower in _BE
+    between = document.tokens[check.token + 1 : task.token]
+    return is_check and document.tokens[task.token].tag == "VBG" and all(token.tag == "RB" for token in between)
 
 
 def _is_pause(document: Document, at: int) -> bool:

@@ -16,6 +16,7 @@ _MARKS = frozenset((",", ";", ":", "-", "–", "—")) | ENDS
 _NOT = frozenset(("not", "n't", "n\u2019t"))
 _HELPING = _WOULD | _NOT | frozenset("does do did still really actually ever".split())
 _SPEAKERS = frozenset(("i", "we"))
+_NAMING = frozenset("DET ADJ NOUN PROPN PRON ADP NUM".split())
 _LONGEST = 6
 """The most words between what opens a case and the verb of a wish."""
 
@@ -85,5 +86,13 @@ def _subject(document: Document, verb: int) -> range:
         if tokens[j].lower in _MARKS or tokens[j].tag.startswith("V") or tokens[j].lower == "you":
             return range(0)
         if tokens[j].lower in _OPENING:
-            return range(j + 1, verb)
+            return range(0) if _is_asked(document, j) else range(j + 1, verb)
     return range(0)
+
+
+def _is_asked(document: Document, opening: int) -> bool:
+    """Whether an "if" opens what somebody is to be asked: "ask Ann *if* she'd prefer tea"."""
+    tokens, first = document.tokens, opening - 1
+    while first > max(0, opening - _LONGEST) and tokens[first].pos in _NAMING:
+        first -= 1
+    return first >= 0 and tokens[first].lemma == "ask" and tokens[first].tag in ("VB", "VBP") and first < opening

@@ -4,6 +4,7 @@ be the reason of, and what somebody would like to be so ("I'd like it off")."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
@@ -16,6 +17,21 @@ _SPEAKERS = frozenset(("i", "we"))
 _NEEDING = frozenset("need needs want wants".split())
 _WOULD = frozenset("would 'd \u2019d".split())
 _LIKING = frozenset(("like", "love", "prefer"))
+_COULD = (("could",), ("can",))
+_WOULD_NOT = (("would", "n't"), ("would", "not"), ("would", "n\u2019t"))
+_AM = (("'m",), ("am",), ("\u2019m",))
+_COLLOQUIAL: Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]] = MappingProxyType(
+    {
+        "fancy": (((), ("do",)), ()),
+        "do": (_COULD, ("with",)),
+        "murder": (_COULD, ()),
+        "mind": (_WOULD_NOT, ()),
+        "dying": (_AM, ("for",)),
+        "craving": (_AM, ()),
+    }
+)
+"""By the verb of a wish what may stand between "I" and that, and what stands behind it."""
+_LACKING = frozenset("no none not n't n\u2019t nt".split())
 _ADVERBS = frozenset("also really just now rather still badly urgently".split())
 _ASKING = frozenset(("check_state", "searching"))
 _JOINING_CASES = frozenset(("and", "but", "or", ","))
@@ -44,13 +60,31 @@ _PLACES = frozenset(("room", "furniture", "floor", "person"))
 def wants(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """What is wanted, carried by "need" or "want", or by the state; `tasks`: tokens that are tasks, with types."""
     document = observed.document
-    if document.words.isdisjoint(_NEEDING | _LIKING):
+    if document.words.isdisjoint(_NEEDING | _LIKING | _COLLOQUIAL.keys()):
         return
     for verb, token in enumerate(document.tokens):
         if token.lower in _NEEDING | _LIKING and (who := _wanting(document, verb)):
-            want = _state(document, who, verb, tasks) or _thing(observed, who, verb, tasks)
+            want = _state(document, who, verb, tasks) or _thing(observed, who, verb, verb, tasks)
             if want is not None:
                 yield want
+        if token.lower in _COLLOQUIAL and (said := _fancying(document, verb)):
+            want = _thing(observed, said, verb, verb + len(_COLLOQUIAL[token.lower][1]), tasks)
+            if want is not None:
+                yield want
+
+
+def _fancying(document: Document, verb: int) -> range:
+    """Who begins a sentence with a wish in other words: "*I* could do with", "*I* wouldn't mind"; else empty."""
+    words = [token.lower for token in document.tokens]
+    ahead, behind = _COLLOQUIAL[words[verb]]
+    if tuple(words[verb + 1 : verb + 1 + len(behind)]) != behind:
+        return range(0)
+    first = next(i for i in range(verb + 1) if document.sentences[i] == document.sentences[verb])
+    while first < verb and words[first] in OPENING:
+        first += 1
+    between = [word for word in words[first + 1 : verb] if word not in _ADVERBS]
+    is_said = words[first] in _SPEAKERS and (tuple(between) in ahead)
+    return range(first, first + 1) if is_said else range(0)
 
 
 def _wanting(document: Document, verb: int) -> range:
@@ -119,11 +153,12 @@ def _before(document: Document, tasks: Mapping[int, str], verb: int) -> list[str
     return found
 
 
-def _thing(observed: Observed, who: range, verb: int, tasks: Mapping[int, str]) -> Fragment | None:
-    """What is to be brought: something that can be, and of which nothing says what else is to be done."""
+def _thing(observed: Observed, who: range, verb: int, last: int, tasks: Mapping[int, str]) -> Fragment | None:
+    """What is to be brought: something that can be, and of which nothing says what else is to be done; `last`: the last
+    word of the wish ahead of it."""
     document = observed.document
     tokens = document.tokens
-    thing = _named(document, verb)
+    thing = _named(document, last)
     if not thing or _is_of_order(document, who, thing, tasks):
         return None
     stop = next((token.i for token in tokens[thing.stop :] if token.lower in ENDS), len(tokens))
@@ -144,7 +179,8 @@ def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[in
     """Whether what is ordered before or behind a want tells what to do about it ("boil the kettle. *I need hot water*",
     "*I need a cloth*. There may be one in the sink"): not before one that goes on ("and I need"), nor its own case."""
     tokens, sentences = document.tokens, document.sentences
-    others = {i: kind for i, kind in tasks.items() if tokens[i].lower not in _NEEDING | _LIKING}
+    others = {i: kind for i, kind in tasks.items() if tokens[i].lower not in _NEEDING | _LIKING | _COLLOQUIAL.keys()}
+    others = {i: kind for i, kind in others.items() if not _is_in_its_place(document, who, i)}
     if any(i >= thing.stop and not (kind in _ASKING and _is_case(document, i)) for i, kind in others.items()):
         return True
     first = next(i for i in range(who.start + 1) if sentences[i] == sentences[who.start])
@@ -153,6 +189,15 @@ def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[in
     return not is_going_on and any(
         kind not in _ASKING or (i < first and not _is_case(document, i)) for i, kind in ahead.items()
     )
+
+
+def _is_in_its_place(document: Document, who: range, order: int) -> bool:
+    """Whether an order of the next sentence is for where there is none of what is wanted: "I need a saw. If there is
+    none, *bring* the axe"."""
+    tokens, sentences = document.tokens, document.sentences
+    ahead = [t.lower for t in tokens[who.stop : order] if sentences[t.i] == sentences[order]]
+    is_next = sentences[order] == sentences[who.start] + 1
+    return is_next and ahead[:1] == ["if"] and "there" in ahead and not _LACKING.isdisjoint(ahead)
 
 
 def _is_case(document: Document, check: int) -> bool:

@@ -10,6 +10,7 @@ from decomplex_bt.understanding.document import ENDS, Document, Token
 _WISHING = frozenset("like want need love fancy".split())
 _BEFORE_WISHES = frozenset("'d \u2019d would do really just rather could so".split())
 _CASES = frozenset("if unless otherwise or else when once whether then also after before".split())
+_OPENING_CASES = frozenset("if unless is are when should in".split())
 _SPEAKERS = frozenset(("me", "us"))
 _MORE = frozenset(("too", "also", "well", "another"))
 _PRONOUNS = frozenset("some one it them that those any".split())
@@ -86,6 +87,31 @@ def is_served(document: Document, wish: int, request: int) -> bool:
     asked = list(takewhile(lambda token: token.lower not in _CLAUSE_ENDS, tokens[request + 1 :]))
     is_for_another = any(one.lower in ("to", "for") and two.lower not in _SPEAKERS for one, two in pairwise(asked))
     return not is_for_another and _MORE.isdisjoint(token.lower for token in asked) and _is_same(wished, asked)
+
+
+def is_taken_up(document: Document, wish: int, tasks: Mapping[int, str]) -> bool:
+    """Whether the verb at token `wish` only names what the next sentence, which begins with a case, says to bring: "I
+    need my coat. If it's in the hall, *bring it*". `tasks`: tokens with types."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[wish].lemma not in _WISHING or not _is_own(document, wish):
+        return False
+    said = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish]]
+    behind = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish] + 1]
+    ahead = [t for t in tokens[:wish] if sentences[t.i] == sentences[wish]]
+    is_plain = all(t.i not in tasks and t.lower not in _CASES | {"and", "to"} for t in (*ahead, *said))
+    if not is_plain or not behind or behind[0].lower not in _OPENING_CASES:
+        return False
+    brought = [t.i for t in behind if tasks.get(t.i) in ("bringing", "taking") and t.i + 1 < len(tokens)]
+    return any(tokens[i + 1].lower in ("it", "them") for i in brought)
+
+
+def wishers(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
+    """The tokens up to the verb of every wish that is taken up: "*I* need my coat. If it's in the hall, bring it"."""
+    found: set[int] = set()
+    for token in document.tokens:
+        if token.lemma in _WISHING and token.i not in tasks and is_taken_up(document, token.i, tasks):
+            found.update(range(_beginning(document, token.i), token.i))
+    return frozenset(found)
 
 
 def _is_own(document: Document, wish: int) -> bool:

@@ -71,6 +71,18 @@ def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
             sides[j] = beside(sides[k - 1])
 
 
+def look_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be checked behind an order and its case is checked in any case ("close the window if it's open *and
+    see if the heating is on*")."""
+    if k < 2 or (roles[k - 2], roles[k - 1]) != ("task", "condition") or roles[k] not in ("task", "condition"):
+        return
+    clause, check = clauses[k], clauses[k - 1]
+    is_order = clause.task.type == "check_state" and clause.is_asked and not clause.is_question
+    is_behind = check.boundary == "none" and sides[k - 2][:2] == ">1" and clause.sentence == check.sentence
+    if is_order and is_behind and sides[k] == HOLDS and TURNING.isdisjoint(clause.near):
+        sides[k] = beside(sides[k - 1])
+
+
 def list_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is listed on behind an "instead" is done in any case ("fetch the pan, if it's dirty take the pot instead,
     *lay the table, light the candles*")."""

@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_elsewhere_than,
     is_of_other_matter,
+    is_other_weather,
     is_other_wish,
     is_rival_of,
 )
@@ -25,7 +26,8 @@ _ANSWERING = frozenset("know remember recall answer reply say agree refuse".spli
 def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether nobody is in a place is not asked of the order before, which has nothing to do with it ("water the
     ferns. If nobody is in the study, ...")."""
-    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and clauses[k].boundary in _PARTING
+    is_next = clauses[k].boundary in _PARTING or (clauses[k].boundary == "," and clauses[k].near[:2] == ("and", "if"))
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and is_next
     is_instead = k + 1 < len(clauses) and "instead" in (*clauses[k + 1].near, *clauses[k + 1].behind)
     if is_behind and sides[k - 1][:2] == ">1" and is_apart_from(clauses[k], clauses[k - 1]) and not is_instead:
         sides[k - 1] = "top"
@@ -71,6 +73,8 @@ def go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     is_opened = clause.is_of_weather and not leading.isdisjoint(_IFS)
     if not (is_added or is_opened) or leading & TURNING - {"not", "whether"}:
         return
+    if is_added and is_other_weather(clause, clauses[first]) and first < k - 1 and sides[k] == HOLDS:
+        sides[k] = beside(sides[first])
     if not is_of_other_matter(clause, clauses[first]):
         return
     if first == k - 1:
@@ -153,8 +157,9 @@ def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
-    give it to her, but if she's at lunch, ..."); and whether it is another thing, or is so instead, never where the
-    first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); that they ask for more, in any case."""
+    give it to her, but if she's at lunch, ..."), and so is a "but" of other weather; whether it is another thing, or is
+    so instead, never where the first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); that they ask for
+    more, in any case."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
@@ -164,7 +169,8 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         sides[k] = FAILS
     elif is_led and is_other_wish(clause, clauses[first]) and sides[k] == HOLDS:
         sides[k] = beside(sides[first])
-    if not {"but", "if"} <= {*clause.far, *clause.near} or not is_elsewhere_than(clause, clauses[first]):
+    is_contrast = is_elsewhere_than(clause, clauses[first]) or is_other_weather(clause, clauses[first])
+    if not {"but", "if"} <= {*clause.far, *clause.near} or not is_contrast:
         return
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
         sides[first + 1 : k] = [HOLDS] * (k - first - 1)

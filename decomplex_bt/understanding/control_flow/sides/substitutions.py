@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.failures import lacks_too
 from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, is_cleared
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on
 
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
@@ -133,6 +134,15 @@ def do_without(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
+def find_some(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched is fetched where there is some of it ("I'd like a pear. *Are there any?* If not, ...")."""
+    order, clause = clauses[k - 1 : k + 1]
+    is_some = clause.is_question and clause.verb == "be" and clause.is_of_any and not clause.wording.is_negated
+    is_fetched = (roles[k - 1], roles[k]) == ("task", "condition") and order.task.type in _CARRYING
+    if is_some and is_fetched and sides[k - 1] == ">1-":
+        sides[k - 1] = ">1+"
+
+
 def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
     locked, *unlock it*")."""
@@ -155,19 +165,81 @@ def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
 
 def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done *instead* in a case that is asked in a sentence of its own stands in place of the last order of its
-    kind, with the same thing, not of those ahead about others ("before you sweep, put the toys in the box. If it's
+    kind, with the same thing, not of those around about others ("before you sweep, put the toys in the box. If it's
     full, put them on the shelf *instead*")."""
     if k < 2 or k + 1 == len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
-    order, other = clauses[k - 1], clauses[k + 1]
-    is_instead = "instead" in (*other.near, *other.behind) and other.has_pronoun and sides[k + 1] == HOLDS
-    is_alike = order.task.type == other.task.type and order.task.type in _CARRYING and bool(order.objects)
-    if not is_instead or not is_alike or sides[k - 1] != ">1-" or clauses[k].sentence == order.sentence:
+    other = clauses[k + 1]
+    ahead = list(takewhile(lambda j: roles[j] == "task" and sides[j] == ">1-", range(k - 1, -1, -1)))
+    alike = [j for j in ahead if clauses[j].task.type == other.task.type and _is_of_same(other, clauses[j])]
+    is_instead = "instead" in (*other.near, *other.behind) and sides[k + 1] == HOLDS
+    if (
+        not is_instead
+        or not alike
+        or other.task.type not in _CARRYING
+        or clauses[k].sentence == clauses[k - 1].sentence
+    ):
         return
-    for j in range(k - 2, -1, -1):
-        clause = clauses[j]
-        if roles[j] != "task" or sides[j] != ">1-" or clause.has_pronoun:
-            return
-        if not frozenset(order.objects).isdisjoint(clause.nouns) or clause.sentence != order.sentence:
-            return
-        sides[j] = "top"
+    meant = clauses[alike[0]]
+    for j in ahead:
+        is_other = meant.objects and frozenset(meant.objects).isdisjoint(clauses[j].nouns)
+        if j != alike[0] and is_other and not clauses[j].has_pronoun and clauses[j].sentence == meant.sentence:
+            sides[j] = "top"
+
+
+def _is_of_same(other: Clause, order: Clause) -> bool:
+    return bool(order.objects) and (other.has_pronoun or other.names_same(order))
+
+
+def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched, brought or put somewhere is so though a sentence of its own tells a case of another thing, in
+    which yet another thing is done, or nothing but said where something is ("take the coats up. If Nan is asleep,
+    *close her door*", "... If the door is locked, *the key is in the drawer*")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in (".", "!")
+    is_led = is_behind and check.near[:1] == ("if",) and check.is_check
+    if not is_led or sides[k - 1] != ">1-" or order.is_forbidden:
+        return
+    if check.ends_sentence and check.tells_where and not check.calls_off:
+        sides[k - 1] = "top"
+    if check.ends_sentence or k + 1 >= len(clauses) or roles[k + 1] != "task" or not check.objects:
+        return
+    if order.task.type not in _CARRYING or (check.says_there_is and check.wording.is_negated):
+        return
+    known = order.nouns | order.places | order.receivers
+    other = clauses[k + 1]
+    is_apart = known.isdisjoint(check.nouns) and not other.has_pronoun and known.isdisjoint(other.nouns)
+    is_other = other.task.type in ("change_state", "informing") and not {*other.far, *other.near} & TURNING
+    if is_apart and is_other and "instead" not in other.behind and not check.is_of_weather:
+        sides[k - 1] = "top"
+
+
+def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put back in a case was taken before that was asked ("take the book from the shelf, but if it's the wrong
+    one, *put it back*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_undone = order.task.type == "taking" and other.task.type == "placing" and "back" in other.ways
+    if (
+        is_undone
+        and other.has_pronoun
+        and check.near == ("but", "if")
+        and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    ):
+        sides[k - 1] = "top"
+
+
+def run_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched is not where all that there is of it is of no use, and another one is then fetched ("bring me a
+    plate. If *all the plates are dirty*, wash one and bring it")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in _PARTING
+    if not is_behind or check.near[:1] != ("if",) or sides[k - 1] != "top" or sides[k] != "top":
+        return
+    is_of_all = check.objects[-1:] == order.objects[-1:] != () and check.number == "many" != order.number
+    is_useless = check.wording.state in _USELESS or bool(check.places)
+    later = [j for j in range(k + 1, len(clauses)) if goes_on(clauses, roles, sides, j, check.sentence)]
+    is_replaced = any(clauses[j].task.type == order.task.type and sides[j] == HOLDS for j in later)
+    if is_of_all and is_useless and is_replaced and order.task.type in _CARRYING and not check.wording.is_negated:
+        sides[k - 1] = ">1-"
