@@ -100,3 +100,106 @@ def test_what_is_to_be_checked_besides_is_no_part_of_the_condition(interpreter: 
 )
 def test_what_is_left_if_not_is_done_if_so(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 2, "then": [1]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take the pillow to the attic and turn on the lamp if it's dark.",
+        "Feed the hens and bring in the laundry if it starts raining.",
+        "Feed the hens and close the window when it rains.",
+        "Take the horn to the attic and open the hatch if it's closed.",
+    ],
+)
+def test_weather_is_a_case_of_the_last_order_alone_if_only_that_is_for_it(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [1, {"if": 3, "then": [2]}]
+
+
+def test_weather_may_be_a_case_of_two_orders(interpreter: Interpreter) -> None:
+    assert flow(interpreter, "Bring the chairs in and close the windows if it's raining.") == [
+        {"if": 3, "then": [1, 2]}
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn on the heater when the attic is cold and turn it off when it's warm.",
+        "Turn on the lantern when it's dark and turn it off when it's bright.",
+    ],
+)
+def test_a_when_of_the_opposite_is_the_other_side(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [2, 4], "then": [1], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Find Kim and give him this letter. If he isn't there, slide it under his door.",
+        "Find Lea and tell her dinner is ready. If she isn't there, call her.",
+    ],
+)
+def test_who_is_not_there_was_not_found(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 3], "then": [2], "else": [4]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the oven is not hot, turn it on. When it is hot, put the pie in.",
+        "If the gate is closed, open it. When it is open, let the dog out.",
+    ],
+)
+def test_what_an_order_is_for_is_waited_for_in_any_case(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text)[1:] == [3, 4]
+
+
+def test_a_check_that_leaves_the_state_open_is_one_with_the_next(interpreter: Interpreter) -> None:
+    text = "Could you check on the baby? If she's crying call me, otherwise just close the door again."
+    assert flow(interpreter, text) == [{"if": [1, 2], "then": [3], "else": [4]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("Check that the hatches are closed and close any that aren't.", "else"),
+        ("See whether the gates are locked and lock those that aren't.", "else"),
+    ],
+)
+def test_those_that_are_not_so_are_on_the_other_side(interpreter: Interpreter, text: str, side: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, side: [2]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take a plate if there is one, otherwise take a bowl, and bring it to me.",
+        "If a cup is clean pick it up, if not wash one, and bring it to me.",
+    ],
+)
+def test_what_is_done_with_either_is_done_in_both_cases(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text)[1] == 4
+
+
+def test_what_was_picked_up_was_so_in_both_cases(interpreter: Interpreter) -> None:
+    text = "Take the rug off the hook and fold it, unless it's damp, in which case put it over the rail."
+    assert flow(interpreter, text) == [1, {"if": 3, "then": [4], "else": [2]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "check"),
+    [
+        ("Turn on the heater if it's cold.", 1),
+        ("If it's hot, open the window.", 0),
+        ("Bring me a jumper if it's cold.", 1),
+    ],
+)
+def test_how_warm_it_is_is_said_of_no_thing(interpreter: Interpreter, text: str, check: int) -> None:
+    assert interpreter.interpret(text).tasks[check].value("object") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"), [("Bring me the soup if it's hot.", "the soup"), ("Turn off the iron if it is hot.", "the iron")]
+)
+def test_what_can_be_hot_is_said_to_be_so(interpreter: Interpreter, text: str, thing: str) -> None:
+    assert interpreter.interpret(text).tasks[1].value("object") == thing

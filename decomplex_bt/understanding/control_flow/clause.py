@@ -143,6 +143,8 @@ class Clause:
     """Whether a "wait" in the order of the text says to wait for it: "..., *wait until it's hot*", not "but wait"."""
     says_already: bool = False
     """Whether it asks if something is "already" so."""
+    picks: str = ""
+    """Whether its object is what of those that were checked "is" so, or "not": "close *any that aren't*"."""
     tells_where: bool = False
     """Whether all that is said of its case is where something is: "if it's locked, *the key is in the drawer*"."""
     is_of_any: bool = False

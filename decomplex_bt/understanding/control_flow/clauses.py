@@ -23,6 +23,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     is_past_forbidden,
     is_waited_for,
     opens_matter,
+    picks,
     tells_matter,
     tells_where,
     turns,
@@ -204,6 +205,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_waited_for=is_waited_for(document, ahead, token),
         says_already=task.type == "check_state"
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
+        picks=picks(document, token),
         tells_where=task.type == "check_state" and tells_where(document, token),
         is_of_any=is_of_somebody(document, task, _ANY),
         turns=turns(document, ahead, token),

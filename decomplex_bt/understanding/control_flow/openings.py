@@ -33,6 +33,7 @@ _BEFORE_MATTER = frozenset("on to a an and but then now so for completely entire
 """What may stand before "another matter" where it tells only that one follows."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _BE = frozenset("is are 's \u2019s 're \u2019re".split())
+_PICKED = frozenset("any those ones one anything whatever whichever".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
 _DONE_SO_FAR = _PERFECT | frozenset("just already both all finally".split())
@@ -113,6 +114,22 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
+
+
+def picks(document: Document, token: int) -> str:
+    """ "is" or "not", where what is behind a verb is what of those that were checked is so, or is not: "any that are
+    not", "those which are", "the ones that aren't", "whatever isn't"; else ""."""
+    words = [normal_form(t.lower) for t in document.tokens[token + 1 : token + 8]]
+    words = words[words[:1] == ["the"] :]
+    if words[:1] == [] or words[0] not in _PICKED:
+        return ""
+    rest = words[1 + (words[1:2] != [] and words[1] in ("that", "which")) :]
+    if rest[:1] == [] or rest[0] not in ("is", "are"):
+        return ""
+    is_denied = rest[1:2] == ["not"]
+    behind = rest[1 + is_denied :]
+    is_end = not behind or behind[0] in PUNCTUATION or behind[0] in ("and", "then", "yet")
+    return ("not" if is_denied else "is") if is_end else ""
 
 
 def tells_where(document: Document, token: int) -> bool:

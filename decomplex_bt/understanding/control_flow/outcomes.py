@@ -60,7 +60,8 @@ def comes_through(clause: Clause, before: Clause) -> bool:
     is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(_WORKING) and "when" in clause.near
     if is_worked and clause.wording.state is not None and clause.number == before.number:
         return True
-    is_heated = clause.wording.state in _HEATED and not _HEATERS.isdisjoint(before.objects[-1:])
+    is_heater = before.is_of_it or not _HEATERS.isdisjoint(before.objects[-1:])
+    is_heated = clause.wording.state in _HEATED and is_heater
     is_run = "running" in before.effects and (is_over or (is_heated and not clause.wording.is_negated))
     return is_of_thing and (is_reached or is_run)
 
@@ -85,10 +86,16 @@ def is_only_of(clause: Clause, order: Clause, before: Clause) -> bool:
     turned on may be so for the sake of the other order."""
     are_two = bool(before.nouns) and bool(order.objects) and before.nouns.isdisjoint(order.objects)
     is_fetched = before.task.type in FINDING and order.task.type == "change_state"
-    is_handed = any(kind == "recipient" for kind, _ in before.task.arguments)
+    is_handed = any(kind in ("recipient", "goal") for kind, _ in before.task.arguments)
     is_prepared = (is_fetched and not is_handed) or "running" in before.effects
     is_of_it = is_guard_of(clause, order) or (clause.is_check and (clause.names_same(order) or clause.takes_up(order)))
     return are_two and is_of_it and not is_prepared
+
+
+def is_against(order: Clause, clause: Clause) -> bool:
+    """Whether an order is about what weather or light is seen to by: "turn on the lamp if it's dark"."""
+    state = clause.wording.state or clause.verb
+    return any(state in states and not things.isdisjoint(order.objects) for states, things in _AGAINST)
 
 
 def needs_found(clause: Clause, check: Clause) -> bool:
@@ -132,6 +139,18 @@ def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bo
     return is_answer and (is_told or is_only_of_it or (is_of_things and (clause.is_of_person or is_of_them)))
 
 
+_AGAINST = tuple(
+    (frozenset(states.split()), frozenset(things.split()))
+    for states, things in (
+        ("dark gloomy light bright", "lamp light lantern candle torch curtain blind shutter floodlight"),
+        ("raining rain pouring snowing snow hailing drizzling stormy wet", "window laundry washing umbrella cushion "
+         "door awning parasol skylight roof hatch chair towel clothes bike tarpaulin hood"),
+        ("sunny shining hot warm bright stuffy", "blind curtain shutter awning fan parasol window aircon"),
+        ("cold freezing chilly cool windy frosty", "heater heating fire radiator stove window door boiler blanket "
+         "shutter"),
+    )
+)  # fmt: skip
+"""What is seen to in which weather or light."""
 _BEING = frozenset("be 's \u2019s 're \u2019re s".split())
 OBSTRUCTED = frozenset(
     "full packed crammed crowded overflowing occupied taken use locked shut closed stuck jammed blocked obstructed "

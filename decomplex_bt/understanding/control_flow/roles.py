@@ -31,6 +31,7 @@ from decomplex_bt.understanding.control_flow.failures import (
 )
 from decomplex_bt.understanding.control_flow.outcomes import (
     asks_needless,
+    comes_through,
     is_answer_to,
     needs_found,
     turns_on_answer,
@@ -59,6 +60,9 @@ def stated_roles(clauses: Sequence[Clause], roles: Sequence[str]) -> tuple[str, 
         _ask_ahead,
         _try_out,
         _oppose,
+        _wait,
+        _look_after,
+        _miss,
         _answer,
         _repeat,
         _call_off,
@@ -246,6 +250,35 @@ def _hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_changed = any(not clauses[j].effects.isdisjoint(("empty", "full")) for j in range(first + 1, k))
     if is_opened and not is_changed and is_content_of(clauses[k], clauses[first]):
         roles[k] = "mention"
+
+
+def _wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What a "when" says to be so in the end is waited for where the order right before brings it about ("if the oven
+    isn't hot, turn it on. *When it is hot*, put the cake in")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_when = roles[k] == "mention" and clause.near == ("when",) and clause.boundary != "none" and clause.is_check
+    if is_when and roles[k - 1] == "task" and not clause.wording.is_negated and comes_through(clause, order):
+        roles[k] = "task"
+
+
+def _look_after(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order to check leaves open is asked right behind it ("check on the baby. *If she's crying*, ...")."""
+    clause, check = clauses[k], clauses[k - 1]
+    is_asked = clause.is_check and clause.has_pronoun and not clause.objects and bool(clause.said_state)
+    is_open = not check.is_question and _leaves_state(check) and roles[k - 1] == "condition"
+    if is_asked and is_open and clause.near == ("if",) and roles[k] == "condition":
+        roles[k] = "mention"
+
+
+def _miss(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That somebody is not there tells of the look for them, not of what is given or told them then ("find Tom and give
+    him this. *If he isn't there*, ...")."""
+    if k < 2 or roles[k] != "mention" or not clauses[k].says_absent or not clauses[k].is_of_person:
+        return
+    search, order = clauses[k - 2 : k]
+    is_told = order.task.type in ("bringing", "informing") and order.near[-1:] == ("and",) and order.has_pronoun
+    if search.task.type == "searching" and is_told and not order.receivers and search.may_be_of_person:
+        roles[k - 2 : k] = "condition", "task"
 
 
 def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -30,6 +30,7 @@ from decomplex_bt.understanding.rules.checks import (
     with_subject,
     with_told,
     with_whole_state,
+    without_air,
     without_left,
 )
 from decomplex_bt.understanding.rules.conditions import without_cases
@@ -141,7 +142,7 @@ def amended(
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
-            kept = with_subject(document, kept, token)
+            kept = without_air(document, with_subject(document, kept, token), token)
         if kind == "informing":
             kept = without_times(document, with_reports(document, tasks, kept, token), token)
             kept = with_next_told(document, kept, token)

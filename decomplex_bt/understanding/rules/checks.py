@@ -36,6 +36,12 @@ _BEFORE_WEATHER = frozenset(
 """What may stand between the verb of a check and the word for the weather or the day."""
 _WHETHER = frozenset(("whether", "if"))
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
+_WARMTH = frozenset("hot cold warm freezing chilly cool stuffy nippy muggy humid".split())
+_AIRED = frozenset(
+    "window fan blind curtain shutter awning door heating heater fire fireplace aircon ac jumper jacket coat sweater "
+    "cardigan scarf hat glove blanket parasol skylight umbrella thermostat ventilator drape duvet hoodie".split()
+)
+"""What is seen to, put on or fetched for how warm it is around."""
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
 
@@ -48,6 +54,19 @@ def done_by_nobody(document: Document, verb: int) -> dict[str, range]:
     if thing is None or document.tokens[thing.start].tag not in ("DT", "PRP$"):
         return {}
     return {} if document.tokens[thing.stop - 1].dep == "npadvmod" else {"object": thing}  # "nobody comes this morning"
+
+
+def without_air(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
+    """The arguments without an "it" that is no thing, but how warm it is around: nothing that is handled is itself
+    ("open the window if *it*'s warm", "bring me a jumper if *it*'s cold")."""
+    own = {a.type: a for a in arguments if a.owner == check}
+    thing, state = own.get("object"), own.get("state")
+    if thing is None or state is None or [document.tokens[i].lower for i in thing.tokens] != ["it"]:
+        return list(arguments)
+    words = {document.tokens[i].lower for i in state.tokens}
+    handled = {document.tokens[a.tokens[-1]].lemma for a in arguments if a.type == "object" and a.owner != check}
+    is_air = not words.isdisjoint(_WARMTH) and "location" not in own and bool(handled) and handled <= _AIRED
+    return [a for a in arguments if a is not thing] if is_air else list(arguments)
 
 
 def doing(document: Document, check: int) -> dict[str, range]:

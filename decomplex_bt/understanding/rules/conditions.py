@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
@@ -105,9 +106,9 @@ def _denials(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
 
 
 def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
-    """The verb of every case of nobody or somebody in particular, also behind its order, that has no task up to it nor
-    is followed by a check: "put it away if *nobody wants it*". Not of what is found out or told ("see if anyone ...").
-    """
+    """The verb of every case of nobody or somebody in particular, or of the weather, also behind its order, that has no
+    task up to it nor is followed by a check: "put it away if *nobody wants it*", "bring it in when *it rains*". Not of
+    what is found out or told ("see if anyone ...")."""
     tokens = document.tokens
     for i, token in enumerate(tokens):
         if token.lower not in _OPENING or (i and tokens[i - 1].lemma in ASKING_LEMMAS):
@@ -117,7 +118,9 @@ def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         verb = i + 1 + length + (words[length : length + 1] == ["else"])
         while verb + 1 < len(tokens) and tokens[verb].lower in _AHEAD and tokens[verb + 1].tag[:2] in ("VB", "RB"):
             verb += 1
-        if not length or verb >= len(tokens) or tokens[verb].tag[:2] != "VB":
+        if words[:1] == ["it"] and len(words) > 1 and words[1] in WEATHER:
+            length, verb = 1, i + 2
+        if not length or verb >= len(tokens) or tokens[verb].tag[:2] not in ("VB", "NN"):
             continue
         later = [tasks[j] for j in sorted(tasks) if j > i]
         is_of_order = any(document.sentences[j] == document.sentences[i] for j in tasks)

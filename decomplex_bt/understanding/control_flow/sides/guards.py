@@ -8,7 +8,7 @@ from itertools import takewhile
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of
-from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_guard_of, is_only_of, undoes
+from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_against, is_guard_of, is_only_of, undoes
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -78,7 +78,8 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if is_row and is_alternative and clause.near == ("if",) and clause.boundary == "none":
         sides[k - 1], sides[k] = ">1+", FAILS
         return
-    is_behind = clause.boundary == "none" and clause.near in (("if",), ("unless",)) and TURNING.isdisjoint(order.near)
+    is_led = clause.near in (("if",), ("unless",), ("when",))
+    is_behind = clause.boundary == "none" and is_led and TURNING.isdisjoint(order.near)
     if not (is_row and is_behind and clause.is_check):
         return
     is_last = k + 1 == len(clauses) or clauses[k + 1].boundary != "none"  # not "... if it's hot just bring it"
@@ -95,15 +96,21 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
     about ("light the candles and blow them out if they drip"), where what is asked comes through one ("fill the tub
     and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
-    empty"), and where a comma parts it from them ("shut the door, and bring a chair if there is one")."""
+    empty"), or about weather that only the last is for ("feed the cat and shut the window if it rains"), and where a
+    comma parts it from them ("shut the door, and bring a chair if there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
         return
     ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
     is_parted = order.boundary == "," and "and" in order.near and "when" not in clause.near
-    if any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead) or (
-        ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]]))
+    is_of_weather = is_against(order, clause) and not (
+        clause.objects or any(is_against(clauses[j], clause) for j in ahead)
+    )
+    if (
+        is_of_weather
+        or any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead)
+        or (ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]])))
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"

@@ -124,3 +124,12 @@ def ask_openly(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     """What no yes or no answers keeps nothing from what is done, or asked, right behind it."""
     if clauses[k - 1].asks_open and roles[k - 1] == "task" and sides[k][:2] == "<1":
         sides[k] = sides[k - 1] if sides[k - 1] in ("top", HOLDS, FAILS) else "top"
+
+
+def miss(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What somebody is given or told who was looked for, and may not be there, is so where they are (`roles`)."""
+    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("condition", "task", "mention"):
+        return
+    is_told = clauses[k - 2].task.type == "searching" and clauses[k].says_absent and clauses[k - 1].has_pronoun
+    if is_told and sides[k - 1] in ("top", HOLDS, "<1") and clauses[k - 1].near[-1:] == ("and",):
+        sides[k - 1] = HOLDS

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_other_wish,
     is_rival_of,
 )
+from decomplex_bt.understanding.control_flow.outcomes import comes_through
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside
 
 _IFS = frozenset(("if", "when"))
@@ -85,9 +86,16 @@ def go_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 def wait_for(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done when something is so that is only waited for is done where that is ("turn it on if it's off, then
-    run a bath, and *when it's ready* tell me")."""
+    run a bath, and *when it's ready* tell me"); in any case, where that is what the order before was for ("if the oven
+    isn't hot, turn it on. *When it is hot*, put the pie in")."""
     awaited, clause = clauses[k - 1], clauses[k]
     is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and "when" in awaited.near
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if is_awaited and first is not None and first < k - 2 and awaited.boundary in _PARTING:
+        one, other = clauses[first].wording, awaited.wording
+        is_same = one.state == other.state or one.is_opposite_of(other) or other.is_opposite_of(one)
+        if is_same and comes_through(awaited, clauses[k - 2]) and sides[k - 1][:2] == "<1":
+            sides[k - 1] = beside(sides[first])
     is_next = clause.sentence == awaited.sentence and not clause.near and not clause.far
     if is_awaited and is_next and sides[k - 1] == "top" and sides[k] in (HOLDS, FAILS):
         sides[k] = "top"

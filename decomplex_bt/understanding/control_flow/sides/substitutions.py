@@ -230,6 +230,20 @@ def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         sides[k - 1] = "top"
 
 
+def have_in_hand(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What was picked up to do one thing with it, or in a case another, was picked up in either ("take the towel and
+    fold it, *unless it's damp, in which case hang it up*")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    taken, order, check, other = clauses[k - 2 : k + 2]
+    is_one = taken.sentence == order.sentence == check.sentence == other.sentence
+    is_taken = is_one and taken.task.type == "taking" and bool(taken.objects) and order.near == ("and",)
+    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
+    is_turned = {sides[k - 1][-1:], sides[k + 1][-1:]} == {"+", "-"} and sides[k - 2] == sides[k - 1][:3]
+    if is_taken and are_of_it and is_turned and sides[k - 2][:2] == ">1" and other.task.type in MOVING:
+        sides[k - 2] = "top"
+
+
 def run_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched is not where all that there is of it is of no use, and another one is then fetched ("bring me a
     plate. If *all the plates are dirty*, wash one and bring it")."""
