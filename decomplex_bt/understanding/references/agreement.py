@@ -10,7 +10,14 @@ from decomplex_bt.understanding.references.context import GROUPS, Context, kind_
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, PREPOSITIONS, WHOLE, Candidate
+from decomplex_bt.understanding.references.phrases import (
+    ANIMALS,
+    PERSON_NOUNS,
+    PLACE_ADVERBS,
+    PREPOSITIONS,
+    WHOLE,
+    Candidate,
+)
 from decomplex_bt.understanding.references.places import place_meant
 
 _FEMALE = frozenset(
@@ -139,6 +146,8 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return gap.word == "they" and is_thing and is_one  # "them" may be two things named one by one
     if head.lemma in _CALLED_SHE | ANIMALS:
         return False
+    if len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | {"home"}:
+        return True
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
     is_whereabouts = candidate.type == "state" and before in PREPOSITIONS  # "if he's on *the phone*"

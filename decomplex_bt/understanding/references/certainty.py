@@ -20,7 +20,7 @@ from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
-from decomplex_bt.understanding.references.wholes import is_part
+from decomplex_bt.understanding.references.wholes import is_on_whole, is_part
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
@@ -42,6 +42,9 @@ INSTRUMENTS = frozenset(
 )
 """What things are cleaned with."""
 _TELLING = frozenset(("check_state", "change_state"))
+_COOKED = frozenset("stir drain serve flip taste pour eat drink strain whisk peel slice".split())
+"""What is done with food."""
+_STATING = frozenset("is are 's \u2019s looks smells needs has".split())
 _COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
 _COOLING = frozenset("freezer fridge refrigerator icebox".split())
 """Of the machines those that are defrosted."""
@@ -63,7 +66,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     is_pointed = is_pointing_back(document, gap)
     one = _last_one(context, gap) if is_pointed else None
     settled = meant(context, gap)
-    identity = settled or _identity(context, gap) or _fronted(context, gap)
+    identity = settled or _identity(context, gap) or _fronted(context, gap) or _reasoned(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = containers_of(context, gap)
     before, instrument = _done_before(context, gap) or _listed(context, gap), _instrument(context, gap)
@@ -137,6 +140,28 @@ def _fronted(context: Context, gap: Gap) -> range:
     return next((words for words, whole in (*named, *free_places(document)) if whole.stop == start), range(0))
 
 
+def _reasoned(context: Context, gap: Gap) -> range:
+    """The words of what a statement says that is the reason for an order: "*the mug* is dirty, so wash it"; else
+    empty."""
+    document = context.observed.document
+    tokens, at = document.tokens, document.indices(gap.task.span).start - 1
+    if gap.type != "object" or gap.word not in ("it", "them"):
+        return range(0)
+    while at > 0 and tokens[at].lower in ("please", "just"):
+        at -= 1
+    if at < 1 or tokens[at].lower != "so":
+        return range(0)
+    first = next(i for i in range(at + 1) if document.sentences[i] == document.sentences[at])
+    tag = ("NN", "NNP") if gap.word == "it" else ("NNS",)
+    if sum(token.tag in ("VBZ", "VBP", "VBD") for token in tokens[first:at]) != 1:
+        return range(0)
+    named = (c for c in context.pool if c.tokens.start == first and c.tokens.stop < at and not c.mention)
+    named = (c for c in named if kind_of(context, c) not in _ANIMATE)
+    said = max(named, key=lambda c: c.tokens.stop, default=None)
+    is_said = said is not None and tokens[said.tokens.stop].lower in _STATING and tokens[said.head].tag in tag
+    return said.tokens if said is not None and is_said else range(0)
+
+
 def _done_before(context: Context, gap: Gap) -> int:
     """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
     filter and *start it again*" is of the mower; 0 where none did."""
@@ -206,11 +231,21 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if any(is_not(context, gap, candidate) for is_not in (is_support, is_unwarmed, is_content, _is_feature)):
         return True
+    if is_on_whole(context, gap, candidate) or _is_turned(context, gap, candidate):
+        return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
     if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_turned(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is what is cooked, and a candidate what was turned down or off for it: "turn down *the heat* and
+    stir it"."""
+    verb, other = (context.lemmas.get(number, "").split()[:1] for number in (gap.task.id, candidate.owner))
+    is_turned = candidate.type == "object" and other in (["turn"], ["switch"])
+    return gap.type == "object" and gap.word == "it" and is_turned and not _COOKED.isdisjoint(verb)
 
 
 def _is_feature(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -1,10 +1,10 @@
-"""Wholes: what is carried where a condition asks of a part of it."""
+"""Wholes: what is handled where a condition asks of a part of it, or of a flaw or something else on or in it."""
 
 from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.phrases import Candidate
 
 _PARTS = frozenset(
@@ -14,16 +14,31 @@ _PARTS = frozenset(
 _APART = frozenset("off missing gone lost dirty".split())
 """States of parts that are, or may be, handled by themselves."""
 _CARRYING = frozenset(("bringing", "placing"))
+_CHARGING = frozenset(("charge", "recharge", "plug", "plug in"))
+_FLAWS = frozenset(
+    "stain hole tear crack dent scratch mark spot rip mould mold rust dust dirt mud crumb grease limescale fluff "
+    "hair".split()
+)
+_SOMETHING = frozenset(("something", "anything"))
+_BARE = 2
+"""Words of "the battery", which is no spare one."""
+_OF_FLAWS = frozenset("wipe mop sweep clean scrub brush pick take get rub wash cut pull".split())
+"""What is done to a flaw where it is done "up", "off" or "out"."""
+_TO_FLAWS = frozenset("remove fix repair mend seal plug patch report fill darn tape glue".split())
+_CLEANING = frozenset("wipe rinse clean wash mop sweep polish empty scrub dust".split())
+_AWAY = frozenset(("up", "off", "out", "away"))
 _HANDLING = _CARRYING | {"taking", "change_state"}
 
 
 def is_part(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "it" is no part that a condition asked of, since that is put nowhere without the thing that was handled
     before: "move the chair, and if *a leg* is loose, leave it here". A part that is off, or goes back on, can be."""
-    is_carried = gap.type == "object" and gap.word == "it" and gap.task.type in _CARRYING
+    noun = context.observed.document.tokens[candidate.head].lemma
+    is_charged = noun == "battery" and len(candidate.tokens) <= _BARE and context.lemmas[gap.task.id] in _CHARGING
+    is_carried = gap.type == "object" and gap.word == "it" and (gap.task.type in _CARRYING or is_charged)
     document, path = context.observed.document, context.paths.get(gap.task.id, ())
-    noun = document.tokens[candidate.head].lemma
-    if not is_carried or not path or noun not in _PARTS or candidate.mention or _is_fitted(document, gap):
+    is_of_whole = noun in _PARTS or noun == "battery"
+    if not is_carried or not path or not is_of_whole or candidate.mention or _is_fitted(document, gap):
         return False
     check = next((task for task in context.tasks if task.id == candidate.owner), gap.task)
     is_asked = candidate.type == "object" and context.first.get(check.id) == path[-1][0]
@@ -35,6 +50,24 @@ def is_part(context: Context, gap: Gap, candidate: Candidate) -> bool:
     goals = [a.value.lower() for a in gap.task.arguments if a.type == "goal"]
     is_of_its_own = any(document.tokens[c.head].lemma == noun for c in before)
     return bool(wholes) and not is_of_its_own and not any(whole in goal for whole in wholes for goal in goals)
+
+
+def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is no flaw that is on or in something, but that ("if there's *a stain* on the shirt, wash it"), nor
+    something that is on what is cleaned ("if there's *something* on the table, wipe it"). A flaw may be wiped off."""
+    document = context.observed.document
+    is_taken_up = gap.type == "object" and gap.word in ("it", "them") and candidate.type == "object"
+    check = next((task for task in context.tasks if task.id == candidate.owner), None)
+    if not is_taken_up or check is None or check.type != "check_state" or not says_there_is(document, check):
+        return False
+    if not any(a.type == "location" for a in check.arguments):
+        return False
+    verb = context.lemmas[gap.task.id].split()[0]
+    if candidate.text.lower() in _SOMETHING:
+        return verb in _CLEANING
+    behind = {token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 1]}
+    is_undone = verb in _TO_FLAWS or (verb in _OF_FLAWS and not behind.isdisjoint(_AWAY))
+    return document.tokens[candidate.head].lemma in _FLAWS and not is_undone
 
 
 def _is_fitted(document: Document, gap: Gap) -> bool:

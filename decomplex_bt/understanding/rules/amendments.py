@@ -13,6 +13,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
 from decomplex_bt.understanding.references.phrases import (
+    PREPOSITIONS,
     is_pronoun,
     nobody,
 )
@@ -189,7 +190,14 @@ def amended(
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
     kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
     kept = without_guessed(document, with_nearer_places(document, tasks, kept))
+    kept = [a for a in kept if not _is_bare_preposition(document, a)]
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
+
+
+def _is_bare_preposition(document: Document, argument: FoundArgument) -> bool:
+    """Whether nobody is named by whom somebody is told something: "knock *on* the door"."""
+    is_single = argument.type == "recipient" and len(argument.tokens) == 1
+    return is_single and document.tokens[argument.tokens.start].lower in PREPOSITIONS - {"to", "for", "with"}
 
 
 def _telegraphed(document: Document, verb: int) -> dict[str, range]:

@@ -7,8 +7,9 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.certainty import INSTRUMENTS
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_pronoun
 
 _BEING = frozenset(("be", "'s", "\u2019s"))
@@ -38,11 +39,33 @@ def without_places_of_others(
 ) -> list[FoundArgument]:
     """The arguments without a source that a statement tells of something else: of somebody or an animal where a thing
     is fetched, or of one thing where another statement tells it of what is fetched ("the forks are *in the drawer* and
-    the plates are on the rack, bring me a plate"). "The tools are in the shed, get the hammer" stays open."""
+    the plates are on the rack, bring me a plate"), or where there is something to be cleaned. "The tools are in the
+    shed, get the hammer" stays open."""
     document = observed.document
     stated = [found for a in arguments if a.type == "source" and (found := _stated(document, tasks, a)) is not None]
     strange = {id(found.source) for found in stated if _is_strange(observed, found, stated, arguments)}
+    strange |= {id(a) for a in arguments if a.type in _PLACES and _is_of_mess(document, arguments, a)}
     return [a for a in arguments if id(a) not in strange]
+
+
+def _is_of_mess(document: Document, arguments: Sequence[FoundArgument], place: FoundArgument) -> bool:
+    """Whether a place is where something is to be cleaned up with what is fetched, as a clause of its own tells: "I
+    spilled my coke *on the table*, bring me a sponge"."""
+    tokens = document.tokens
+    things = [
+        a.tokens for a in arguments if (a.owner, a.type) == (place.owner, "object") and a.tokens.start > place.owner
+    ]
+    between = tokens[place.tokens.stop : place.owner]
+    if not things or not any(token.text in MARKS | ENDS for token in between):
+        return False
+    fetched = {tokens[thing.stop - 1].lemma for thing in things}
+    said = {
+        t.lemma
+        for t in tokens[: place.tokens.start]
+        if document.sentences[t.i] == document.sentences[place.tokens.start]
+    }
+    is_clause = any(t.tag in ("VBD", "VBZ", "VBP", "VBN") for t in tokens[: place.tokens.start])
+    return fetched <= INSTRUMENTS and is_clause and fetched.isdisjoint(said)
 
 
 def with_nearer_places(
