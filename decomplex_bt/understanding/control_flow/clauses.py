@@ -265,7 +265,7 @@ def _asks_where(document: Document, task: MarkedTask, behind: Sequence[str]) -> 
     kinds = {kind for kind, _ in task.arguments}
     if any(kind == "object" and _is_sought(document, indices) for kind, indices in task.arguments):
         return False  # "are there clean towels in the bathroom?" asks how they are as well
-    is_asked = document.tokens[task.token].lemma in BEING or not {"whether", "if"}.isdisjoint(behind)
+    is_asked = document.tokens[task.token].lemma in BEING or "whether" in behind
     return task.type == "check_state" and "location" in kinds and "state" not in kinds and is_asked
 
 

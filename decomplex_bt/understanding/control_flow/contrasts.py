@@ -67,6 +67,15 @@ def _is_state_beside(clause: Clause, first: Clause) -> bool:
     return are_stated and is_other and not {*clause.far, *clause.near} & {"else", "fail", "so"}
 
 
+def is_named_apart(clause: Clause, first: Clause) -> bool:
+    """Whether both ask the same of two things of one kind that words tell apart: "if the *left window* is open, ..., if
+    the *right window* is open, ..."."""
+    is_kind = clause.objects[-1:] == first.objects[-1:] != ()
+    are_apart_by = bool(clause.thing - first.thing) and bool(first.thing - clause.thing)
+    is_same = clause.verb == first.verb and clause.wording.state == first.wording.state
+    return clause.is_check and first.is_check and is_kind and are_apart_by and is_same
+
+
 def is_content_of(clause: Clause, first: Clause) -> bool:
     """Whether it asks if something is in what the other asks to be empty, or if there is room in what that asks to
     be full: "if the basket is empty, ...; if *it still contains clothes*, ..."."""

@@ -8,6 +8,8 @@ from decomplex_bt.understanding.control_flow.arcs import BOTH
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.repetitions import repeats
 
+_KEEPING = frozenset("keep leave stay sit stand hold remain watch".split())
+
 
 def stated_orders(
     clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: Sequence[str]
@@ -18,6 +20,8 @@ def stated_orders(
         _stay(clauses, stated, k)
         _await(clauses, roles, sides, stated, k)
         _keep_turn(clauses, roles, sides, stated, k)
+        _keep_on(clauses, roles, sides, stated, k)
+        _go_behind(clauses, roles, sides, stated, k)
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _make_ready(clauses, roles, sides, stated, k)
@@ -63,6 +67,34 @@ def _keep_turn(
     orders[k] = "keep" if orders[k] in _AHEAD else orders[k]
     if orders[k - 1] in ("after", "last") and not before.wording.orders:
         orders[k - 1] = "keep"
+
+
+def _keep_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
+    """What is kept, or where somebody stays, "until" something comes is so before that comes ("*keep the gate shut*
+    until Tom is back", "until Tom is back, keep the gate shut")."""
+    before, clause = clauses[k - 1 : k + 1]
+    is_next = roles[k - 1] == roles[k] == "task" and sides[k - 1] == sides[k] and before.sentence == clause.sentence
+    if not is_next or before.is_forbidden or clause.is_forbidden or before.wording.is_negated:
+        return
+    if before.verb in _KEEPING and clause.near[-1:] == ("until",) and clause.boundary == "none":
+        orders[k - 1 : k + 1] = "keep", "keep"
+    is_ahead = before.near[-1:] == ("until",) and before.is_check and clause.verb in _KEEPING
+    if is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
+        orders[k - 1 : k + 1] = "keep", "before"
+
+
+def _go_behind(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What is waited for behind an order comes before that alone, not before what an "and" adds ("serve it *as soon as
+    it's hot* and open the wine")."""
+    before, clause = clauses[k - 1 : k + 1]
+    if k + 1 >= len(clauses) or not clause.is_check or clause.near != ("after",) or clause.boundary != "none":
+        return
+    are_tasks = all(roles[j] == "task" and sides[j] == sides[k] for j in (k - 1, k, k + 1))
+    is_added = clauses[k + 1].near == ("and",) and clauses[k + 1].sentence == clause.sentence == before.sentence
+    if are_tasks and is_added and orders[k - 1] in ("after", "last") and orders[k] == "keep":
+        orders[k - 1 : k + 1] = "keep", "before"
 
 
 def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:

@@ -13,6 +13,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_asked_again_after,
     is_content_of,
+    is_named_apart,
     is_of_another,
     is_of_other_matter,
     is_of_other_state,
@@ -182,6 +183,9 @@ def _part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if is_order_to_check or (is_bare and is_of_other_state(clause, before)):
         roles[k - 1 : k + 1] = "task", "condition"
     elif roles[k] == "mention" and firsts and all(is_of_another(clause, first) for first in firsts):
+        roles[k] = "condition"
+    last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    if roles[k] == "mention" and roles[last] == "mention" and is_named_apart(clause, clauses[last]):
         roles[k] = "condition"
 
 

@@ -145,7 +145,10 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
         return None
     if task.token < last and is_answer(observed.document, task.token + 1):
         return tokens[task.token + 1].lower
+    named = {j for kind, indices in task.arguments if kind == "object" for j in indices}
     for j in range(min(task.token, last), last + 1):
+        if j in named:
+            continue  # "check the light"
         governs = any(tokens[child].dep == "pobj" for child in observed.document.children[j])
         if tokens[j].lower == "up" and tokens[task.token].lemma in _COMING_UP:
             continue  # "if nothing lights up"

@@ -45,6 +45,7 @@ _COOKERS = frozenset("hob stove cooker range".split())
 _BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
 _CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
+_SOME = frozenset("any some enough anything".split())
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
 _HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
@@ -109,6 +110,10 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type=fact, token=token)
         if task.type in _HANDLING and task.token in (*looked, *called):
             task = replace(task, type="searching" if task.token in looked else "informing")
+        if task.type == "motion" and document.tokens[task.token].lemma == "use":
+            task = replace(task, type="placing" if any(one.type == "placing" for one in found) else task.type)
+        if _asks_got(document, task.token):
+            task = replace(task, type="check_state")
         if (be := prospect_of(document, task.token)) is not None:
             task = replace(task, token=be, type="check_state")
         if following is not None and is_light(document, task.token, following.token):
@@ -122,6 +127,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (following is not None and _is_wish_for(document, task, following))
             or (task.type in _HANDLING and is_taken_up(document, task.token, types_found))
             or (bool(found) and _is_progressive(document, found[-1], task))
+            or (bool(found) and _is_left_of(document, found[-1], task))
             or (following is not None and _is_with_see(document, task.token, following.token))
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
@@ -149,6 +155,20 @@ def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bo
     is_check = check.type == "check_state" != task.type and document.tokens[check.token].lower in _BE
     between = document.tokens[check.token + 1 : task.token]
     return is_check and document.tokens[task.token].tag == "VBG" and all(token.tag == "RB" for token in between)
+
+
+def _asks_got(document: Document, at: int) -> bool:
+    """Whether a "got" that begins a sentence asks if there is something: "*got* any bread left?"."""
+    tokens = document.tokens
+    is_first = at == 0 or tokens[at - 1].text in ENDS or document.sentences[at - 1] != document.sentences[at]
+    return is_first and tokens[at].lower == "got" and at + 1 < len(tokens) and tokens[at + 1].lower in _SOME
+
+
+def _is_left_of(document: Document, check: FoundTask, task: FoundTask) -> bool:
+    """Whether a "left" only says that there is still some of what is asked after: "got any bread *left*"."""
+    between = document.tokens[check.token + 1 : task.token]
+    is_left = document.tokens[task.token].lower == "left" and _asks_got(document, check.token)
+    return is_left and all(token.text not in MARKS and not token.tag.startswith("V") for token in between)
 
 
 def _is_pause(document: Document, at: int) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
@@ -41,6 +41,8 @@ _COMING = frozenset("going gon about supposed due bound set".split())
 _IS = frozenset("is are 's 're \u2019s \u2019re am 'm".split())
 _NOT = frozenset(("not", "n't", "n\u2019t", "just", "still", "really"))
 _SO_COMING = ("RB", "RP", "JJ", "VBN")
+_BEFORE_ORDERS = frozenset("and then please first just always but".split())
+_BEHIND_KNOCKS = frozenset("first before and on at twice once when if gently softly loudly".split())
 _ITS = frozenset(("it", "them"))
 _OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
 _NOBODY = (
@@ -70,8 +72,26 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **dict.fromkeys(_lettings(document), "placing"),
         **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
+        **dict.fromkeys(_knocks(document, tasks), "informing"),
         **dict.fromkeys(checks, "check_state"),
     }
+
+
+def _knocks(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """Every order to knock, at which somebody may answer, that says no more: "if the door is shut, *knock*"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower != "knock" or i in tasks or token.tag not in ("VB", "VBP", "NN", "NNP"):
+            continue
+        first = i
+        while first and tokens[first - 1].lower in _BEFORE_ORDERS:
+            first -= 1
+        behind = [t.lower for t in tokens[i + 1 : i + 3]]
+        is_order = first == 0 or tokens[first - 1].text in MARKS  # not "visitors just knock"
+        is_only = not behind or behind[0] in MARKS or behind[0] in _BEHIND_KNOCKS
+        is_sound = behind[1:] == ["knock"] or (i > 1 and tokens[i - 2].lower == "knock")
+        if is_order and is_only and not is_sound:
+            yield i
 
 
 def _weather(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:

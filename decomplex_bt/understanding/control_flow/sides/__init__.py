@@ -92,6 +92,8 @@ _RULES = (
     scopes.exclude,
     scopes.turn_away,
     scopes.leave_rest,
+    scopes.ask_each,
+    scopes.answer_ring,
     reversals.choose,
     reversals.pick,
     reversals.share,

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_elsewhere_than,
+    is_named_apart,
     is_of_other_matter,
     is_other_weather,
     is_other_wish,
@@ -19,6 +20,8 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, O
 
 _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
+_RINGING = frozenset("ring knock call phone buzz".split())
+_REACTING = frozenset("answer open come reply respond react".split())
 _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
@@ -187,8 +190,33 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with everything else than what a case spoke of, in a clause of its own, is done in any case ("if
-    there's a letter, bring it; *leave everything else* on the mat")."""
+    there's a letter, bring it; *leave everything else* on the mat", "if there's anything for me, bring it. Bin *the
+    rest*")."""
     clause = clauses[k]
-    is_rest = roles[k] == "task" and "else" in clause.thing and not _ALL.isdisjoint(clause.thing)
+    is_all = "else" in clause.thing and not _ALL.isdisjoint(clause.thing)
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    is_of_some = not _ALL.isdisjoint(clauses[first].thing) and clause.objects == ("rest",)
+    is_rest = roles[k] == "task" and (is_all or is_of_some)
     if is_rest and clause.boundary in _PARTING and sides[k] == HOLDS:
         sides[k] = "top"
+
+
+def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is asked of two things of one kind is asked of each in any case ("if the left window is open, shut it. *If
+    the right window is open*, ..."), unless the second was spoken of in the first case."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[k] != "condition" or sides[k] not in (HOLDS, FAILS) or first == k - 1:
+        return
+    between = {word for j in range(first + 1, k) for word in clauses[j].thing}
+    is_led = clauses[k].boundary in _PARTING and clauses[k].near == ("if",)
+    if is_led and is_named_apart(clauses[k], clauses[first]) and not clauses[k].thing <= between:
+        sides[k] = "top"
+
+
+def answer_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That nobody answers is asked where somebody was rung or knocked for ("if the door is shut, ring the bell; *if
+    nobody answers*, ...")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_answer = clause.is_of_nobody and clause.verb in _REACTING and clause.near[:1] == ("if",)
+    if (roles[k - 1], roles[k]) == ("task", "condition") and is_answer and order.verb in _RINGING:
+        sides[k] = sides[k - 1] if sides[k - 1] in ("top", HOLDS, FAILS) else sides[k]
