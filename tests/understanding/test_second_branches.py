@@ -261,3 +261,15 @@ def test_what_somebody_fancies_is_brought_where_there_is_some(interpreter: Inter
 @pytest.mark.parametrize("text", ["I could do with a blanket.", "I wouldn't mind a pear.", "I'm dying for a coffee."])
 def test_a_wish_is_an_order(interpreter: Interpreter, text: str) -> None:
     assert [task.type for task in interpreter.interpret(text).tasks] == ["bringing"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me a cup if one is clean or a glass if not.",
+        "Take the jug to Lea if she's up or to Kim if not.",
+        "Put the pie in the larder if there's room or in the attic if not.",
+    ],
+)
+def test_an_or_without_a_comma_leads_to_an_if_not(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [1], "else": [3]}]

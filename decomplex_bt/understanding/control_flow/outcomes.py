@@ -125,6 +125,13 @@ def turns_on_answer(clause: Clause, question: Clause) -> bool:
     return is_near and bool(question.question) and ("so" in (*clause.far, *clause.near) or is_run_on)
 
 
+def answers_ring(clause: Clause, order: Clause) -> bool:
+    """Whether it says that nobody answers where somebody was rung or knocked for: "ring the bell; *if nobody
+    answers*, ..."."""
+    is_answer = clause.is_of_nobody and clause.verb in _REACTING and clause.near[:1] == ("if",)
+    return is_answer and order.verb in _RINGING
+
+
 def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bool:
     """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
     does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things, or say how
@@ -157,6 +164,8 @@ OBSTRUCTED = frozenset(
     "service order".split()
 )
 """States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
+_RINGING = frozenset("ring knock call phone buzz".split())
+_REACTING = frozenset("answer open come reply respond react".split())
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())

@@ -31,6 +31,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     tries_out,
 )
 from decomplex_bt.understanding.control_flow.outcomes import (
+    answers_ring,
     asks_needless,
     comes_through,
     is_answer_to,
@@ -295,6 +296,9 @@ def _answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
             roles[order], roles[k] = "task", "condition"
     if roles[k] == "condition" and _is_other_reply(clauses, roles, k):
         roles[k] = "mention"
+    is_last = "mention" not in roles[k + 1 :]
+    if roles[k - 1 : k + 1] == ["condition", "mention"] and is_last and answers_ring(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
     if clauses[k].says_answer and clauses[k - 1].question and roles[k - 1 : k + 1] == ["condition", "mention"]:
         roles[k - 1 : k + 1] = "task", "condition"
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
@@ -146,7 +147,7 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return gap.word == "they" and is_thing and is_one  # "them" may be two things named one by one
     if head.lemma in _CALLED_SHE | ANIMALS:
         return False
-    if len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | {"home"}:
+    if len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | WEATHER | {"home"}:
         return True
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)

@@ -188,6 +188,8 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     if part.lead == "or" and condition.lead == "if" and is_done and any(i in tasks for i in condition.body):
         return _is_either(document, parts[:k], part, condition)
+    if part.lead == "or" and k and parts[k - 1].lead == "if" and is_done and _is_contrary(document, condition):
+        return True  # "a cup if one is clean or *a glass* if not"
     is_next = part.lead == "mark" and part.body.stop == condition.opening.start and is_done
     if is_next and _is_second_choice(document, parts[k - 1], part, condition, tasks):
         return True

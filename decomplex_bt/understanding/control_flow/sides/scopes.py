@@ -15,13 +15,11 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_other_wish,
     is_rival_of,
 )
-from decomplex_bt.understanding.control_flow.outcomes import comes_through
+from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside
 
 _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
-_RINGING = frozenset("ring knock call phone buzz".split())
-_REACTING = frozenset("answer open come reply respond react".split())
 _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
@@ -216,7 +214,5 @@ def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 def answer_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """That nobody answers is asked where somebody was rung or knocked for ("if the door is shut, ring the bell; *if
     nobody answers*, ...")."""
-    clause, order = clauses[k], clauses[k - 1]
-    is_answer = clause.is_of_nobody and clause.verb in _REACTING and clause.near[:1] == ("if",)
-    if (roles[k - 1], roles[k]) == ("task", "condition") and is_answer and order.verb in _RINGING:
+    if (roles[k - 1], roles[k]) == ("task", "condition") and answers_ring(clauses[k], clauses[k - 1]):
         sides[k] = sides[k - 1] if sides[k - 1] in ("top", HOLDS, FAILS) else sides[k]
