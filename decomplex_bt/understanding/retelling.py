@@ -35,6 +35,8 @@ _JOINING = frozenset(("and", "but", "or", ","))
 _ENDING = frozenset(("source", "goal", "location", "recipient"))
 """Types of arguments that tell from where, where to or to whom."""
 _WHEREABOUTS = frozenset(("location", "source"))
+_WHERE = frozenset("from in on under at behind beside by off near inside above below".split())
+"""What tells of a thing where it is: "the one *from* the shelf" is not from where the first one was."""
 _FROM = frozenset(("from", "off", "out"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
@@ -265,7 +267,8 @@ def _repeated(
     if replaced is None:
         return None
     said = {verb, *particles, *_wishing(document, verb)}.difference(replaced)
-    said.update(i for _, tokens in own if tokens != replaced for i in tokens)
+    places = _WHEREABOUTS if any(document.tokens[i].lower in _WHERE for i in words[1:]) else frozenset()
+    said.update(i for argument, tokens in own if tokens != replaced and argument.type not in places for i in tokens)
     said.update(range(verb + 1, replaced.start))  # what stands between, be it found or not: "bring *me* the orange"
     ahead, behind = sorted(i for i in said if i < replaced.start), sorted(i for i in said if i >= replaced.stop)
     is_led = document.tokens[words.start].lower in PREPOSITIONS

@@ -44,13 +44,17 @@ def test_of_three_states_each_is_asked_where_those_before_do_not_hold(
     ("first", "second", "third"),
     [
         ("hot", "lukewarm", "hot"),  # said again
-        ("hot", "cold", "dirty"),  # another matter
         ("wobbly", "useless", "cheap"),  # of one matter or not, who knows
     ],
 )
 def test_what_may_be_stated_again_or_beside_is_left_to_the_models(first: str, second: str, third: str) -> None:
     found = clauses(THREE.format(thing="stove", first=first, second=second, third=third))
     assert stated_roles(found, ROLES)[4] == "mention"
+
+
+def test_another_matter_is_a_condition_of_its_own() -> None:
+    found = clauses(THREE.format(thing="stove", first="hot", second="cold", third="dirty"))
+    assert stated_roles(found, ROLES)[4] == "condition"
 
 
 def test_what_is_called_for_behind_its_order_is_left_to_the_models() -> None:

@@ -207,3 +207,14 @@ def test_of_two_places_one_may_be_the_one(interpreter: Interpreter, text: str, t
 def test_what_goes_with_a_thing_is_no_alternative_to_it(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Is there any rice left? Bring me a bowl if there is, with a spoon.")
     assert not any(task.repeats for task in found.tasks)
+
+
+@pytest.mark.parametrize(
+    ("text", "source"),
+    [
+        ("Bring me the red mug from my desk, or if it's not there, the one from the shelf.", "from the shelf"),
+        ("Bring me the red mug from the larder or, if it's dirty, the one with the handle.", "from the larder"),
+    ],
+)
+def test_another_one_is_where_it_is_said_to_be(text: str, source: str) -> None:
+    assert Interpreter.load("household").interpret(text).tasks[-1].values("source") == (source,)

@@ -51,7 +51,7 @@ def test_a_check_of_another_matter_is_a_condition_of_its_own(markup: str) -> Non
         "[they](3:object)['re](3:check_state) [dry](3:state), [tell](4:informing) me.",
         # one guest, who is "they"
         "If [the guest](1:object) [is](1:check_state) [asleep](1:state), [close](2:change_state) [it](2:object). If "
-        "[they](3:object)['re](3:check_state) [hungry](3:state), [tell](4:informing) me.",
+        "[they](3:object)['re](3:check_state) [awake](3:state), [tell](4:informing) me.",
         # one window, "them"
         "If [the window](1:object) [is](1:check_state) [closed](1:state), [open](2:change_state) [it](2:object). If "
         "[they](3:object)['re](3:check_state) [open](3:state), [tell](4:informing) me.",

@@ -42,7 +42,8 @@ def is_rival_of(clause: Clause, first: Clause) -> bool:
     """Whether it asks what cannot be where the other holds: if it is another thing ("if it's the phone, ..., if
     it's the doorbell, ..."), if somebody answers otherwise, or if something is so instead."""
     is_other = bool(clause.identified and first.identified) and clause.identified != first.identified
-    is_other = is_other or (clause.verb in _ANSWERING and is_other_wish(clause, first))
+    is_one = clause.verb == first.verb and clause.verb in _ANSWERING
+    is_other = is_other or (is_one and is_other_wish(clause, first))
     are_stated = not (clause.wording.is_negated or first.wording.is_negated)
     return clause.is_check and are_stated and (is_other or clause.says_instead)
 
@@ -50,7 +51,8 @@ def is_rival_of(clause: Clause, first: Clause) -> bool:
 def is_other_wish(clause: Clause, first: Clause) -> bool:
     """Whether it asks if the same one says or would have something else than the other asks: "if she says *tea*, ...,
     if she says *coffee*, ...", "if he asks for *juice*, ..., if he asks for *tea*, ..."."""
-    is_same_verb = clause.verb == first.verb and clause.verb in _ANSWERING | _WISHING
+    verbs = {clause.verb, first.verb}
+    is_same_verb = (len(verbs) == 1 and verbs <= _ANSWERING | _WISHING) or verbs <= _WISHING | {"want"}
     are_stated = clause.is_check and first.is_check and not (clause.wording.is_negated or first.wording.is_negated)
     is_same = clause.is_of_somebody or clause.names_same(first) or not (clause.objects and clause.said_state)
     said, other = (frozenset(c.said_state or c.objects) for c in (clause, first))

@@ -15,6 +15,11 @@ _APART = frozenset("off missing gone lost dirty".split())
 """States of parts that are, or may be, handled by themselves."""
 _CARRYING = frozenset(("bringing", "placing"))
 _CHARGING = frozenset(("charge", "recharge", "plug", "plug in"))
+_CHARGED = frozenset(
+    "phone mobile smartphone iphone tablet ipad laptop notebook watch headphones headset earbuds monitor scooter "
+    "toothbrush shaver speaker kindle reader".split()
+)
+"""What is charged itself, where the battery of a camera is."""
 _FLAWS = frozenset(
     "stain hole tear crack dent scratch mark spot rip mould mold rust dust dirt mud crumb grease limescale fluff "
     "hair".split()
@@ -47,6 +52,8 @@ def is_part(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     before = [c for c in context.pool if 0 < c.owner < check.id and not c.mention]
     wholes = [c.text.lower() for c in before if _is_whole(document, c)]
+    if is_charged and not any(document.tokens[c.head].lemma in _CHARGED for c in before):
+        return False
     goals = [a.value.lower() for a in gap.task.arguments if a.type == "goal"]
     is_of_its_own = any(document.tokens[c.head].lemma == noun for c in before)
     return bool(wholes) and not is_of_its_own and not any(whole in goal for whole in wholes for goal in goals)

@@ -111,7 +111,8 @@ def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
     what is found out or told ("see if anyone ...")."""
     tokens = document.tokens
     for i, token in enumerate(tokens):
-        if token.lower not in _OPENING or (i and tokens[i - 1].lemma in ASKING_LEMMAS):
+        before = tokens[i - 1].lemma if i else ""
+        if token.lower not in _OPENING or before in ASKING_LEMMAS or before == "even":
             continue
         words = [t.lower for t in tokens[i + 1 : i + 4]]
         length = next((len(said) for said in _ANYBODY if tuple(words[: len(said)]) == said), 0)
