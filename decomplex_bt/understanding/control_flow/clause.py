@@ -237,6 +237,12 @@ class Clause:
         return self.is_check and (self.verb in WISHING or "instead" in (*self.near, *self.behind))
 
     @property
+    def leaves_open(self) -> bool:
+        """Whether it is an order to check something that says no state of it."""
+        is_order = self.task.type == "check_state" and self.is_asked
+        return is_order and not self.wording.state and not self.asks_where
+
+    @property
     def is_joined_check(self) -> bool:
         """Whether "and" or "or" may join it to the check before it."""
         return self.is_check and self.boundary in ("none", ",") and not self.far

@@ -12,7 +12,8 @@ from decomplex_bt.understanding.control_flow.contrasts import is_other_case_than
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
 from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
-from decomplex_bt.understanding.control_flow.roles import replied_to, taken_up
+from decomplex_bt.understanding.control_flow.roles.parts import taken_up
+from decomplex_bt.understanding.control_flow.roles.replies import replied_to
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
 

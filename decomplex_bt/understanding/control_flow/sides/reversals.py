@@ -9,7 +9,7 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.failures import is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import turns_on_report
-from decomplex_bt.understanding.control_flow.roles import may_choose, opened_if_not
+from decomplex_bt.understanding.control_flow.roles.orders import may_choose, opened_if_not
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, beside, goes_on
 
 _OTHERS = frozenset("else so if unless when only_if".split())

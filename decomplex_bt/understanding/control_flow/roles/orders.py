@@ -1,0 +1,138 @@
+"""Orders: which orders are a condition of others, said again, or asked about before they are carried out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
+from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_for
+from decomplex_bt.understanding.control_flow.outcomes import asks_needless, needs_found
+from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
+
+_DOING = frozenset(("change_state", "placing", "taking", "bringing"))
+
+
+def ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether what is ordered is so already is no outcome of the order ("open it. *If it's open already*, ...")."""
+    is_outcome = roles[k - 1] == "condition" and roles[k] == "mention" and "mention" not in roles[k + 1 :]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    things = set(clauses[first].objects) if first is not None else set()
+    is_other = bool(things) and things.isdisjoint(clauses[k - 1].objects)
+    # "if the study is empty, close the window; if *that's closed already*, ...", not "if it's on, turn it off; ..."
+    is_nested = (roles[k - 1], roles[k]) == ("task", "mention") and bool(clauses[k - 1].objects) and is_other
+    if (is_outcome or is_nested) and asks_needless(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def ask_of_other_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order that an "or" opens hangs on, said behind it, is a case of its own ("open the window if it's sunny,
+    *or* light the stove *if it's raining*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.is_check
+    is_order = roles[k - 1] in ("task", "or") and order.task.type in _DOING | {"informing", "motion"}
+    is_led = k > 1 and roles[k - 2] == "condition" and order.near[:1] == ("or",) and is_order
+    is_echo = clause.says_only_whether or is_opposite_of(clause, clauses[k - 2])
+    is_case = roles[k] in ("or", "mention", "condition") and not is_echo
+    if is_led and is_behind and is_case and clauses[k - 2].boundary == "none":
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def ask_ahead_of_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an "or if" opens behind an order and its case, with an order of its own, is no part of that case ("hang it
+    up if it's wet, *or if it's dry*, fold it")."""
+    if k < 2 or k + 1 >= len(clauses) or roles[k] != "or" or (roles[k - 2], roles[k + 1]) != ("task", "task"):
+        return
+    order, check, clause, other = clauses[k - 2 : k + 2]
+    is_behind = check.boundary == "none" and check.near == ("if",) and roles[k - 1] == "condition"
+    is_led = clause.boundary == "," and clause.near == ("or", "if") and other.boundary == "," and not other.near
+    if is_behind and is_led and order.sentence == clause.sentence == other.sentence:
+        roles[k] = "mention" if is_opposite_of(clause, check) else "condition"
+
+
+def repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
+    all orders before, or names another thing, says none of them again."""
+    if roles[k] == "again" and not any(roles[j] == "task" and may_repeat(clauses[k], clauses[j]) for j in range(k)):
+        roles[k] = "task"
+    if roles[k] == "task" and any(roles[j] == "task" and _says_again(clauses[k], clauses[j]) for j in range(k)):
+        roles[k] = "again"
+
+
+def _says_again(clause: Clause, before: Clause) -> bool:
+    return repeats(clause, before) or forbids_same(clause, before)
+
+
+def call_off(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells in which case an order is not to be carried out is a condition."""
+    if (roles[k - 1], roles[k]) == ("task", "task") and is_case_against(clauses[k], clauses[k - 1]):
+        roles[k] = "condition"
+
+
+def choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of two orders that an "or" joins the second is for where the first fails."""
+    if may_choose(clauses, roles, k) and roles[k - 1] == "task":
+        roles[k - 1] = "condition"
+
+
+def fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of several fallbacks in a row each is for where the one before it fails, too, and what "or, failing that" opens
+    is for where the order before it does, in a case that denies something ("if there's no bread, bring crackers *or,
+    failing that, an apple*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_or = {"or", "fail"} <= {*clause.far, *clause.near} and clause.sentence == order.sentence
+    is_denied = k > 1 and roles[k - 2] in CONDITION_ROLES and clauses[k - 2].wording.is_negated
+    is_for_order = is_or and is_denied and order.task.type != "check_state" and not order.is_forbidden
+    is_next = roles[k - 1] == "task" and roles[k] in ("task", "condition")
+    if is_next and (is_for_order or is_fallback_for(clause, order)):
+        roles[k - 1] = "condition"
+
+
+def turn_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an "if not" opens is no condition of what an "otherwise" opens behind it."""
+    if opened_if_not(clauses, roles, k) == k - 1 and roles[k - 1] == "condition":
+        roles[k - 1] = "task"
+
+
+def opened_if_not(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The order that an "if not" opens right behind a condition, where an "otherwise" opens task `k` and nothing but
+    what is done in that case stands between ("is it dry? *If not, hang it up*, otherwise ..."): `k` itself where no
+    task stands between ("if not, fine, otherwise ..."); else None."""
+    if clauses[k].turns[-1:] != ("otherwise",) or len(clauses[k].turns) > 2:
+        return None
+    first = k
+    if len(clauses[k].turns) == 1:
+        first -= 1
+        while first > 0 and roles[first] == "task" and not clauses[first].turns:
+            first -= 1
+        if not clauses[first].is_done_if_not or clauses[k].sentence - clauses[first].sentence > 1:
+            return None
+    elif clauses[k].turns != ("not", "otherwise"):
+        return None
+    is_behind = first > 0 and roles[first - 1] in CONDITION_ROLES and not clauses[first - 1].wording.is_negated
+    return first if is_behind else None
+
+
+def find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
+    if (roles[k - 1], roles[k]) == ("task", "task") and needs_found(clauses[k], clauses[k - 1]):
+        roles[k - 1] = "condition"
+
+
+def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether task `k` is ordered instead of the one before it, as it may be; not where a condition stands behind them
+    in their sentence ("... or grab the stick if you can't") or chooses between them ("depending on whether ...")."""
+    sentence = clauses[k].sentence
+    around = [j for j, clause in enumerate(clauses) if clause.sentence == sentence]
+    is_chosen = any("depending" in (*clauses[j].far, *clauses[j].near) for j in around)
+    is_asked = any(roles[j] in CONDITION_ROLES for j in around if j > k)
+    return roles[k] == "task" and is_choice_beside(clauses[k], clauses[k - 1]) and not (is_chosen or is_asked)
+
+
+def ask_of_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order right ahead hangs on is no mention of another state of another thing ("is the tv on? Then turn it
+    off, and close the window if *it's open*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if (roles[k - 1], roles[k]) == ("task", "mention") and first is not None:
+        roles[k] = "condition" if asks_of(clauses[k], clauses[k - 1], clauses[first]) else "mention"

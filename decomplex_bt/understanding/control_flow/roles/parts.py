@@ -1,0 +1,146 @@
+"""Parts: whether a check is a part of the condition before it, a mention of it, or a condition of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.contrasts import (
+    is_apart_from,
+    is_content_of,
+    is_named_apart,
+    is_of_another,
+    is_of_other_matter,
+    is_of_other_state,
+    is_opposite_of,
+    is_other_case_than,
+    joining_role,
+)
+from decomplex_bt.understanding.cues import WISHING
+
+_STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
+"""What there is that may be what was named, or an answer to it, in other words."""
+
+
+def join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Checks under one "if" or "unless" are one condition of several parts, and so are a mention of one and a further
+    case ("if he isn't, or if he's late, ...", "if not, or if he's late, ..."); an order to check is none of them
+    ("close it if it's open and *see if the heating is on*")."""
+    if roles[k - 1] in CONDITION_ROLES:
+        roles[k] = joining_role(clauses[k], clauses[k - 1]) or roles[k]
+    is_order = clauses[k].is_asked and not clauses[k].is_question and clauses[k].task.type == "check_state"
+    if roles[k] in JOINTS and is_order and clauses[k - 1].is_check:
+        roles[k] = "condition" if "mention" in roles[k + 1 :] else "task"
+    if roles[k - 1] == "mention" and roles[k] in CONDITION_ROLES and is_other_case_than(clauses[k], clauses[k - 1]):
+        roles[k] = "or"
+    if roles[k] == "condition" and roles[:k] == ["condition", *["task"] * (k - 1)] and clauses[k].is_added_to_otherwise:
+        roles[k] = "or"
+
+
+def part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A check whose words are of another matter than those of all conditions before it is no mention of one, but a
+    condition of its own; and then what an order to check asks is asked of nothing ("check if it is done, and if it's
+    burnt, ...")."""
+    clause, before = clauses[k], clauses[k - 1]
+    is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
+    is_order_to_check = is_bare and before.is_asked and is_of_other_matter(clause, before)
+    firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
+    if is_order_to_check or (is_bare and is_of_other_state(clause, before)):
+        roles[k - 1 : k + 1] = "task", "condition"
+    elif roles[k] == "mention" and firsts and all(is_of_another(clause, first) for first in firsts):
+        roles[k] = "condition"
+    last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    if roles[k] == "mention" and roles[last] == "mention" and is_named_apart(clause, clauses[last]):
+        roles[k] = "condition"
+
+
+def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tests the opposite of the condition before, of the same thing, is a mention of it."""
+    clause = clauses[k]
+    before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] == "condition" and before is not None and "if" in clause.near and is_opposite_of(clause, before):
+        roles[k] = "mention"
+
+
+def hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That something is in what was asked to be empty is its other side ("if the basket is empty, ...; if *it still
+    contains clothes*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
+        return
+    is_opened = "if" in clauses[k].near and clauses[k].boundary != "none"
+    is_changed = any(not clauses[j].effects.isdisjoint(("empty", "full")) for j in range(first + 1, k))
+    if is_opened and not is_changed and is_content_of(clauses[k], clauses[first]):
+        roles[k] = "mention"
+
+
+def look_after(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What an order to check leaves open is asked right behind it ("check on the baby. *If she's crying*, ...")."""
+    clause, check = clauses[k], clauses[k - 1]
+    is_asked = clause.is_check and clause.has_pronoun and not clause.objects and bool(clause.said_state)
+    is_open = not check.is_question and check.leaves_open and roles[k - 1] == "condition"
+    if is_asked and is_open and clause.near == ("if",) and roles[k] == "condition":
+        roles[k] = "mention"
+
+
+def take_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Where one of two conditions that "and" joins is spoken of again alone, the second is asked where the first
+    holds."""
+    part = taken_up(clauses, roles, k)
+    if part is not None:
+        second = part if roles[part] == "and" else part + 1
+        roles[second] = "condition" if roles[second] == "and" else roles[second]
+
+
+def taken_up(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """Of two conditions that "and" joins the one that mention `k`, which names nothing, is of: the one that asks for
+    its state, or the opposite, or, where it says "there", for a place ("if he is in his room and he's awake, ...; *if
+    he's asleep*, ...", "...; *if he isn't there*, ..."); else None."""
+    clause = clauses[k]
+    second = next((j for j in range(k - 1, 0, -1) if roles[j] != "task"), 0)
+    first = second - 1
+    if first < 0 or roles[first] != "condition" or roles[second] not in ("condition", "and") or roles[k] != "mention":
+        return None
+    if not clause.has_pronoun or clause.objects or clauses[second].wording.joins != "and":
+        return None
+    if clause.wording.state is not None:
+        fitting = [j for j in (first, second) if _are_of_one_state(clauses[j].wording, clause.wording)]
+    else:
+        fitting = [j for j in (first, second) if clauses[j].is_of_whereabouts and "there" in clause.places]
+    return fitting[0] if len(fitting) == 1 else None
+
+
+def _are_of_one_state(one: Wording, other: Wording) -> bool:
+    return one.state == other.state or one.is_opposite_of(other) or other.is_opposite_of(one)
+
+
+def name_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether there is something that was not spoken of is no mention of what state another thing is in ("check whether
+    the timer is on; if *there are five minutes* left, ...")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first is None or not (clause.says_there_is and clauses[first].said_state):
+        return
+    named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
+    if clause.objects and named.isdisjoint(clause.objects) and _STANDING_FOR.isdisjoint(clause.objects):
+        roles[k] = "condition"
+
+
+def find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That nobody is in a place is no failure of an order that has nothing to do with it ("wash the pan. If nobody is
+    in the study, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first is None or not is_apart_from(clauses[k], clauses[first]):
+        return
+    roles[k] = "condition"
+    if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
+        roles[first] = "task"
+
+
+def wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What somebody wants is no mention of a condition, where nothing before was a wish ("if he's out, ... Offer him a
+    tea; *if he doesn't want one*, ...")."""
+    is_first = not any(before.is_wish or not WISHING.isdisjoint(before.question) for before in clauses[:k])
+    if roles[k] == "mention" and clauses[k].is_check and clauses[k].verb in WISHING and is_first:
+        roles[k] = "condition"

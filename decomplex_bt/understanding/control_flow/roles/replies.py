@@ -1,0 +1,206 @@
+"""Replies: what tells how an order or a question before it went."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clauses import last_named
+from decomplex_bt.understanding.control_flow.contrasts import is_asked_again_after
+from decomplex_bt.understanding.control_flow.failures import (
+    finds_out,
+    is_absence_of,
+    is_failure_of,
+    lacks_too,
+    tries_out,
+)
+from decomplex_bt.understanding.control_flow.outcomes import (
+    answers_ring,
+    comes_through,
+    is_answer_to,
+    turns_on_answer,
+    turns_on_report,
+)
+
+_DOING = frozenset(("change_state", "placing", "taking", "bringing"))
+
+
+def ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A question with its opposite is one condition ("is it in the shed *or isn't it*?")."""
+    clause, before = clauses[k], clauses[k - 1]
+    is_echo = clause.says_only_whether and clause.near[:1] == ("or",) and {"or", "not"}.issuperset(clause.near)
+    is_turned = clause.wording.is_negated != before.wording.is_negated and clause.sentence == before.sentence
+    if is_echo and is_turned and before.is_question and roles[k - 1] in CONDITION_ROLES:
+        roles[k] = "mention"
+
+
+def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether something is still so, once something was done about it, is asked anew ("if it's red, restart it, and if
+    it's *still red*, call Tom")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), None)
+    if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
+        return
+    is_done = any(clauses[j].task.type in _DOING for j in range(first + 1, k))
+    if clauses[first].is_check and is_done and is_asked_again_after(clauses[k], clauses[first]):
+        roles[k] = "condition"
+
+
+def find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells how something before it went is a mention of that, which is thereby a condition."""
+    found_out = _found_out(clauses, roles, k) if roles[k] in CONDITION_ROLES else None
+    if found_out is not None:
+        roles[k] = "mention"
+        roles[found_out] = "condition" if roles[found_out] == "task" else roles[found_out]
+
+
+def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """What finds out what clause `k` tells of: the one before it, be it that who should get something is not there
+    ("take it to Anna, and if she's out, ...") or that what was to be changed does not do so ("unlock it. If it won't
+    open, ..."), or the one before that where what is between is done with what was found ("get it from the box and
+    hang it up. If it isn't in the box, ...") or is done in that case ("look in the box, and tell me if it isn't
+    there")."""
+    before, clause = clauses[k - 1 : k + 1]
+    earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
+    is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
+    is_failure = is_failure_of(clause, before, last_named(clauses, k))
+    is_outcome = (finds_out(before, clause) and is_own) or is_failure
+    is_lacking = roles[k] == "mention" and lacks_too(clause, before)
+    if (is_outcome and not clause.is_trailing) or is_lacking:
+        return k - 1
+    if is_absence_of(clause, before) and not _is_asked_after(clause, before, earlier) and not clause.is_trailing:
+        return k - 1
+    if k > 1 and roles[k - 1] == "task" and finds_out(clauses[k - 2], clauses[k]):
+        return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
+    return None
+
+
+def _is_asked_after(clause: Clause, before: Clause, earlier: Sequence[Clause]) -> bool:
+    """Whether an earlier condition asks where the one is who, by `clause`, is not there for the errand `before`: then
+    it is that one which `clause` mentions."""
+    if clause.says_too and clause.is_of_person:
+        return False  # "and if she isn't in *either*"
+    checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
+    checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
+    return any(not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks)
+
+
+def try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether what was fetched or put somewhere does what it is for is no mention of the fetching ("bring me the torch.
+    If *it doesn't work*, take the lamp")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] != "mention" or first != k - 1 or roles[first] != "condition" or "mention" in roles[k + 1 :]:
+        return
+    if tries_out(clauses[k], clauses[first]):
+        roles[first : k + 1] = "task", "condition"
+
+
+def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What a "when" says to be so in the end is waited for where the order right before brings it about ("if the oven
+    isn't hot, turn it on. *When it is hot*, put the cake in")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_when = roles[k] == "mention" and clause.near == ("when",) and clause.boundary != "none" and clause.is_check
+    if is_when and roles[k - 1] == "task" and not clause.wording.is_negated and comes_through(clause, order):
+        roles[k] = "task"
+
+
+def miss(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That somebody is not there tells of the look for them, not of what is given or told them then ("find Tom and give
+    him this. *If he isn't there*, ...")."""
+    if k < 2 or roles[k] != "mention" or not clauses[k].says_absent or not clauses[k].is_of_person:
+        return
+    search, order = clauses[k - 2 : k]
+    is_told = order.task.type in ("bringing", "informing") and order.near[-1:] == ("and",) and order.has_pronoun
+    if search.task.type == "searching" and is_told and not order.receivers and search.may_be_of_person:
+        roles[k - 2 : k] = "condition", "task"
+
+
+def answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What tells how somebody answered is no mention of a condition before the question; and "if he says no" or "if he
+    refuses" none of the question."""
+    order = replied_to(clauses, roles, k)
+    if roles[k] == "mention" and order is not None:
+        is_offer = clauses[order].task.type == "bringing"  # "offer her the tea, and if she refuses": not given then
+        if roles[order] == "task" or not is_offer:
+            roles[order], roles[k] = "task", "condition"
+    if roles[k] == "condition" and _is_other_reply(clauses, roles, k):
+        roles[k] = "mention"
+    is_last = "mention" not in roles[k + 1 :]
+    if roles[k - 1 : k + 1] == ["condition", "mention"] and is_last and answers_ring(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
+    if clauses[k].says_answer and clauses[k - 1].question and roles[k - 1 : k + 1] == ["condition", "mention"]:
+        roles[k - 1 : k + 1] = "task", "condition"
+    others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
+    if roles[k] == "mention" and others and is_answer_to(clauses[k], clauses[k - 1], others):
+        roles[k] = "condition"
+
+
+def replied_to(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The order that clause `k` tells somebody's reply to ("if she's in, *ask her to come*, ... If she refuses, ..."):
+    the last one to ask, tell or offer something, without a condition between; else None."""
+    if not clauses[k].says_reply:
+        return None
+    order = k - 1
+    while order > 0 and roles[order] == "task" and not clauses[order].is_put_to_somebody:
+        order -= 1
+    is_near = clauses[k].sentence - clauses[order].sentence <= 1 and roles[order] in ("task", "condition")
+    return order if order >= 0 and is_near and clauses[order].is_put_to_somebody else None
+
+
+def _is_other_reply(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether it tells the other of two replies: "if he agrees, ...; *if he refuses*, ..."."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), k)
+    one, other = clauses[first].wording, clauses[k].wording
+    are_replies = clauses[k].says_reply and clauses[first].says_reply and first < k
+    return are_replies and (one.is_contrary != one.is_negated) != (other.is_contrary != other.is_negated)
+
+
+def ask_openly(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What no yes or no answers is no condition, so what is asked behind it is one of its own ("see what he's doing,
+    and if he's asleep, ...")."""
+    if clauses[k - 1].asks_open and roles[k - 1] == "condition":
+        roles[k - 1] = "task"
+        roles[k] = "condition" if roles[k] in CONDITION_ROLES else roles[k]
+
+
+def report(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is to be told is a condition of what is done in one case of it ("tell me if it's on and switch it off if
+    so"), and so is what somebody is asked ("ask him if he wants tea, and if so, make some")."""
+    if (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    if turns_on_report(clauses[k], clauses[k - 1]) or turns_on_answer(clauses[k], clauses[k - 1]):
+        roles[k - 1] = "condition"
+
+
+def lack_too(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What somebody does not do or have "either" tells how the order right before went, as the same said of another one
+    told of an order of its own ("call Tom. If he doesn't answer, call Ann. If *she doesn't answer either*, ...")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_too = clause.says_too and clause.wording.is_negated and clause.has_pronoun and roles[k] == "mention"
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if not is_too or first is None or roles[k - 1] != "task" or order.task.type not in ("informing", "searching"):
+        return
+    if clauses[first].verb == clause.verb and clauses[first].wording.is_negated:
+        roles[k - 1 if roles[first] == "mention" else k] = "condition"
+
+
+def be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Behind "if you can ..., do this" an "if you can't" is of that, and not of what is done ("if you can find it,
+    bring it; if you can't, tell me")."""
+    if clauses[k].ability != "denied" or roles[k - 1] != "condition" or clauses[k - 1].ability:
+        return
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] != "task"), None)
+    if first is not None and roles[first] == "condition" and clauses[first].ability == "asked":
+        roles[k - 1] = "task"
+
+
+def be_unable(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Behind the one order of a case that asks neither what can be done nor what can be found an "if you can't" is of
+    that order ("unless it's raining, open the gate. *If you can't*, tell me")."""
+    if k < 2 or clauses[k].ability != "denied" or tuple(roles[k - 2 : k + 1]) != ("condition", "task", "task"):
+        return
+    check, order = clauses[k - 2 : k]
+    is_case = check.is_check and not check.ability
+    if is_case and order.task.type in _DOING | {"informing"} and not order.is_forbidden and not order.turns:
+        roles[k - 1] = "condition"
