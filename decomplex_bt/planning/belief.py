@@ -44,6 +44,7 @@ class Belief:
         self._state_seen: dict[tuple[str, str], int] = {}
         self._state_changed: dict[tuple[str, str], int] = {}
         self._visited: dict[str, int] = {}
+        self._asked: set[str] = set()  # where somebody wanted to know whether the robot is, or was
         self._looks: Counter[str] = Counter()
         self._inspected: dict[str, int] = {}
         self._noted: dict[Atom, int] = {}
@@ -59,7 +60,7 @@ class Belief:
         """A belief that goes its own way from here."""
         other = Belief(self.domain, prior=self.prior)
         for name, value in vars(self).items():
-            setattr(other, name, value.copy() if isinstance(value, dict) else value)
+            setattr(other, name, value.copy() if isinstance(value, dict | set) else value)
         return other
 
     # -- what comes in ------------------------------------------------------------------------------------------------
@@ -77,7 +78,9 @@ class Belief:
         if is_nothing_new:
             # It shows what the last one did, which had left nothing open: only times go on.
             self._is_behind = True
-            self.revision += has_moved
+            # A decision that never asked about the places that were come to or left is what it was.
+            has_changed = last.room != percept.room or not self._asked.isdisjoint(last.near ^ percept.near)
+            self.revision += has_moved and has_changed
             return
         for name in (percept.room, *percept.near):
             self._visited[name] = self.tick
@@ -168,6 +171,12 @@ class Belief:
     def near(self) -> frozenset[str]:
         return self.percept.near
 
+    def is_near(self, name: str | None) -> bool:
+        """Whether the robot is at a place or person now; who asks is told by `revision` when that changes."""
+        if name is not None:
+            self._asked.add(name)
+        return name in self.percept.near
+
     def place_of(self, name: str) -> str | None:
         """Where a thing is: a place, a person, or "robot"; a person's room; None where it is not known."""
         return self._place.get(name)
@@ -210,6 +219,7 @@ class Belief:
     def visited(self, name: str) -> int:
         """The tick at which the robot was last in a room or at a position, `NEVER` if it was not."""
         self._catch_up()
+        self._asked.add(name)
         return self._visited.get(name, NEVER)
 
     def inspected(self, place: str) -> int:

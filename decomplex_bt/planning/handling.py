@@ -111,7 +111,7 @@ class Handling(Looking):
             return None
         if (fetch := self._fetch(has_arrived)) is not None:
             return fetch
-        if any(name in self.belief.near for name in places):
+        if any(map(self.belief.is_near, places)):
             return None
         places.sort(key=self._distance)
         return self._ongoing((Atom("at", (places[0],)),), f"going to {target.phrase}")
@@ -240,7 +240,7 @@ class Handling(Looking):
 
     def _is_at(self, name: str) -> bool:
         """Whether the robot is at a place or person now."""
-        return self._standing_for(name) in self.belief.near
+        return self.belief.is_near(self._standing_for(name))
 
     def _with_people(
         self, referents: Sequence[Referent], goal_of: Callable[[str], tuple[Atom, ...]], is_done: Callable[[str], bool]
