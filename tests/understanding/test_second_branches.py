@@ -273,3 +273,35 @@ def test_a_wish_is_an_order(interpreter: Interpreter, text: str) -> None:
 )
 def test_an_or_without_a_comma_leads_to_an_if_not(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 2, "then": [1], "else": [3]}]
+
+
+def test_what_is_taken_to_a_room_is_there_before_it_is_put_down(interpreter: Interpreter) -> None:
+    text = "Take this jug to the kitchen. If the washer is running, put it in the sink."
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+def test_what_cannot_be_taken_to_a_room_is_put_elsewhere(interpreter: Interpreter) -> None:
+    text = "Take the parcel to the kitchen. If the kitchen is locked, put it on the mat."
+    assert flow(interpreter, text) == [{"if": 2, "then": [3], "else": [1]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Set the table for four, or for five if Joe is coming.",
+        "Set the table for six if Joe is here, otherwise for five.",
+    ],
+)
+def test_a_number_of_people_may_be_another(interpreter: Interpreter, text: str) -> None:
+    (node,) = flow(interpreter, text)
+    assert len(node["then"]) == len(node["else"]) == 1
+
+
+def test_what_was_picked_up_is_worked_on_otherwise(interpreter: Interpreter) -> None:
+    text = "Pick up the cape and iron it if it's wrinkled, otherwise fold it."
+    assert flow(interpreter, text) == [1, {"if": 3, "then": [2], "else": [4]}]
+
+
+def test_an_oh_adds_as_an_and_does(interpreter: Interpreter) -> None:
+    text = "Can you bring me the salt? Oh, and the pepper too, if it's on the bench."
+    assert flow(interpreter, text) == [1, {"if": 3, "then": [2]}]

@@ -203,3 +203,14 @@ def test_how_warm_it_is_is_said_of_no_thing(interpreter: Interpreter, text: str,
 )
 def test_what_can_be_hot_is_said_to_be_so(interpreter: Interpreter, text: str, thing: str) -> None:
     assert interpreter.interpret(text).tasks[1].value("object") == thing
+
+
+@pytest.mark.parametrize("state", ["free", "empty"])
+def test_a_room_is_free_where_nobody_is(interpreter: Interpreter, state: str) -> None:
+    text = f"See if anyone is in the study. If it's {state}, open the hatch."
+    assert flow(interpreter, text) == [{"if": [1, 2], "else": [3]}]
+
+
+def test_it_is_asked_anew_if_a_thing_still_does_not_work(interpreter: Interpreter) -> None:
+    text = "If the lamp doesn't work, change the bulb, and if it still doesn't work, tell Kim."
+    assert flow(interpreter, text) == [{"if": 1, "else": [2, {"if": 3, "else": [4]}]}]

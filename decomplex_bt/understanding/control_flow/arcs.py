@@ -34,6 +34,9 @@ BOTH = "="
 """Ends an attachment of what is done on the other side as well."""
 
 
+_DESERTED = frozenset("free empty vacant unoccupied available deserted clear".split())
+
+
 @dataclass(frozen=True, slots=True)
 class Arc:
     """The three labels of one task."""
@@ -49,7 +52,8 @@ class Wording:
     any, the number of its sentence, the order labels that its own cues speak for ("before you ...": `after`), and the
     `and` or `or` that joins it, as stated, to the clause before it as stated, without an "if" of its own ("unless A or
     B" is not A `and` not B). `is_contrary`: by its word alone it says that something failed or is not there ("if it
-    sticks", "if she is gone"). `is_echo`: it affirms what was said and says no more ("if she is")."""
+    sticks", "if she is gone"). `is_echo`: it affirms what was said and says no more ("if she is").
+    `is_of_anybody`: it asks if somebody is somewhere or does something."""
 
     is_negated: bool = False
     state: str | None = None
@@ -59,6 +63,7 @@ class Wording:
     joins: str = ""
     is_contrary: bool = False
     is_echo: bool = False
+    is_of_anybody: bool = False
 
     def is_opposite_of(self, other: Wording) -> bool:
         return self.state is not None and self.opposite is not None and other.state == self.opposite
@@ -68,6 +73,8 @@ class Wording:
         thing (else why say it), or that it failed."""
         if self.state is not None and first.state is not None and self.state != first.state:
             return True
+        if first.is_of_anybody and self.state in _DESERTED:
+            return True  # "see if anyone is in there. If it's free, ..."
         return self.is_contrary and not first.is_contrary
 
 

@@ -21,6 +21,7 @@ _LEFT = frozenset(("they", "it", "those"))
 _ADDED = frozenset("if all already now completely just still and but or".split())
 BEING = frozenset(("be", "'s", "'re", "s"))
 REFERRING = frozenset("it them that this those these one ones there he she her him they both some any em".split())
+_ANYBODY = frozenset("anyone anybody someone somebody".split())
 _WHO = frozenset("it them him her me us".split())
 _Cues = tuple[Sequence[str], Sequence[str], Sequence[str]]
 _CLOSING = PUNCTUATION | {"but"}
@@ -82,6 +83,7 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         or (state == "out" and is_being_of(observed.document, task, PERSONS)),
         # "if he is", "if it does", "when they have"
         is_bare(observed.document, task, last, ECHOING) or _says_who(observed.document, task),
+        is_of_somebody(observed.document, task, _ANYBODY),
     )
 
 

@@ -469,7 +469,7 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
         return False  # "bring me one if there is one, with a fork"
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
     if is_led and len(words) == 2 and words[1].pos == "NUM":
-        return words[0].lower == "to"  # "to twenty, or *to eighteen* if nobody is in"
+        return words[0].lower in _TO_WHOM  # "to twenty, or *to eighteen* if nobody is in", "for five"
     if is_led and len(words) == 2 and words[1].tag == "PRP":
         return words[0].lower in _TO_WHOM  # "to Tom if he's in, *to me* if not"
     if words[0].lower in _SOMETHING and words[-1].lower != "else":

@@ -112,6 +112,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type="searching" if task.token in looked else "informing")
         if task.type == "motion" and document.tokens[task.token].lemma == "use":
             task = replace(task, type="placing" if any(one.type == "placing" for one in found) else task.type)
+        if task.type == "informing" and document.tokens[task.token].lemma == "feed":
+            task = replace(task, type="change_state")
         if _asks_got(document, task.token):
             task = replace(task, type="check_state")
         if (be := prospect_of(document, task.token)) is not None:

@@ -41,6 +41,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(i for opener in _openers(said) for i in opener)
     cut.update(i for sound in _hesitations(said) for i in sound)
     cut.update(i for tag in _tags(said) for i in tag)
+    cut.update(i for opener in _additions(said) for i in opener)
     for run in said.runs:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
@@ -64,6 +65,15 @@ def _openers(said: Said) -> Iterator[range]:
         is_order = tokens[stop].pos == "VERB" and words[stop] == tokens[stop].lemma
         if is_marked or is_order or words[stop] in _OPENING_ORDERS:
             yield range(start, stop)
+
+
+def _additions(said: Said) -> Iterator[range]:
+    """Every "oh," that begins a sentence that goes on with an "and" ("*Oh,* and the lamp, too, if it's on")."""
+    words, sentences = said.words, said.document.sentences
+    for i in range(len(words) - 2):
+        is_first = i == 0 or sentences[i - 1] != sentences[i]
+        if is_first and words[i : i + 3] == ["oh", ",", "and"]:
+            yield range(i, i + 2)
 
 
 def _hesitations(said: Said) -> Iterator[range]:

@@ -59,7 +59,12 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tests the opposite of the condition before, of the same thing, is a mention of it."""
     clause = clauses[k]
     before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if roles[k] == "condition" and before is not None and "if" in clause.near and is_opposite_of(clause, before):
+    if (
+        roles[k] == "condition"
+        and before is not None
+        and not {"if", "when"}.isdisjoint(clause.near)
+        and is_opposite_of(clause, before)
+    ):
         roles[k] = "mention"
 
 

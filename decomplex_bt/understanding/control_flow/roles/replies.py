@@ -23,6 +23,8 @@ from decomplex_bt.understanding.control_flow.outcomes import (
     turns_on_report,
 )
 
+_MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
+"""After what it is asked anew if a thing works."""
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 
@@ -38,6 +40,9 @@ def ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Whether something is still so, once something was done about it, is asked anew ("if it's red, restart it, and if
     it's *still red*, call Tom")."""
+    is_after = clauses[k].says_still and clauses[k - 1].verb in _MENDING and clauses[k].is_check
+    if is_after and roles[k - 1 : k + 1] == ["condition", "mention"]:  # "change the bulb, and if it still doesn't work"
+        roles[k - 1 : k + 1] = "task", "condition"
     first = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), None)
     if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
         return

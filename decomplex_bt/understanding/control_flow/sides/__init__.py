@@ -65,6 +65,7 @@ _RULES = (
     substitutions.clear_way,
     substitutions.go_besides,
     substitutions.do_back,
+    substitutions.carry_in,
     substitutions.have_in_hand,
     substitutions.check_ahead,
     scopes.ask_anew,

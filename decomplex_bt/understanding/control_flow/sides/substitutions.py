@@ -14,6 +14,10 @@ _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _LEAVING = frozenset(("leave", "keep"))
 _CARRYING = frozenset(("placing", "bringing", "taking"))
+_ROOMS = frozenset(
+    "kitchen bathroom bedroom hall hallway study office garage room nursery laundry lounge cellar attic basement "
+    "pantry shed terrace balcony garden patio ward".split()
+)
 _USELESS = frozenset(
     "dirty broken cracked torn ripped chipped empty stale sour mouldy moldy rotten used use order taken occupied gone "
     "missing lost finished flat dead".split()
@@ -240,7 +244,8 @@ def have_in_hand(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     is_taken = is_one and taken.task.type == "taking" and bool(taken.objects) and order.near == ("and",)
     are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
     is_turned = {sides[k - 1][-1:], sides[k + 1][-1:]} == {"+", "-"} and sides[k - 2] == sides[k - 1][:3]
-    if is_taken and are_of_it and is_turned and sides[k - 2][:2] == ">1" and other.task.type in MOVING:
+    is_done = sides[k - 2][:2] == ">1" and other.task.type in MOVING | {"change_state"}
+    if is_taken and are_of_it and is_turned and is_done:
         sides[k - 2] = "top"
 
 
@@ -257,3 +262,19 @@ def run_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_replaced = any(clauses[j].task.type == order.task.type and sides[j] == HOLDS for j in later)
     if is_of_all and is_useless and is_replaced and order.task.type in _CARRYING and not check.wording.is_negated:
         sides[k - 1] = ">1-"
+
+
+def carry_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is taken to a room is there before a case says where in it: "take the cup to the kitchen. If the dishwasher
+    is on, *put it in the sink*", not "if the kitchen is locked, put it on the mat"."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_taken = order.task.type == "bringing" and not _ROOMS.isdisjoint(order.receivers) and sides[k - 1] == ">1-"
+    is_taken = is_taken and all(kind != "recipient" for kind, _ in order.task.arguments)
+    is_put = other.task.type == "placing" and other.has_pronoun and not other.objects and bool(other.receivers)
+    is_inside = is_put and _ROOMS.isdisjoint(other.receivers) and "instead" not in other.behind
+    is_led = check.is_check and check.near[-1:] == ("if",) and not {*check.near} - {"and", "if"} and not other.near
+    is_of_room = not check.nouns.isdisjoint(order.receivers) or check.is_of_weather or check.has_pronoun
+    if is_taken and is_inside and is_led and not is_of_room and sides[k + 1] == HOLDS:
+        sides[k - 1] = "top"
