@@ -76,3 +76,8 @@ def test_what_somebody_is_doing_is_a_state(interpreter: Interpreter, text: str, 
     found = interpreter.interpret(text)
     assert found.to_json()["flow"] == [{"if": 1, "then": [2]}]
     assert found.tasks[0].value("state") == state
+
+
+def test_to_bring_is_no_gerund(interpreter: Interpreter) -> None:
+    text = "any batteries left in the drawer if there are bring me two"
+    assert flow(interpreter, text) == [{"if": 1, "then": [2]}]

@@ -9,7 +9,7 @@ from itertools import dropwhile
 from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import WISHING
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
@@ -36,6 +36,7 @@ _BEFORE_WEATHER = frozenset(
 """What may stand between the verb of a check and the word for the weather or the day."""
 _WHETHER = frozenset(("whether", "if"))
 _TEMPERATURES = frozenset("hot cold warm freezing chilly cool icy wet dry".split())
+_NO_GERUNDS = frozenset("bring sing ring fling swing string sting cling".split())
 _WARMTH = frozenset("hot cold warm freezing chilly cool stuffy nippy muggy humid".split())
 _AIRED = frozenset(
     "window fan blind curtain shutter awning door heating heater fire fireplace aircon ac jumper jacket coat sweater "
@@ -69,11 +70,16 @@ def without_air(document: Document, arguments: Sequence[FoundArgument], check: i
     return [a for a in arguments if a is not thing] if is_air else list(arguments)
 
 
+def is_gerund(token: Token) -> bool:
+    """Whether a verb says what somebody is doing; of "if there are bring me two" the tagger says so, too."""
+    return token.tag == "VBG" and token.lower not in _NO_GERUNDS
+
+
 def doing(document: Document, check: int) -> dict[str, range]:
     """What somebody is doing to something, as the state of the check: "if Dad is still *mowing the lawn*"."""
     tokens = document.tokens
     verb = next((t.i for t in tokens[check + 1 :] if t.tag != "RB"), check)
-    if tokens[check].lower not in _BE | {"are", "'re", "\u2019re"} or tokens[verb].tag != "VBG":
+    if tokens[check].lower not in _BE | {"are", "'re", "\u2019re"} or not is_gerund(tokens[verb]):
         return {}
     thing = next((phrase for phrase in noun_chunks(document) if phrase.start == verb + 1), None)
     if thing is None or tokens[thing.start].tag not in ("DT", "PRP$"):  # not "if it's sticking turn it down"

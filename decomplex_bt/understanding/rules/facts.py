@@ -12,7 +12,7 @@ from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
-from decomplex_bt.understanding.rules.checks import whole_state
+from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.contractions import reports
@@ -156,7 +156,7 @@ def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bo
     """Whether a verb says what somebody is doing where that is a check: "if Dad *is* still *mowing* the lawn"."""
     is_check = check.type == "check_state" != task.type and document.tokens[check.token].lower in _BE
     between = document.tokens[check.token + 1 : task.token]
-    return is_check and document.tokens[task.token].tag == "VBG" and all(token.tag == "RB" for token in between)
+    return is_check and is_gerund(document.tokens[task.token]) and all(token.tag == "RB" for token in between)
 
 
 def _asks_got(document: Document, at: int) -> bool:
