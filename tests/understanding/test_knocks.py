@@ -101,3 +101,14 @@ def test_the_rest_of_one_thing_is_in_its_case(interpreter: Interpreter) -> None:
 def test_another_place_is_used(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Put the toys in the box. If it's full, use the shelf.")
     assert (found.tasks[2].type, found.tasks[2].value("goal")) == ("placing", "the shelf")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Serve the soup as soon as it is hot and open the wine.",
+        "Put the pie in the larder once it's cold and wash the pan.",
+    ],
+)
+def test_what_is_waited_for_keeps_no_other_order(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [2, 1, 3]

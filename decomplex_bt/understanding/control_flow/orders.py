@@ -93,8 +93,9 @@ def _go_behind(
         return
     are_tasks = all(roles[j] == "task" and sides[j] == sides[k] for j in (k - 1, k, k + 1))
     is_added = clauses[k + 1].near == ("and",) and clauses[k + 1].sentence == clause.sentence == before.sentence
-    if are_tasks and is_added and orders[k - 1] in ("after", "last") and orders[k] == "keep":
-        orders[k - 1 : k + 1] = "keep", "before"
+    is_added = is_added and not clauses[k + 1].is_had_done  # "and you have filled it"
+    if are_tasks and is_added and orders[k - 1 : k + 1] == ["keep", "before+"]:
+        orders[k] = "before"
 
 
 def _go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
