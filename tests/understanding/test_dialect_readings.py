@@ -8,11 +8,6 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load("household")
-
-
 @pytest.mark.parametrize("said", ["I cannae see", "I didny see", "I WASNAE there", "Winna it open?"])
 def test_a_verb_joined_to_its_not_is_two_words(said: str) -> None:
     assert len(Parser().parse(said).tokens) > len(said.replace("?", " ?").split())

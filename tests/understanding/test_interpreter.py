@@ -16,11 +16,6 @@ from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter, 
 PEN = "Bring me a pen if you can find one on the desk, otherwise look in the drawer."
 
 
-@pytest.fixture(scope="module")
-def interpreter():
-    return Interpreter.load("household")
-
-
 def assert_valid(instruction, ontology):
     assert Flow.from_json(instruction.flow.to_json(), task_count=len(instruction.tasks)) == instruction.flow
     starts = [task.span.start for task in instruction.tasks]

@@ -5,17 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from readings import flow
 
 from decomplex_bt.understanding.interpreter import Interpreter
-
-
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load("household")
-
-
-def flow(interpreter: Interpreter, text: str) -> Any:
-    return interpreter.interpret(text).to_json()["flow"]
 
 
 @pytest.mark.parametrize("text", ["Knock and go in.", "Knock before you go in.", "First knock, then go in."])

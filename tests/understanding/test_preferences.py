@@ -15,11 +15,6 @@ def parser() -> Parser:
     return Parser()
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load("household")
-
-
 @pytest.mark.parametrize(
     ("text", "told"),
     [

@@ -12,11 +12,6 @@ from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load("household")
-
-
 def test_an_order_of_both_sides_stands_in_both_branches() -> None:
     arcs = [Arc("task", ">1+="), Arc("condition", "top"), Arc("mention", "<1"), Arc("task", "<1+", "before")]
     wordings = [Wording(), Wording(), Wording(is_negated=True), Wording()]

@@ -8,11 +8,6 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load("household")
-
-
 @pytest.mark.parametrize(
     ("text", "kind", "thing", "state"),
     [

@@ -14,11 +14,6 @@ def parser() -> Parser:
     return Parser()
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load()
-
-
 @pytest.mark.parametrize(
     ("text", "carriers"),
     [

@@ -7,11 +7,6 @@ import pytest
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
-@pytest.fixture(scope="module")
-def interpreter() -> Interpreter:
-    return Interpreter.load()
-
-
 @pytest.mark.parametrize(
     ("text", "value"),
     [
