@@ -32,9 +32,8 @@ ORDERS = ("keep", "before", "after", "first", "last", "before+", "first+")
 TOP = "top"
 BOTH = "="
 """Ends an attachment of what is done on the other side as well."""
-
-
 _DESERTED = frozenset("free empty vacant unoccupied available deserted clear".split())
+"""Says of a place that nobody is there."""
 
 
 @dataclass(frozen=True, slots=True)

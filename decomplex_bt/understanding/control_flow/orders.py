@@ -93,7 +93,6 @@ def _go_behind(
         return
     are_tasks = all(roles[j] == "task" and sides[j] == sides[k] for j in (k - 1, k, k + 1))
     is_added = clauses[k + 1].near == ("and",) and clauses[k + 1].sentence == clause.sentence == before.sentence
-    is_added = is_added and not clauses[k + 1].is_had_done  # "and you have filled it"
     if are_tasks and is_added and orders[k - 1 : k + 1] == ["keep", "before+"]:
         orders[k] = "before"
 

@@ -97,7 +97,7 @@ _RULES = (
     scopes.answer_ring,
     reversals.choose,
     reversals.pick,
-    reversals.share,
+    resumptions.share,
     preparations.make_ready,
     preparations.use_found,
 )

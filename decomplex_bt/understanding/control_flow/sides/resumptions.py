@@ -194,6 +194,23 @@ def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = "top"
 
 
+def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done, set off by a comma, with what is picked up in one case and got otherwise in the other is done with
+    either ("take a plate if there is one, otherwise take a bowl, *and bring it to me*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "task"):
+        return
+    is_one = clause.sentence == order.sentence == clauses[first].sentence
+    is_set_off = is_one and clause.boundary == "," and clause.near in (("and",), ("then",), ("and", "then"))
+    is_of_it = clause.has_pronoun and not clause.objects and clause.task.type in ("bringing", "placing")
+    is_other = sides[k] == sides[k - 1] == FAILS and order.task.type in ("taking", "change_state")
+    held = [j for j in range(k - 1) if sides[j] == HOLDS or (sides[j] == ">1+" and j == first - 1)]
+    is_held = bool(held) and all(clauses[j].task.type == "taking" and roles[j] == "task" for j in held)
+    if is_set_off and is_of_it and is_other and is_held:
+        sides[k] = beside(sides[first])
+
+
 def _take_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int, outer: str) -> None:
     """Takes an order, and what goes on with it, out of the case that it hangs on to where that stands itself."""
     side, outside = sides[k], beside(outer)

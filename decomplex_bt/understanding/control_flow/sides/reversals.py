@@ -233,6 +233,15 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[j] = right
 
 
+def pick(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with those of what is to be checked that are not so is done where it is not so ("check that the
+    windows are shut *and shut any that aren't*")."""
+    check, clause = clauses[k - 1], clauses[k]
+    is_next = (roles[k - 1], roles[k]) == ("condition", "task") and check.sentence == clause.sentence
+    if is_next and clause.picks and check.is_asked and sides[k] in (HOLDS, FAILS):
+        sides[k] = FAILS if (clause.picks == "not") != check.wording.is_negated else HOLDS
+
+
 def _is_echoed_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
     """Whether an echo that affirms a condition stands right before, and what is done in that case before the echo."""
     is_echo = k > 1 and (roles[k - 2], roles[k - 1]) == ("task", "mention") and clauses[k - 1].wording.is_echo
@@ -257,29 +266,3 @@ def _is_affirmed_before(clauses: Sequence[Clause], roles: Sequence[str], sides: 
 def _falls_back(clause: Clause) -> bool:
     leading = {*clause.far, *clause.near}
     return "fail" in leading and leading.isdisjoint(_OTHERS)
-
-
-def pick(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done with those of what is to be checked that are not so is done where it is not so ("check that the
-    windows are shut *and shut any that aren't*")."""
-    check, clause = clauses[k - 1], clauses[k]
-    is_next = (roles[k - 1], roles[k]) == ("condition", "task") and check.sentence == clause.sentence
-    if is_next and clause.picks and check.is_asked and sides[k] in (HOLDS, FAILS):
-        sides[k] = FAILS if (clause.picks == "not") != check.wording.is_negated else HOLDS
-
-
-def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done, set off by a comma, with what is picked up in one case and got otherwise in the other is done with
-    either ("take a plate if there is one, otherwise take a bowl, *and bring it to me*")."""
-    clause, order = clauses[k], clauses[k - 1]
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "task"):
-        return
-    is_one = clause.sentence == order.sentence == clauses[first].sentence
-    is_set_off = is_one and clause.boundary == "," and clause.near in (("and",), ("then",), ("and", "then"))
-    is_of_it = clause.has_pronoun and not clause.objects and clause.task.type in ("bringing", "placing")
-    is_other = sides[k] == sides[k - 1] == FAILS and order.task.type in ("taking", "change_state")
-    held = [j for j in range(k - 1) if sides[j] == HOLDS or (sides[j] == ">1+" and j == first - 1)]
-    is_held = bool(held) and all(clauses[j].task.type == "taking" and roles[j] == "task" for j in held)
-    if is_set_off and is_of_it and is_other and is_held:
-        sides[k] = beside(sides[first])
