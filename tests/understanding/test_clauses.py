@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
+from annotated import clauses
 
 from decomplex_bt.understanding.control_flow.failures import finds_out
-
-sys.path.insert(0, str(Path(__file__).parent))
-from annotated import clauses
 
 WET_OR_DARK = (
     "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"

@@ -1,11 +1,6 @@
 """Cues are found by phrase, the longest first, and told apart by what stands around them."""
 
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
 from documents import document
 
 from decomplex_bt.understanding.cues import find_cues

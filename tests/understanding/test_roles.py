@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
 from annotated import clauses
 
 from decomplex_bt.understanding.control_flow.contrasts import is_of_another
