@@ -74,6 +74,8 @@ def finds_out(clause: Clause, after: Clause) -> bool:
     is_place = "there" in after.places or not after.places.isdisjoint(clause.places)
     is_thing = clause.task.type == "searching" or not after.is_of_person
     says_absent = after.says_absent or (after.says_named_absent and after.names_same(clause))
+    is_lacking = clause.is_of_any and not clause.objects and after.says_there_is and after.wording.is_negated
+    says_absent = says_absent or (is_lacking and after.is_check)  # "get one from the shed. If there's no bulb there"
     return says_absent and is_thing and is_place and bool(clause.places) and clause.task.type in FINDING
 
 
@@ -83,6 +85,18 @@ def may_fail_as(clause: Clause, after: Clause) -> bool:
     are_searches = clause.task.type == after.task.type == "searching"
     is_same = after.names_same(clause) or (after.has_pronoun and not after.objects)
     return are_searches and is_same and after.wording.is_negated and "if" in after.near
+
+
+def is_not_to_be_found(clause: Clause, order: Clause, check: Clause) -> bool:
+    """Whether it says that what an order should fetch cannot be found, and not how what was `check`ed between them came
+    out: "bring me the mug. If *it's dirty*, wash it. *If you can't find it*, ..."."""
+    is_missed = clause.task.type == "searching" and clause.wording.is_negated and clause.is_of_it
+    is_missed = is_missed or (clause.says_absent and not clause.places.isdisjoint(order.places | {"there"}))
+    is_led = "if" in clause.near and clause.boundary != "none"
+    is_one = not (clause.number and order.number) or clause.number == order.number
+    is_fetched = order.task.type in FINDING and bool(order.objects) and not (order.is_forbidden or order.turns)
+    is_of_state = check.is_check and check.wording.state is not None and not check.is_of_whereabouts
+    return is_missed and is_led and is_one and is_fetched and is_of_state
 
 
 def is_fallback_for(clause: Clause, before: Clause) -> bool:

@@ -46,6 +46,8 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
+_SPANS = frozenset("minute second hour day week month".split())
+_DEFINITE = frozenset("the my your his her our their this that".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
@@ -156,7 +158,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
         for phrase in phrases:
             if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):
                 continue
-            if document.tokens[phrase.stop - 1].lower in _NO_NOUNS:
+            if document.tokens[phrase.stop - 1].lower in _NO_NOUNS or _is_of_time(document, phrase):
                 continue
             owner = inside.get(phrase.stop - 1)
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
@@ -168,6 +170,12 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             else:
                 found[phrase.start, phrase.stop] = _owned(document, phrase, *owner, f"in.{shape}")
     return [found[place] for place in sorted(found)]
+
+
+def _is_of_time(document: Document, phrase: range) -> bool:
+    """Whether a phrase says how long: "an hour", "five more minutes"."""
+    tokens = document.tokens
+    return tokens[phrase.stop - 1].lemma in _SPANS and tokens[phrase.start].lower not in _DEFINITE
 
 
 def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:

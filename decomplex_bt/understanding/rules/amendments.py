@@ -46,6 +46,7 @@ from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.needs import due, in_need
+from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import preferences
@@ -98,7 +99,9 @@ def amended(
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
     idle |= wishers(document, tasks)
-    idle = idle.union(*(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal))
+    idle = idle.union(
+        *pauses(document), *(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
+    )
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
     kept = [a for a in kept if a.tokens.start not in why or a.type in _PLACES]

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 
-from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
@@ -22,11 +22,21 @@ from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.needs import needed
+from decomplex_bt.understanding.rules.pauses import pauses
+from decomplex_bt.understanding.rules.perfects import (
+    are_gone,
+    is_asked_done,
+    is_done_by_others,
+    passive_participle,
+    perfect_participle,
+    told_by,
+)
 from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone
+from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
@@ -39,47 +49,19 @@ from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _LAYING = frozenset(("lay", "set"))
-_PLAYED = frozenset("music song film movie tune album playlist podcast news".split())
-_COOKERS = frozenset("hob stove cooker range".split())
-"""What has power, and things are put on."""
-_BURNING = frozenset("fire flame light lamp candle cigarette torch lantern stove it they them".split())
-_CHANGING = frozenset(("on", "off", "out", "up", "through", "to"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _SOME = frozenset("any some enough anything".split())
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
-_HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
-_HAVING = frozenset("has have had 've \u2019ve".split())
-_PAST = frozenset(("VBN", "VBD"))
-_OBJECTS = frozenset("it them him me us".split())
-_HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
-_SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
-_WHETHER = frozenset(("if", "unless", "whether", "when"))
 _TIDYING = frozenset(("clear", "tidy", "clean", "wash"))
-_OPENING = _WHETHER | frozenset("after once when until till as soon".split())
-_SPEAKING = frozenset(("you", "i", "we", "to"))
-_BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
-_PERFECTS = frozenset(
-    "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
-    "grown woken spat swallowed eaten passed returned escaped vanished disappeared begun drunk slept pulled".split()
-)
-_OF_SOMEBODY = frozenset("eaten driven returned pulled".split())
-_SUBJECTS = frozenset(("he", "she", "who"))
-_ADJECTIVES = frozenset(("drunk", "grown"))
-"""Of the participles those that tell as well how somebody is."""
 _ASKING = frozenset("check see verify confirm look find".split())
 _CLAUSE_ENDS = ENDS | frozenset((",", ":", "and", "or", "but"))
-_NOT_ON = frozenset(("already", "too", "now", "again", "then"))
-_COMPLEMENTS = frozenset(("JJ", "RB", "RP", "VBG"))
 _NOT = frozenset("not n't n\u2019t nt".split())
 _CAN = frozenset("ca can could".split())
 _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
 """What may stand ahead of a "can't find", beside a mark."""
-_GIVING = frozenset(("give", "gimme"))
-_PAUSES = frozenset("minute min second sec moment mo tick".split())
 _CASES = frozenset("if unless when only_if until before after".split())
 _LOOKS = frozenset(("check_state", "searching"))
-_AWAY = frozenset(("off", "out", "in", "to", "down", "up", "past"))
 
 
 def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:
@@ -93,7 +75,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         task for task in _with_passives(document, tasks) if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
-    idle = forgone(document)
+    idle = forgone(document).union(*pauses(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
@@ -105,7 +87,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type="check_state" if is_told else "searching")
         is_too = task.type == "check_state" and bool(found) and is_assured_too(document, task.token, found[-1].token)
         fact = "change_state" if is_too else _type(observed, task, end)
-        token = _place(document, task.token) if task.type == "check_state" else task.token
+        token = told_by(document, task.token) if task.type == "check_state" else task.token
         if fact in types and token < end and (not found or found[-1].token < token):
             task = replace(task, type=fact, token=token)
         if task.type in _HANDLING and task.token in (*looked, *called):
@@ -142,7 +124,6 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or is_explained(document, task.token)
             or task.token in idle
             or (bool(found) and found[-1].token >= task.token)
-            or _is_pause(document, task.token)
             or _is_joined_state(document, task.token, types_found)
             or _is_name(observed, task.token)
             or (not found and following is not None and _is_missed(observed, task))
@@ -173,14 +154,6 @@ def _is_left_of(document: Document, check: FoundTask, task: FoundTask) -> bool:
     return is_left and all(token.text not in MARKS and not token.tag.startswith("V") for token in between)
 
 
-def _is_pause(document: Document, at: int) -> bool:
-    """Whether somebody is only asked to wait: "gimme a sec", "give us a minute"."""
-    words = [token for token in document.tokens[at : at + 5] if token.lower not in ("me", "us", "just")]
-    if len(words) < 3 or words[0].lower not in _GIVING or words[1].lower not in ("a", "one"):
-        return False
-    return words[2].lower in _PAUSES and (len(words) == 3 or words[3].pos not in ("NOUN", "ADJ"))
-
-
 def _is_genitive(document: Document, looked: Collection[range], at: int) -> bool:
     """Whether a "'s" is none of a check: "have a butcher's"."""
     return document.tokens[at].lower in _IS_OR_HAS and any(at in words for words in looked)
@@ -191,8 +164,8 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
     kept = list(tasks)
     for task, following in pairwise(tasks):
         if task.type == "check_state" and following.token in (
-            _passive(document, task.token),
-            _perfect(document, task.token),
+            passive_participle(document, task.token),
+            perfect_participle(document, task.token),
         ):
             kept[kept.index(following)] = replace(following, type="check_state")
             kept.remove(task)
@@ -222,7 +195,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
-    idioms |= {_place(document, be): "check_state" for be in untold(document, {**found, **idioms})}
+    idioms |= {told_by(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     for wish in preferences(document, found):
         behind.update(wish.words)
         idioms[wish.check] = "check_state"
@@ -315,124 +288,6 @@ def _is_reported_state(document: Document, task: FoundTask, before: Sequence[Fou
     )
 
 
-def _place(document: Document, at: int) -> int:
-    """The token that a check is told by: of "has" the participle ("they've arrived"), of "has been washed" the last; of
-    "'s", where it is "has", the participle ("it's been", "it's gone cold"), and where it may as well be "is" that
-    ("it's gone")."""
-    tokens = document.tokens
-    passive = _passive(document, at)
-    if passive is not None:
-        return passive
-    done = _perfect(document, at) if _has_done(document, at) else None
-    if done is not None:
-        return done
-    if tokens[at].lower == "gone" and at and tokens[at - 1].lower in _IS_OR_HAS:
-        return at if _goes_on(document, at) else at - 1
-    participle = next((t for t in tokens[at + 1 :] if t.lower not in _BETWEEN), None)
-    if participle is not None and participle.dep == "amod":
-        return at  # "has frozen peas"
-    if tokens[at].lower in _HAVE - _IS_OR_HAS and participle is not None and participle.lower != "got":
-        return participle.i if participle.tag in ("VBN", "VBD") else at
-    if tokens[at].lower not in _IS_OR_HAS:
-        return at
-    if participle is None or participle.tag not in ("VBN", "VBD", "JJ", "NN", "VBP", "VB"):
-        return at
-    if participle.tag == "JJ" and participle.lower in _ADJECTIVES:
-        return at
-    if participle.lower in _OF_SOMEBODY and (at == 0 or tokens[at - 1].lower not in _SUBJECTS):
-        return at  # "the cake's eaten" is no perfect
-    is_perfect = participle.lower in _PERFECTS or (participle.lower == "gone" and _goes_on(document, participle.i))
-    return participle.i if is_perfect else at
-
-
-def _passive(document: Document, at: int) -> int | None:
-    """The participle of "has been washed", told from any of its words before that; None where nothing is done."""
-    words = document.tokens[at:]
-    been = next((token for token in words if token.lower not in _HAVE | _BETWEEN), None)
-    if been is None or been.lower != "been":
-        return None
-    participle = next((token for token in document.tokens[been.i + 1 :] if token.lower not in _BETWEEN), None)
-    return participle.i if participle is not None and participle.tag in ("VBN", "VBD") else None
-
-
-def _perfect(document: Document, have: int) -> int | None:
-    """The participle of "has put", told from the "has"; None where nothing is done.
-
-    Where the form may be an order as well, a mark must end its clause: "if he has put the kettle on" may mean "if he
-    has, put the kettle on".
-    """
-    tokens = document.tokens
-    if tokens[have].lower not in _HAVING and not _has_done(document, have):
-        return None
-    participle = next((token for token in tokens[have + 1 :] if token.lower not in _BETWEEN), None)
-    if participle is None or participle.tag not in _PAST:
-        return None
-    if participle.lower != participle.lemma:
-        return participle.i
-    behind = tokens[participle.i + 1 :]
-    end = next((token for token in behind if token.lower in MARKS or token.tag in ("VB", "VBP")), None)
-    return participle.i if end is not None and end.lower in MARKS and participle.lower in _SAME_FORMS else None
-
-
-def _has_done(document: Document, at: int) -> bool:
-    """Whether a "'s" is a "has", since what was done has an object: "somebody's fed *the dog*", "Ann's put *it* away";
-    not "he's given a book", "she's called Ann"."""
-    tokens = document.tokens
-    participle = next((token for token in tokens[at + 1 :] if token.lower not in _BETWEEN), None)
-    if tokens[at].lower not in _IS_OR_HAS or participle is None or participle.tag not in (*_PAST, "VB", "VBP", "NN"):
-        return False
-    behind = next((token for token in tokens[participle.i + 1 :] if token.tag != "RP"), None)
-    is_done = participle.tag in _PAST or participle.lower in _SAME_FORMS
-    is_object = behind is not None and (behind.tag in ("DT", "PRP$", "CD") or behind.lower in _OBJECTS)
-    return is_done and is_object and participle.lower not in _HAVING_TWO_OBJECTS
-
-
-def _is_done_by_others(document: Document, at: int) -> bool:
-    """Whether an "if" or the like asks if somebody else has done what the verb says: "if Tim has put it away"."""
-    tokens = document.tokens
-    have = at - 1
-    while have > 0 and tokens[have].lower in _BETWEEN:
-        have -= 1
-    if have < 0 or _perfect(document, have) != at:
-        return False
-    for j in range(have - 1, -1, -1):
-        if tokens[j].lower in _WHETHER:
-            return have - j > 1 and tokens[have - 1].lower not in _SPEAKING
-        if tokens[j].lower in MARKS or tokens[j].pos == "VERB":
-            return False
-    return False
-
-
-def _is_asked_done(document: Document, at: int) -> bool:
-    """Whether a question asks if somebody else has done what the verb says: "has anybody *fed* the cat?", "did I *lock*
-    the door?"."""
-    tokens, start = document.tokens, at
-    while start and tokens[start - 1].lower not in MARKS and document.sentences[start - 1] == document.sentences[at]:
-        start -= 1
-    words = [token.lower for token in tokens[start:at] if token.lower not in _BETWEEN]
-    if len(words) < 2 or words[1] in ("you", "u", "ya"):
-        return False
-    is_perfect = words[0] in _HAVING and (tokens[at].tag in _PAST or tokens[at].lower in _SAME_FORMS)
-    behind = tokens[at + 1 : at + 2]
-    is_object = bool(behind) and (behind[0].tag in ("DT", "PRP$", "CD") or behind[0].lower in _OBJECTS)
-    is_perfect = is_perfect and (words[0] != "have" or is_object)  # not "have the table laid by six"
-    is_past = words[0] == "did" and tokens[at].tag in ("VB", "VBP")
-    return (is_perfect or is_past) and not any(token.pos == "VERB" for token in tokens[start + 1 : at])
-
-
-def _are_gone(document: Document, at: int) -> bool:
-    """Whether who speaks has gone, which is no way of the robot's: "after *we've gone* to bed"."""
-    words = [token.lower for token in document.tokens[max(0, at - 5) : at] if token.lower not in _BETWEEN | {"both"}]
-    is_of_speaker = words[-2:-1] in (["we"], ["i"]) and words[-1] in _HAVING
-    return is_of_speaker and words[-3:-2] != [] and words[-3] in _OPENING and document.tokens[at].tag in _PAST
-
-
-def _goes_on(document: Document, gone: int) -> bool:
-    """Whether "gone" tells what something has become, or where to: "gone cold", "gone out"."""
-    token = document.tokens[gone + 1] if gone + 1 < len(document) else None
-    return token is not None and token.lower not in _NOT_ON and (token.tag in _COMPLEMENTS or token.lower in _AWAY)
-
-
 def _type(observed: Observed, task: FoundTask, following: int) -> str:
     """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
     document = observed.document
@@ -441,9 +296,9 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     said = document.tokens[task.token + 1 : following]
     lemma = document.tokens[task.token].lemma
     if task.type == "change_state" and lemma == "put":
-        return "placing" if _is_put_somewhere(said) else task.type
+        return "placing" if is_put_somewhere(said) else task.type
     if task.type == "placing" and (
-        _is_put_on(observed, said) if lemma == "put" else lemma in _LAYING and _is_the_table(said)
+        is_put_on(observed, said) if lemma == "put" else lemma in _LAYING and is_the_table(said)
     ):
         return "change_state"
     if task.type == "taking" and for_somebody(document, task.token):
@@ -454,64 +309,16 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "check_state" and is_assured(document, task.token):
         return "change_state"
-    if task.type != "check_state" and _is_done_by_others(document, task.token):
+    if task.type != "check_state" and is_done_by_others(document, task.token):
         return "check_state"
-    if task.type in _HANDLING and _is_asked_done(document, task.token):
+    if task.type in _HANDLING and is_asked_done(document, task.token):
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
         return "change_state"  # "hoover the stairs and clear up"
     if task.type == "bringing" and is_wished(document, task.token):
         return "check_state"
-    if task.type == "motion" and _are_gone(document, task.token):
+    if task.type == "motion" and are_gone(document, task.token):
         return "check_state"
     if task.type == "motion" and encountered(document, task.token):
         return "searching"
     return task.type
-
-
-def _is_put_somewhere(said: Sequence[Token]) -> bool:
-    """ "Put the cup" without "on", "off", "out" or "up" changes no state, it places, however little else is said."""
-    words = [token.lower for token in said]
-    words = words[: next((i for i, word in enumerate(words) if word in ENDS), len(words))]
-    clause = said[: next((i for i, word in enumerate(words) if word in _CLAUSE_ENDS), len(words))]
-    if "out" in words[: len(clause)] and _BURNING.isdisjoint(token.lemma for token in clause):
-        return True  # "put out six plates"
-    return not _CHANGING.intersection(words) and ("down" not in words or words[0] == "down")
-
-
-def _is_put_on(observed: Observed, said: Sequence[Token]) -> bool:
-    """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch; not "put out
-    the plates on the table". What is played or switched is put on wherever it is ("put on a film in the kitchen")."""
-    clause = said[: next((i for i, token in enumerate(said) if token.lower in _CLAUSE_ENDS), len(said))]
-    if _is_played(observed, clause):
-        return True
-    if any(
-        one.lower in ("on", "in", "onto", "into") and two.tag in ("DT", "PRP$") for one, two in pairwise(clause[2:])
-    ):
-        return False
-    if bool(said) and said[0].lower == "out" and _BURNING.isdisjoint(token.lemma for token in clause):
-        return False
-    return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
-
-
-def _is_played(observed: Observed, clause: Sequence[Token]) -> bool:
-    """Whether an "on" has something behind it that is played, or has power to be switched."""
-    if not clause or clause[0].lower != "on":
-        return False
-    behind = clause[1:]
-    parts = ("ADJ", "PROPN", "NOUN")  # with nothing behind: not "put on the shelf the radio"
-    noun = next((i for i, token in enumerate(behind) if token.pos not in parts and i), len(behind))
-    if not noun or any(token.tag in ("DT", "PRP$") for token in behind[noun : noun + 1]):
-        return False
-    lemma = behind[noun - 1].lemma
-    if lemma in _COOKERS:
-        return False
-    return lemma in _PLAYED or "power" in observed.gazetteer.changeable.get(lemma, ())
-
-
-def _is_the_table(said: Sequence[Token]) -> bool:
-    """ "Lay the table", "set the kitchen table": that is no thing which is put somewhere."""
-    noun = next(
-        (i for i, token in enumerate(said) if token.pos not in ("DET", "ADJ", "PROPN", "NOUN", "PRON")), len(said)
-    )
-    return bool(said[:noun]) and said[noun - 1].lemma == "table"

@@ -23,6 +23,7 @@ _RULES = (
     replies.wait,
     parts.look_after,
     replies.miss,
+    replies.miss_thing,
     replies.answer,
     orders.repeat,
     orders.call_off,

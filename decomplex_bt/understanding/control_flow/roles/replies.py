@@ -12,6 +12,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     finds_out,
     is_absence_of,
     is_failure_of,
+    is_not_to_be_found,
     lacks_too,
     tries_out,
 )
@@ -23,6 +24,7 @@ from decomplex_bt.understanding.control_flow.outcomes import (
     turns_on_report,
 )
 
+_PARTING = frozenset((".", "!", ";"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
@@ -108,6 +110,29 @@ def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_when = roles[k] == "mention" and clause.near == ("when",) and clause.boundary != "none" and clause.is_check
     if is_when and roles[k - 1] == "task" and not clause.wording.is_negated and comes_through(clause, order):
         roles[k] = "task"
+
+
+def miss_thing(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That what was to be fetched cannot be found tells of the order to fetch it, not of what was asked of the thing in
+    between ("bring me the mug. If it's dirty, wash it. *If you can't find it*, ...")."""
+    order = fetched_before(clauses, k)
+    if order is None or roles[k] != "mention" or roles[order] not in ("task", "condition"):
+        return
+    if roles[order + 1] == "condition":
+        roles[order] = "condition"
+        roles[order + 2 : k] = ["task"] * (k - order - 2)
+
+
+def fetched_before(clauses: Sequence[Clause], k: int) -> int | None:
+    """The order that should fetch what by clause `k` cannot be found, behind which one case of the thing is told
+    ("bring me the mug. *If it's dirty, wash it*. If you can't find it, ..."); else None."""
+    check = k - 2
+    while check > 0 and "if" not in clauses[check].near:
+        check -= 1
+    if check < 1 or clauses[check].boundary not in _PARTING or clauses[check].sentence == clauses[k].sentence:
+        return None
+    is_told = clauses[check].sentence == clauses[k - 1].sentence and not any(c.turns for c in clauses[check:k])
+    return check - 1 if is_told and is_not_to_be_found(clauses[k], clauses[check - 1], clauses[check]) else None
 
 
 def miss(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

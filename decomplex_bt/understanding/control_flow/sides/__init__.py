@@ -28,6 +28,7 @@ _RULES = (
     mentions.find_first,
     mentions.ask_openly,
     mentions.miss,
+    mentions.miss_thing,
     prohibitions.make_exception,
     prohibitions.replace_order,
     prohibitions.forbid,

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.control_flow.failures import finds_out, is_failu
 from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
 from decomplex_bt.understanding.control_flow.roles.parts import taken_up
-from decomplex_bt.understanding.control_flow.roles.replies import replied_to
+from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
 
@@ -55,7 +55,9 @@ def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
         sides[k] = "<1" if roles[part + 1] == "task" or part + 1 == k else "<2"
     if not clause.objects:
         return
-    if roles[k - 1] == "condition" and is_failure_of(clause, clauses[k - 1], last_named(clauses, k)):
+    before = clauses[k - 1]
+    is_outcome = is_failure_of(clause, before, last_named(clauses, k)) or finds_out(before, clause)
+    if roles[k - 1] == "condition" and is_outcome:
         sides[k] = "<1"
         return
     groups = _groups(roles, sides, k)
@@ -134,3 +136,14 @@ def miss(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     is_told = clauses[k - 2].task.type == "searching" and clauses[k].says_absent and clauses[k - 1].has_pronoun
     if is_told and sides[k - 1] in ("top", HOLDS, "<1") and clauses[k - 1].near[-1:] == ("and",):
         sides[k - 1] = HOLDS
+
+
+def miss_thing(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That what was to be fetched cannot be found is of the order to fetch it (`roles`); what was asked of the thing
+    in between is asked where it was found, unless that is seen to first."""
+    order = fetched_before(clauses, k)
+    if order is None or (roles[order], roles[order + 1], roles[k]) != ("condition", "condition", "mention"):
+        return
+    sides[k] = "<2"
+    is_first = any(c.wording.orders for c in clauses[order + 2 : k])
+    sides[order + 1] = sides[order] if is_first and sides[order] in ("top", HOLDS, FAILS) else HOLDS

@@ -12,6 +12,8 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, O
 _CARRYING = frozenset(("placing", "bringing", "taking"))
 _TELLING = frozenset(("informing", "check_state"))
 _WHETHER = frozenset(("whether", "if"))
+_AFTER_ASKING = frozenset(("whether", "there", "and"))
+_LEADING_ON = frozenset(("and", "if", "there"))
 _GOING_ON = frozenset("and then also after_that last".split())
 
 
@@ -167,15 +169,19 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 
 def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What an order to check found is told whatever that is, where "and tell me" says no more and nothing goes by the
-    answer ("see if it's raining *and tell me*")."""
+    """What was found out is told whatever that is, where "and tell me" says no more and nothing in its sentence but a
+    case goes by the answer ("see if it's raining *and tell me*", "check for bread *and let me know*. If there isn't
+    any, ...")."""
     check, clause = clauses[k - 1], clauses[k]
-    if (roles[k - 1], roles[k]) != ("condition", "task") or sides[k] != HOLDS or k + 1 < len(clauses):
+    if (roles[k - 1], roles[k]) != ("condition", "task") or sides[k] != HOLDS:
         return
     is_asked = check.is_asked and not check.is_question and check.near[:1] != ("if",)
     is_report = clause.task.type == "informing" and all(kind == "recipient" for kind, _ in clause.task.arguments)
-    is_joined = clause.near[-1:] == ("and",) and {"whether", "and"}.issuperset(clause.near)
-    if is_asked and is_report and is_joined and clause.boundary == "none":
+    is_joined = clause.near[-1:] == ("and",) and _AFTER_ASKING.issuperset(clause.near)
+    is_last = k + 1 == len(clauses) or (
+        roles[k + 1] != "task" and "if" in clauses[k + 1].near and _LEADING_ON.issuperset(clauses[k + 1].near)
+    )
+    if is_asked and is_report and is_joined and is_last and clause.boundary == "none":
         sides[k] = beside(sides[k - 1])
 
 
