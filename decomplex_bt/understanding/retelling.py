@@ -63,7 +63,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     moved: set[int] = set()
     verbs: dict[int, int] = {}
     same = list(likewise(document))
-    alike = {i for found in same for i in (*found.words, *found.other)}
+    alike = {i for found in same for i in (*found.words, *(() if found.is_bare else found.other))}
     for found in alternatives(observed, {i: task.type for i, task in tasks.items()}):
         place, end = found.tokens.start, found.tokens.stop
         if place in alike:
@@ -98,8 +98,10 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         verbs[document.tokens[one.carrier].start] = document.tokens[order].start
         moved.update(one.words)
         carriers = {order: one.carrier}
-        insertions[one.other.start] += [Told(i, one.carrier, carriers.get(i)) for i in ahead]
-        insertions[one.other.stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
+        other = one.other if one.is_bare else ()
+        start, stop = (one.words.stop,) * 2 if one.is_bare else (one.other.start, one.other.stop)
+        insertions[start] += [Told(i, one.carrier, carriers.get(i)) for i in (*ahead, *other)]
+        insertions[stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
     kinds = list(_specified(observed, tasks))
     for kind, mark in kinds:
         moved.update((*kind, mark))
@@ -197,12 +199,21 @@ def _said_of_other(
     is_place = is_adverb or first.lower in PREPOSITIONS
     if is_adverb or not is_place:
         task = replace(task, arguments=tuple(a for a in task.arguments if a.type not in _WHEREABOUTS))
-    words = None if is_adverb else _repeated(observed, task, found.other, place, is_thing=not is_place)
+    thing = None if is_place else _done_to(document, task, _end_of_order(observed, order, place), found)
+    words = None if is_adverb else _repeated(observed, task, found.other, place, thing=thing)
     if words is None and is_place:
         until = _end_of_order(observed, order, place)
         own = {i for _, tokens in _own_phrases(document, task, until) for i in tokens}
         words = sorted({order, *_particles(document, order, until), *own}), []
     return None if words is None else (order, *words)
+
+
+def _done_to(document: Document, order: Task, until: int, found: Likewise) -> str:
+    """The type of the argument of an order in whose place stands what "the same" is done with: of that of a case the
+    one that takes up what its own case is of ("if Lea is up, bring *her* tea. If Kim is up, do the same")."""
+    own = _own_phrases(document, order, until) if found.is_bare else ()
+    taken_up = (a.type for a, tokens in own if is_pronoun(document, tokens))
+    return next((kind for kind in taken_up if kind == "recipient"), "object")
 
 
 def _is_alike(observed: Observed, order: Task, named: range) -> bool:
@@ -248,10 +259,10 @@ def _is_beginning(document: Document, i: int) -> bool:
 
 
 def _repeated(
-    observed: Observed, task: Task, words: range, place: int, *, is_thing: bool = False
+    observed: Observed, task: Task, words: range, place: int, *, thing: str | None = None
 ) -> tuple[Sequence[int], Sequence[int]] | None:
     """The tokens of an order to be said again ahead of an alternative and behind it; None where it has nothing of its
-    kind. `is_thing`: the words are a thing that the same is done with."""
+    kind. `thing`: the type of the argument in whose place the words stand, if it is known."""
     document = observed.document
     verb = document.indices(task.span).start
     until = _end_of_order(observed, verb, place)
@@ -260,8 +271,8 @@ def _repeated(
     if _is_particle(document, words):
         states = [tokens for _, tokens in own if _is_particle(document, tokens)]
         replaced = next(reversed([*(range(i, i + 1) for i in particles), *states]), None)
-    elif is_thing:
-        replaced = next((tokens for argument, tokens in own if argument.type == "object"), None)
+    elif thing is not None:
+        replaced = next((tokens for argument, tokens in own if argument.type == thing), None)
     else:
         replaced = _replaced(observed, own, words)
     if replaced is None:

@@ -49,6 +49,18 @@ from decomplex_bt.understanding.interpreter import Interpreter
             "bringing",
             {"object": "the brown pot", "recipient": "to Lea"},
         ),
+        (
+            "If the fan is on, turn it off. If the pump is on, do the same.",
+            "do",
+            "change_state",
+            {"object": "the pump", "state": "off"},
+        ),
+        (
+            "If Kim is awake, bring him a tea. If Lea is awake, do the same.",
+            "do",
+            "bringing",
+            {"object": "a tea", "recipient": "Lea"},
+        ),
     ],
 )
 def test_the_same_is_ordered_of_something_else(

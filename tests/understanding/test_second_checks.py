@@ -204,3 +204,30 @@ def test_a_room_is_free_where_nobody_is(interpreter: Interpreter, state: str) ->
 def test_it_is_asked_anew_if_a_thing_still_does_not_work(interpreter: Interpreter) -> None:
     text = "If the lamp doesn't work, change the bulb, and if it still doesn't work, tell Kim."
     assert flow(interpreter, text) == [{"if": 1, "else": [2, {"if": 3, "else": [4]}]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring the rugs in if they're wet, and leave them out when they're dry.",
+        "Keep the hatch shut if it's wet and leave it open when it's dry.",
+    ],
+)
+def test_the_opposite_of_one_it_is_the_other_side(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [2, 4], "then": [1], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Shut the hatch if it's open and open the gate if it's shut.",
+        "Turn off the lantern if it's on and turn on the pump if it's off.",
+        "Charge the drill if it's flat and unplug it when it's full.",
+    ],
+)
+def test_the_opposite_of_another_thing_is_a_condition_of_its_own(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [1]}, {"if": 4, "then": [3]}]
+
+
+def test_nobody_there_keeps_nothing_from_an_order_to_change_something(interpreter: Interpreter) -> None:
+    assert flow(interpreter, "Feed the hens, and if nobody is there, shut the gate.") == [1, {"if": 2, "else": [3]}]

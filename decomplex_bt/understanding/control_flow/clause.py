@@ -164,6 +164,12 @@ class Clause:
         is_pronoun = (self.is_of_it or self.is_of_somebody) and not self.objects
         return is_pronoun and is_one and bool(order.objects) and not order.has_pronoun and not self.is_of_weather
 
+    def is_of_same_it(self, other: Clause) -> bool:
+        """Whether the objects of both are no more than "it", or both than "they"."""
+        are_pronouns = (self.is_of_it and other.is_of_it) or (self.number == other.number == "many")
+        are_bare = not (self.objects or other.objects or self.is_of_weather or other.is_of_weather)
+        return are_pronouns and are_bare and self.number == other.number != ""
+
     @property
     def needed(self) -> frozenset[str]:
         """The nouns of what an order needs as it is when it begins: whatever it changes, and its places, not what is

@@ -187,6 +187,7 @@ def is_apart_from(clause: Clause, order: Clause) -> bool:
     is_handed = order.task.type == "bringing" and bool(order.receivers)
     is_order = order.task.type in LEADING | {"change_state"}
     is_elsewhere = bool(clause.places) and clause.places.isdisjoint(known | _THERE) and not is_handed
+    is_elsewhere = is_elsewhere or (bool(clause.places & _THERE) and order.task.type == "change_state")
     is_used = clause.said_state[:1] == ("using",) and clause.nouns.isdisjoint(known) and not clause.has_pronoun
     return is_order and clause.is_check and clause.is_of_nobody and (is_elsewhere or is_used)
 

@@ -28,6 +28,7 @@ _CLOSING = PUNCTUATION | {"but"}
 _COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
+_LOSING = frozenset(("drop", "spill"))
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
 _ADVERBIAL = {
     "before_that": ("before", "first"),
@@ -78,6 +79,7 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
+        or (task.type == "check_state" and tokens[task.token].lemma in _LOSING)
         or _says_used_up(tokens[first : last + 1])
         or _says_too_few([token.lower for token in tokens[first : last + 1]])
         or (state == "out" and is_being_of(observed.document, task, PERSONS)),

@@ -45,6 +45,7 @@ from decomplex_bt.understanding.rules.handing import accompanied, called, divide
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
+from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import due, in_need
 from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.plans import plans
@@ -124,6 +125,7 @@ def amended(
         kept = _corrected(observed, kept, phrase)
     for telling, echo in echoes(document, tasks).items():
         kept = [a for a in kept if (a.owner, a.type) != (telling, "message") or not set(a.tokens) & set(echo.tokens)]
+    happening = {mishap.verb: mishap.told for mishap in mishaps(document)}
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
@@ -141,6 +143,7 @@ def amended(
             kept = departed(document, kept, token)
             kept = with_told(kept, token, done_by_nobody(document, token))
             kept = with_told(kept, token, doing(document, token))
+            kept = with_told(kept, token, happening.get(token, {}))
             kept = _of_now(document, kept, token)
             kept = with_told(kept, token, predicated(document, token))
             kept = wishes[token].told(kept) if token in wishes else kept

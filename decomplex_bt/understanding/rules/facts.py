@@ -21,6 +21,7 @@ from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.loading import loading
+from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import needed
 from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.perfects import (
@@ -196,6 +197,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
     idioms |= {told_by(document, be): "check_state" for be in untold(document, {**found, **idioms})}
+    idioms |= {mishap.verb: "check_state" for mishap in mishaps(document)}
     for wish in preferences(document, found):
         behind.update(wish.words)
         idioms[wish.check] = "check_state"

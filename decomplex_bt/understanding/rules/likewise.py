@@ -1,4 +1,5 @@
-"""Likewise: "do the same with the radio", "same for the door": an order before, said of something else."""
+"""Likewise: "do the same with the radio", "same for the door", "if the fan is on, do the same": an order before, said
+of something else."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS, noun_chunks
 
 _LEADS = (
     ("do", "exactly", "the", "same"),
@@ -21,6 +22,7 @@ CARRIERS = frozenset(("do", "does", "same"))
 _OF = frozenset(("with", "for", "to"))
 """What only leads to the other thing."""
 _ENDS = MARKS | frozenset("if unless when once before after then so but because while until as or".split())
+_CASES = frozenset(("if", "when"))
 _BEFORE = MARKS | frozenset("and then please also but just".split())
 _NOUNS = frozenset(("NOUN", "PROPN", "PRON"))
 _POINTING = frozenset("one ones those these".split()) | PLACE_ADVERBS
@@ -33,11 +35,16 @@ _GOING = frozenset(("thing", "goes"))
 @dataclass(frozen=True, slots=True)
 class Likewise:
     """`words`: those that stand for an order before, among them its `carrier`, "do" or "same"; `other`: what it is said
-    of now, a thing or, with its preposition, a place."""
+    of now, a thing or, with its preposition, a place: right behind, or what the case is of in which it is done."""
 
     words: range
     carrier: int
     other: range
+
+    @property
+    def is_bare(self) -> bool:
+        """Whether nothing is named by it, but by its case: "if *the fan* is on, do the same"."""
+        return self.other.start != self.words.stop
 
 
 def likewise(document: Document) -> Iterator[Likewise]:
@@ -54,12 +61,27 @@ def likewise(document: Document) -> Iterator[Likewise]:
             continue
         start = i + len(lead)
         start += said[start : start + 1] in ([word] for word in _GOING)
+        if lead[0] == "do" and (start == len(said) or said[start] in _ENDS | {"and"}) and (case := _case(document, i)):
+            yield Likewise(range(i, start), i, case)
+            end = start
+            continue
         if said[start : start + 1] == [] or said[start] not in PREPOSITIONS | _OF | PLACE_ADVERBS:
             continue
         start += said[start] in _OF
         end = _end(document, start)
         if any(document.tokens[j].pos in _NOUNS or said[j] in _POINTING for j in range(start, end)):
             yield Likewise(range(i, start), i if said[i] == "do" else said.index("same", i), range(start, end))
+
+
+def _case(document: Document, do: int) -> range:
+    """What the "if" of its sentence that stands ahead of a "do the same", or right behind it, is about, where that is
+    named; else empty."""
+    tokens, sentences = document.tokens, document.sentences
+    ahead = [t.i for t in tokens[:do] if t.lower in _CASES and sentences[t.i] == sentences[do]]
+    behind = [t.i for t in tokens[do + 3 : do + 5] if t.lower in _CASES and sentences[t.i] == sentences[do]]
+    opening = next(reversed(ahead), next(iter(behind), None))
+    chunks = [] if opening is None else [chunk for chunk in noun_chunks(document) if chunk.start == opening + 1]
+    return chunks[0] if chunks and tokens[chunks[0].stop - 1].tag not in ("PRP", "EX") else range(0)
 
 
 def so_does(document: Document) -> Iterator[Likewise]:

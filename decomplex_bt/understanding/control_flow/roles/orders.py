@@ -132,7 +132,14 @@ def may_choose(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
 
 def ask_of_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What an order right ahead hangs on is no mention of another state of another thing ("is the tv on? Then turn it
-    off, and close the window if *it's open*")."""
+    off, and close the window if *it's open*"), nor of what was asked of the thing of another order ("shut the window if
+    it's open, and open the door if *it's shut*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if (roles[k - 1], roles[k]) == ("task", "mention") and first is not None:
-        roles[k] = "condition" if asks_of(clauses[k], clauses[k - 1], clauses[first]) else "mention"
+    if (roles[k - 1], roles[k]) != ("task", "mention") or first is None:
+        return
+    clause, order, check = clauses[k], clauses[k - 1], clauses[first]
+    is_own = first == k - 2 > 0 and clause.boundary == check.boundary == "none" and clause.wording.state is not None
+    is_own = is_own and clause.takes_up(order) and check.takes_up(clauses[first - 1])
+    is_own = is_own and set(order.objects).isdisjoint(clauses[first - 1].objects) and clause.number == order.number
+    if is_own or asks_of(clause, order, check):
+        roles[k] = "condition"

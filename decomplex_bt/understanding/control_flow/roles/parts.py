@@ -56,15 +56,18 @@ def part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """What tests the opposite of the condition before, of the same thing, is a mention of it."""
+    """What tests the opposite of the condition before, of the same thing, is a mention of it, be that thing an "it" in
+    both, with no other one named between ("bring it in if it's wet, and *leave it out when it's dry*")."""
     clause = clauses[k]
-    before = next((clauses[j] for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if (
-        roles[k] == "condition"
-        and before is not None
-        and not {"if", "when"}.isdisjoint(clause.near)
-        and is_opposite_of(clause, before)
-    ):
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[k] != "condition" or {"if", "when"}.isdisjoint(clause.near):
+        return
+    before, between = clauses[first], clauses[first + 1 : k]
+    is_of_it = clause.is_of_same_it(before) and bool(between) and not any(one.objects for one in between)
+    is_turned = clause.wording.is_opposite_of(before.wording) or before.wording.is_opposite_of(clause.wording)
+    is_turned = is_turned and not (clause.wording.is_negated or before.wording.is_negated)
+    is_next = clause.boundary == "none" and clause.sentence == before.sentence
+    if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next):
         roles[k] = "mention"
 
 

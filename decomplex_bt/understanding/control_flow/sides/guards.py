@@ -86,7 +86,8 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if roles[k] == "mention" and sides[k - 1] in (HOLDS, FAILS) and is_last:
         is_opposite = is_flipped(1, 0, (last.wording, clause.wording)) != last.wording.is_negated
         sides[k - 1] = FAILS if is_opposite else HOLDS
-    is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather
+    is_other = clause.is_of_same_it(last) and not order.objects and clause.wording.state != last.wording.state
+    is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather or is_other
     if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
         sides[k - 1] = ">1+"
         sides[k] = beside(sides[k - 2])
