@@ -252,15 +252,16 @@ def _names(rest: Sequence[Token]) -> bool:
 
 
 def _is_adjective(document: Document, words: Sequence[str], position: int) -> bool:
-    """Whether a "next" or "last" says where, when or which: "next to the sink", "the last one"."""
+    """Whether a "next", "first" or "last" says where, when or which: "next to the sink", "the first plate"."""
     behind = words[position + 1 : position + 2]
     if words[position] == "next":
         return not _BEHIND_NEXT.isdisjoint(behind)
-    if words[position] != "last":
+    if words[position] not in ("first", "last"):
         return False
     is_noun = position + 1 < len(words) and document.tokens[position + 1].pos == "NOUN"
     is_of_noun = position > 0 and document.tokens[position - 1].tag in ("DT", "PRP$") and is_noun
-    return is_of_noun or not _BEHIND_LAST.isdisjoint(behind)
+    is_of_noun = is_of_noun and not _OF_TIME.intersection(behind)  # "the first thing", not the first in a list
+    return is_of_noun or (words[position] == "last" and not _BEHIND_LAST.isdisjoint(behind))
 
 
 def _is_named(words: Sequence[str], position: int) -> bool:
@@ -320,6 +321,7 @@ _BEING = frozenset(("is", "have", "has", "m", "'m"))
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
 _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())
 _BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))
+_OF_TIME = frozenset("thing step order task job stop priority place one bit part".split())
 _BEHIND_LAST = frozenset(("one", "ones", "night", "time", "week", "year", "piece", "bit", "drop", "few"))
 _PRO_BEFORE = frozenset(("before_that", "before_all"))
 _NO_THINGS = frozenset("above place option time way case luck thing".split())
@@ -456,7 +458,7 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
             ("awake", "asleep"), ("wet", "dry"), ("in", "out"), ("home", "out"), ("home", "away"), ("inside", "outside"), ("up", "down"), ("free", "occupied"),
             ("free", "busy"), ("running", "stopped"), ("done", "running"), ("finished", "running"), ("lit", "unlit"), ("charged", "flat"), ("alive", "dead"), ("early", "late"),
             ("light", "dark"), ("ripe", "unripe"), ("made", "unmade"), ("plugged", "unplugged"), ("loose", "tight"), ("high", "low"), ("present", "absent"), ("good", "bad"),
-            ("working", "broken"), ("fresh", "stale"), ("fresh", "old"), ("quiet", "loud"), ("big", "small"), ("full", "low"), ("raining", "dry"), ("upstairs", "downstairs"),
+            ("working", "broken"), ("fresh", "stale"), ("fresh", "old"), ("quiet", "loud"), ("large", "small"), ("big", "small"), ("full", "low"), ("raining", "dry"), ("upstairs", "downstairs"),
         )
         for word, opposite in ((first, second), (second, first))
     }

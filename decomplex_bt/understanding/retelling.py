@@ -274,7 +274,7 @@ def _repeated(
     elif thing is not None:
         replaced = next((tokens for argument, tokens in own if argument.type == thing), None)
     else:
-        replaced = _replaced(observed, own, words)
+        replaced = _replaced(observed, own, words) or _unread(document, own, range(verb + 1, until), words)
     if replaced is None:
         return None
     said = {verb, *particles, *_wishing(document, verb)}.difference(replaced)
@@ -286,6 +286,22 @@ def _repeated(
     if document.tokens[replaced.start].lower in PREPOSITIONS | {"for"} and len(replaced) > 1 and not is_led:
         ahead.append(replaced.start)
     return ahead, behind
+
+
+def _unread(document: Document, own: Sequence[tuple[Argument, range]], order: range, words: range) -> range | None:
+    """The words of an order behind its arguments that none of them has, where they begin with the preposition of an
+    alternative: "set the table *for four*, or for five if Ann comes"."""
+    taken = {i for _, tokens in own for i in tokens}
+    lead = document.tokens[words.start].lower
+    starts = [i for i in order if document.tokens[i].lower == lead and i not in taken]
+    if len(words) == 1 or lead not in PREPOSITIONS | {"for"} or len(starts) != 1:
+        return None
+    rest = _up_to(document, range(starts[0], order.stop), order.stop)
+    return (
+        rest
+        if taken.isdisjoint(rest) and len(rest) > 1 and document.tokens[rest.start].i > max(taken, default=-1)
+        else None
+    )
 
 
 def _end_of_order(observed: Observed, verb: int, place: int) -> int:

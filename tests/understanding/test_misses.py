@@ -72,3 +72,19 @@ def _unordered(found: Any) -> Any:
     if isinstance(found, dict):
         return found["same"][0] if "same" in found else {key: _unordered(value) for key, value in found.items()}
     return [_unordered(one) for one in found] if isinstance(found, list) else found
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Look for the urn in the attic. If it isn't there, look in the larder. If you find it, bring it to me.",
+        "Look for the urn on the shelf. If it's not there, look in the larder. When you find it, bring it here.",
+    ],
+)
+def test_what_is_found_in_either_place_is_brought(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 2], "else": [3]}, {"if": 4, "then": [5]}]
+
+
+def test_what_is_found_in_the_one_place_is_brought(interpreter: Interpreter) -> None:
+    text = "Look for the urn in the attic. If you find it, bring it to me."
+    assert flow(interpreter, text) == [{"if": [1, 2], "then": [3]}]

@@ -580,7 +580,7 @@ def test_what_an_answer_says_is_what_was_asked() -> None:
         ("[Bring](1:bringing) [Ann](1:recipient) [the pot](1:object)", "[in the attic](2:location)", "mention"),
         ("[Take](1:bringing) [the pot](1:object) [to the attic](1:goal)", "[in the attic](2:location)", "mention"),
         ("[Take](1:bringing) [the pot](1:object) [to the attic](1:goal)", "[there](2:location)", "mention"),
-        ("[Wash](1:change_state) [the pot](1:object)", "[there](2:location)", "mention"),
+        ("[Wash](1:change_state) [the pot](1:object)", "[there](2:location)", "condition"),
     ],
 )
 def test_that_nobody_is_in_a_place_is_no_failure_of_what_is_done_elsewhere(order: str, place: str, role: str) -> None:

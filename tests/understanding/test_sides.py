@@ -782,7 +782,7 @@ def test_if_so_is_where_it_is_as_asked(question: str, opening: str, expected: st
     ("place", "end", "expected"),
     [
         ("[in the attic](2:location)", "", "top"),
-        ("[there](2:location)", "", ">1-"),
+        ("[there](2:location)", "", "top"),
         ("[in the attic](2:location)", " instead", ">1-"),
     ],
 )

@@ -147,6 +147,12 @@ class Clause:
     """Whether its object is what of those that were checked "is" so, or "not": "close *any that aren't*"."""
     tells_where: bool = False
     """Whether all that is said of its case is where something is: "if it's locked, *the key is in the drawer*"."""
+    compares: bool = False
+    """Whether it says that something is more or less than so much: "if there are *fewer than* four"."""
+    is_and_then: bool = False
+    """Whether an "and then" leads on to it."""
+    removes: bool = False
+    """Whether it says to take something "away", "out" or "off" again."""
     is_of_any: bool = False
     """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
     turns: tuple[str, ...] = ()
@@ -236,6 +242,12 @@ class Clause:
     def is_question(self) -> bool:
         """Whether it asks ("is it on?", "lamp on?"), and is no order to check."""
         return self.is_asked and "whether" not in self.behind and self.verb not in ASKING_LEMMAS
+
+    @property
+    def asks_who(self) -> bool:
+        """Whether it asks who or what something is: "if it's the plumber"."""
+        is_named = self.verb in ("be", "'s", "\u2019s") and bool(self.objects) and not self.says_there_is
+        return self.is_check and (bool(self.identified) or (is_named and not self.said_state and not self.places))
 
     @property
     def is_wish(self) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
@@ -49,6 +50,8 @@ from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidde
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
+_AWAY = frozenset("away out off back".split())
+_MORE_OR_LESS = frozenset("more fewer less over under at".split())
 _ANY = frozenset(("any", "some", "one"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
 _CASES = frozenset(("if", "only_if", "unless", "when"))
@@ -207,9 +210,18 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
         picks=picks(document, token),
         tells_where=task.type == "check_state" and tells_where(document, token),
+        compares=_compares([t.lower for t in document.tokens[first : own_last + 1]]),
+        is_and_then=any(
+            document.tokens[cue.last].lower == "then" and document.tokens[cue.last - 1].lower == "and" for cue in ahead
+        ),
+        removes=any(t.lower in _AWAY for t in document.tokens[token + 1 : own_last + 1]),
         is_of_any=is_of_somebody(document, task, _ANY),
         turns=turns(document, ahead, token),
     )
+
+
+def _compares(words: Sequence[str]) -> bool:
+    return any(one in _MORE_OR_LESS and other in ("than", "least", "most") for one, other in pairwise(words))
 
 
 def _is_in_it(document: Document, task: MarkedTask) -> bool:

@@ -33,9 +33,10 @@ def is_case_beside(clause: Clause, first: Clause) -> bool:
 def is_elsewhere_than(clause: Clause, first: Clause) -> bool:
     """Whether it asks if who or what the other looks for is in another place."""
     is_of_them = clause.names_same(first) or (clause.has_pronoun and not clause.objects)
-    are_places = clause.is_of_whereabouts and first.is_of_whereabouts and bool(clause.places) and bool(first.places)
+    places, others = clause.places - {"in"} or clause.places, first.places - {"in"} or first.places
+    are_places = clause.is_of_whereabouts and first.is_of_whereabouts and bool(places) and bool(others)
     are_stated = not clause.wording.is_negated and not first.wording.is_negated
-    return is_of_them and are_places and are_stated and clause.places.isdisjoint(first.places)
+    return is_of_them and are_places and are_stated and places.isdisjoint(others)
 
 
 def is_rival_of(clause: Clause, first: Clause) -> bool:

@@ -29,7 +29,10 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
         return []  # "the light isn't on, is it?" asks whether it is
     found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
     found = [
-        i for i in found if not (_is_polite(document, i) or is_answer(document, i)) and _is_of(document, i, task, last)
+        i
+        for i in found
+        if not (_is_polite(document, i) or is_answer(document, i) or _is_told(document, i))
+        and _is_of(document, i, task, last)
     ]
     if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
         found = [i for i in found if document.tokens[i].lower != "nor"]
@@ -47,6 +50,12 @@ def is_answer(document: Document, i: int) -> bool:
     after = tokens[i + 1 : i + 2]
     is_all = not after or after[0].text in MARKS or after[0].tag not in ("NN", "NNS", "JJ", "DT", "PRP$")
     return tokens[i].lower in ("yes", "no") and i > 0 and tokens[i - 1].lemma in _ANSWERING and is_all
+
+
+def _is_told(document: Document, i: int) -> bool:
+    """Whether a "not" is of what somebody is told to do: "unless Tom asks you *not to*"."""
+    following = document.tokens[i + 1 : i + 2]
+    return document.tokens[i].lower == "not" and i > 0 and bool(following) and following[0].lower == "to"
 
 
 def _is_of(document: Document, negation: int, task: int, last: int) -> bool:

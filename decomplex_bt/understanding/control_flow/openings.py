@@ -33,6 +33,8 @@ _BEFORE_MATTER = frozenset("on to a an and but then now so for completely entire
 """What may stand before "another matter" where it tells only that one follows."""
 _AFTER_LEAVING = frozenset("till until for as alone be where there then to and just bother".split())
 _BE = frozenset("is are 's \u2019s 're \u2019re".split())
+_SAID_WHERE = frozenset("there one it they".split())
+_BEING_LET = frozenset("be wait stay sleep rest".split())
 _PICKED = frozenset("any those ones one anything whatever whichever".split())
 _ONCE = frozenset(("after", "when"))
 _PERFECT = frozenset("have 've \u2019ve had 'd \u2019d ve".split())
@@ -111,6 +113,8 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
         said = _leaves(words[i:])
         if said is not None:
             return said
+        if "but" in leading and _is_letting(words[i : i + 3]) and words[i + 2] in _BEING_LET:
+            return True
         if "but" in leading and words[i - 1] in PUNCTUATION and (words[i] == "wait" or _is_letting(words[i : i + 3])):
             return True
     return False
@@ -140,7 +144,7 @@ def tells_where(document: Document, token: int) -> bool:
     comma = next((n for n, t in enumerate(rest) if t.text == ","), len(rest))
     said = rest[comma + 1 :]
     be = next((n for n, t in enumerate(said) if t.lower in _BE), 0)
-    is_named = be > 0 and (said[be - 1].pos in ("NOUN", "PROPN") or said[be - 1].lower in ("there", "one"))
+    is_named = be > 0 and (said[be - 1].pos in ("NOUN", "PROPN") or said[be - 1].lower in _SAID_WHERE)
     return is_named and any(t.lower in PREPOSITIONS for t in said[be + 1 :]) and all(t.tag != "VB" for t in said)
 
 

@@ -25,6 +25,7 @@ def stated_orders(
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _make_ready(clauses, roles, sides, stated, k)
+        _make_ready_all(clauses, roles, sides, stated, k)
         _come_between(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
@@ -138,6 +139,16 @@ def _make_ready(
     is_turned = not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
     if is_behind and is_turned and _is_first(after) and sides[k + 1][:2] == "<1" and orders[k] == "keep":
         orders[k] = "before"
+
+
+def _make_ready_all(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What a sentence of its own has done "first" in a case goes ahead of all orders that stand in both ("if it's hot,
+    pour it and bring it. If it's not, *heat it first*")."""
+    both = [j for j in range(k) if sides[j].endswith(BOTH)]
+    if len(both) > 1 and _is_first(clauses[k]) and clauses[both[-1]].sentence < clauses[k].sentence:
+        orders[k] = "first"
 
 
 def _come_between(

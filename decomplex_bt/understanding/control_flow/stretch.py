@@ -11,6 +11,7 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 
 PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
+_FALLING_BACK = frozenset(("else", "fail"))
 _COORDINATORS = frozenset(("and", "but", "or"))
 
 
@@ -48,6 +49,9 @@ class Stretch:
         end = min((j for j in marks if j > token and j not in message), default=following)
         is_open = end == following < len(document)
         cues = [cue for cue in observed.cues if cue.first not in (said if cue.name == "either_way" else message)]
+        places = {indices.start for kind, indices in tasks[k - 1].arguments if kind == "location"} if k else set()
+        # "look on the desk, otherwise in the drawer" is one search, and no order behind it stands in its case
+        cues = [cue for cue in cues if cue.name not in _FALLING_BACK or cue.last + 1 not in places]
         opening = [cue.last for cue in cues if split < cue.first <= token and cue.name in GOVERNING]
         joining = [cue.last for cue in cues if split < cue.first < token and cue.name in _COORDINATORS]
         closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
@@ -76,7 +76,7 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         OPPOSITES.get(state, _OTHER_ANSWER.get(state)) if state else None,
         observed.document.sentences[task.token],
         tuple(dict.fromkeys(orders)),
-        next((word for word in ("or", "and") if word in leading and not leading & GOVERNING), "") if is_joined else "",
+        _joint(tokens[task.token], leading) if is_joined else "",
         bool(lemmas & _CONTRARY)
         or state in _CONTRARY
         or (task.type == "check_state" and tokens[task.token].lemma in _LOSING)
@@ -87,6 +87,15 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         is_bare(observed.document, task, last, ECHOING) or _says_who(observed.document, task),
         is_of_somebody(observed.document, task, _ANYBODY),
     )
+
+
+def _joint(carrier: Token, leading: Collection[str]) -> str:
+    """What joins a clause without an "if" of its own to the one before; a "but" does where no verb follows ("bread
+    *but* no butter")."""
+    if not GOVERNING.isdisjoint(leading):
+        return ""
+    joint = next((word for word in ("or", "and") if word in leading), "")
+    return joint or ("and" if "but" in leading and carrier.pos == "NOUN" else "")
 
 
 def _asked_of(observed: Observed, task: int, last: int) -> list[int]:

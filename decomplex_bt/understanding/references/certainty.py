@@ -226,6 +226,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
+    if is_ahead and gap.task.type == "check_state" and gap.word in _SOMEBODY and _is_called_in(context, candidate):
+        return True
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
@@ -238,6 +240,13 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
         return True
     return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+
+
+def _is_called_in(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is somebody who is got on account of what was asked of another one: "if he's in pain, get
+    *the nurse*"."""
+    is_got = candidate.type == "object" and context.lemmas.get(candidate.owner, "").split()[:1] in (["get"], ["fetch"])
+    return is_got and candidate.task_type in ("taking", "following", "bringing")
 
 
 def _is_turned(context: Context, gap: Gap, candidate: Candidate) -> bool:

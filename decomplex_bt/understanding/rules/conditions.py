@@ -35,6 +35,8 @@ _AHEAD = frozenset(
 )
 """What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
+_CALLING = frozenset("tell ask say call shout ring whistle signal wave text yell".split())
+_TELLING = frozenset("tell ask say know".split())
 _GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _OF_TASKS = frozenset("fail succeed manage".split())
 """What tells how a task went: "in the case that this fails"."""
@@ -54,6 +56,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         | frozenset(_denials(document, tasks))
         | frozenset(_of_anybody(document, tasks))
         | frozenset(_doubts(document, tasks))
+        | frozenset(_of_speaker(document))
         | frozenset(
             be
             for i, token in enumerate(tokens)
@@ -128,6 +131,17 @@ def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         is_free = tasks.keys().isdisjoint(range(i, verb + 1)) and not _is_told(document, tasks, i)
         if is_free and is_of_order and later[:1] != ["check_state"]:
             yield verb
+
+
+def _of_speaker(document: Document) -> Iterator[int]:
+    """The verb of every case of what the speaker will say or do to be heard: "close it if *I tell you to*"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-2]):
+        is_opened = token.lower in ("if", "unless") and tokens[i + 1].lower in ("i", "we")
+        if not is_opened or (i and tokens[i - 1].lemma in ASKING_LEMMAS | _TELLING | {"even"}):
+            continue
+        if tokens[i + 2].lemma in _CALLING and tokens[i + 2].tag in ("VBP", "VB"):
+            yield i + 2
 
 
 def _doubts(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:

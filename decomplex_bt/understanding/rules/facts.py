@@ -27,6 +27,7 @@ from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.perfects import (
     are_gone,
     is_asked_done,
+    is_denied_of_others,
     is_done_by_others,
     passive_participle,
     perfect_participle,
@@ -114,6 +115,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (bool(found) and _is_progressive(document, found[-1], task))
             or (bool(found) and _is_left_of(document, found[-1], task))
             or (following is not None and _is_with_see(document, task.token, following.token))
+            or (following is not None and _is_beginning(document, task.token, following.token))
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
@@ -164,6 +166,9 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
     """The tasks, those next to each other that are one check ("has *been* *put* away", "*has* *put* it") as one."""
     kept = list(tasks)
     for task, following in pairwise(tasks):
+        is_denied = following.token == task.token + 2 and is_denied_of_others(document, following.token)
+        if task.type == "check_state" and is_denied:
+            kept.remove(task)
         if task.type == "check_state" and following.token in (
             passive_participle(document, task.token),
             perfect_participle(document, task.token),
@@ -204,6 +209,12 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     kept = [task for task in tasks if task.token not in behind | idioms.keys()]
     added = [FoundTask(i, type, 1.0) for i, type in idioms.items()]
     return tuple(sorted([*kept, *added], key=lambda task: task.token))
+
+
+def _is_beginning(document: Document, verb: int, gerund: int) -> bool:
+    """Whether a verb only says to begin what the one behind it orders: "*start* cooking the rice"."""
+    is_begun = document.tokens[verb].lemma in ("start", "begin") and document.tokens[verb].tag in ("VB", "VBP")
+    return is_begun and gerund == verb + 1 and is_gerund(document.tokens[gerund])
 
 
 def _is_with_see(document: Document, verb: int, see: int) -> bool:
@@ -313,7 +324,7 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type != "check_state" and is_done_by_others(document, task.token):
         return "check_state"
-    if task.type in _HANDLING and is_asked_done(document, task.token):
+    if task.type in _HANDLING and (is_asked_done(document, task.token) or is_denied_of_others(document, task.token)):
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
         return "change_state"  # "hoover the stairs and clear up"
@@ -321,6 +332,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "motion" and are_gone(document, task.token):
         return "check_state"
+    if task.type == "informing" and lemma == "enter":
+        return "motion"  # "only enter if Tom says so"
     if task.type == "motion" and encountered(document, task.token):
         return "searching"
     return task.type

@@ -15,6 +15,8 @@ _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread sp
 _WHETHER = frozenset(("if", "unless", "whether", "when"))
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
+_NOT = frozenset("not n't n\u2019t nt".split())
+_DO = frozenset(("do", "does", "did"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
     "been got had come arrived fallen risen sat slipped dropped boiled walked driven started died nodded happened "
@@ -132,6 +134,29 @@ def is_asked_done(document: Document, at: int) -> bool:
     is_perfect = is_perfect and (words[0] != "have" or is_object)  # not "have the table laid by six"
     is_past = words[0] == "did" and tokens[at].tag in ("VB", "VBP")
     return (is_perfect or is_past) and not any(token.pos == "VERB" for token in tokens[start + 1 : at])
+
+
+def is_denied_of_others(document: Document, at: int) -> bool:
+    """Whether an "if" or the like asks if somebody named does not do what the verb says: "if Ann doesn't *shut* it,
+    ...", with a mark behind or the order ahead; not "if she doesn't *shut* the gate", which may be "if she doesn't,
+    shut the gate"."""
+    tokens, sentences = document.tokens, document.sentences
+    if at < 3 or tokens[at - 1].lower not in _NOT or tokens[at - 2].lower not in _DO or tokens[at].tag != "VB":
+        return False
+    opener = next((j for j in range(at - 3, max(-1, at - 9), -1) if tokens[j].lower in _WHETHER), None)
+    subject = () if opener is None else tokens[opener + 1 : at - 2]
+    if opener is None or not subject or subject[-1].lower in _SPEAKING | {"it", "this", "that"}:
+        return False
+    is_many = subject[-1].tag in ("NNS", "NNPS") or subject[-1].lower == "they"  # "don't" is else an order's
+    if any(t.pos in ("AUX", "VERB") or t.text in MARKS for t in subject) or (
+        tokens[at - 2].lower == "do" and not is_many
+    ):
+        return False
+    behind = [t for t in tokens[at + 1 :] if sentences[t.i] == sentences[at]]
+    end = next((n for n, t in enumerate(behind) if t.lower in MARKS), len(behind))
+    is_followed = any(t.tag == "VB" for t in behind[end:])
+    is_trailing = not is_followed and opener > 0 and sentences[opener - 1] == sentences[at]
+    return end > 0 and (is_followed or (is_trailing and tokens[opener - 1].lower not in MARKS))
 
 
 def are_gone(document: Document, at: int) -> bool:

@@ -8,8 +8,10 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS, noun_chunks
 
-_NEXT = frozenset("and then finally lastly next after that afterwards also maybe perhaps".split())
-_TURNING = frozenset(("and", "then", "finally", "lastly", "next", "afterwards"))
+_NEXT = frozenset(
+    "and then finally lastly next after that afterwards also maybe perhaps otherwise failing this or else".split()
+)
+_TURNING = frozenset("and then finally lastly next afterwards otherwise failing else".split())
 
 
 def with_rounds(

@@ -1,5 +1,6 @@
 """Second cases: a further thing and its state behind a condition, its "is" left out ("if the bin is full and *the lid
-loose*, ...", "should the mat be soaked or *the basket full*, ...")."""
+loose*, ...", "should the mat be soaked or *the basket full*, ..."), or that there is none of it ("if there's bread but
+*no butter*, ...")."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.fragments import Fragment
 
 _OPENING = frozenset("if unless when whenever once should were".split())
+_CASES = frozenset(("if", "when"))
 _BE = frozenset("is are was were be 's \u2019s 're \u2019re s re".split())
 _NO_STATES = frozenset(
     "upstairs downstairs inside outside home away in up down high low good bad big small old light early late".split()
@@ -26,11 +28,35 @@ _LONGEST = 4
 
 
 def second_cases(document: Document) -> Iterator[Fragment]:
-    """The second cases of a document, each carried by its state."""
+    """The second cases of a document, each carried by its state, or by what there is none of."""
     tokens = document.tokens
     for joint, token in enumerate(tokens[:-2]):
+        if token.lower in ("and", "but") and _is_some_before(document, joint) and (stop := _none(document, joint + 1)):
+            yield Fragment(range(joint, stop), stop - 1, range(joint + 2, stop), range(0))
         if token.lower in ("and", "or") and _is_case_before(document, joint) and (state := _state(document, joint + 1)):
             yield Fragment(range(joint, state + 1), state, range(joint + 1, state), range(0))
+
+
+def _is_some_before(document: Document, joint: int) -> bool:
+    """Whether a case that there is something stands ahead of an "and" without a mark between: "if there's bread"."""
+    tokens = document.tokens
+    start = next((i + 1 for i in range(joint - 1, -1, -1) if tokens[i].text in MARKS), 0)
+    words = [token.lower for token in tokens[start:joint]]
+    opening = next((i for i, word in enumerate(words) if word in _CASES), len(words))
+    behind = words[opening + 1 :]
+    is_there = behind[:1] == ["there"] and behind[1:2] != [] and behind[1] in _BE
+    return is_there and not any(token.pos in ("VERB", "SCONJ") for token in tokens[start + opening + 3 : joint])
+
+
+def _none(document: Document, start: int) -> int:
+    """Where the noun phrase behind a "no" at `start` ends, with which its clause does; 0 where none stands."""
+    tokens = document.tokens
+    stop = start + 1
+    while stop < len(tokens) and tokens[stop].pos in ("NOUN", "ADJ", "PROPN"):
+        stop += 1
+    is_named = tokens[start].lower == "no" and stop > start + 1 and tokens[stop - 1].pos in ("NOUN", "PROPN")
+    is_end = stop == len(tokens) or tokens[stop].text in MARKS or tokens[stop].lower == "then"
+    return stop if is_named and is_end else 0
 
 
 def _is_case_before(document: Document, joint: int) -> bool:

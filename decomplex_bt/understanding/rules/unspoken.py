@@ -7,14 +7,16 @@ from collections.abc import Iterator, Mapping
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
 from decomplex_bt.understanding.rules.needs import belonging
+from decomplex_bt.understanding.rules.renewals import renewals
 from decomplex_bt.understanding.rules.transfers import transfers
 from decomplex_bt.understanding.rules.wants import wants
 
 
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
-    """Questions and orders without a verb, what is said to belong somewhere, what is wanted; `tasks`: tokens that are
-    tasks, with types."""
+    """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again;
+    `tasks`: tokens that are tasks, with types."""
     yield from fragments(observed.document)
     yield from transfers(observed)
     yield from belonging(observed.document)
     yield from wants(observed, tasks)
+    yield from renewals(observed.document)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
-from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, PRESENT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_content_of,
@@ -19,6 +19,8 @@ from decomplex_bt.understanding.control_flow.contrasts import (
 )
 from decomplex_bt.understanding.cues import WISHING
 
+_HAVING = frozenset(("have", "get", "be"))
+_NONE_OF = frozenset(("one", "any"))
 _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
 """What there is that may be what was named, or an answer to it, in other words."""
 
@@ -55,6 +57,32 @@ def part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "condition"
 
 
+def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """In what state a place is where something may be looked for is no outcome of a look at it ("check the oven. *If
+    it's on*, turn it off")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first != k - 1 or (roles[first], roles[k]) != ("condition", "mention"):
+        return
+    search, clause = clauses[first], clauses[k]
+    is_bare = search.task.type == "searching" and not search.objects and not search.has_pronoun and bool(search.places)
+    is_of_state = clause.is_check and clause.wording.state is not None and clause.wording.state not in PRESENT
+    if is_bare and is_of_state and clause.is_of_it and not clause.objects:
+        roles[first : k + 1] = "task", "condition"
+
+
+def count(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That there are more or fewer than so many is no mention of a look for them ("check for eggs. If there are *fewer
+    than four*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "mention") or not clauses[k].compares:
+        return
+    if clauses[k].is_check and clauses[first].task.type in FINDING_OUT and not clauses[first].compares:
+        roles[k] = "condition"
+        is_order = clauses[first].is_asked or clauses[first].task.type == "searching"
+        if first == k - 1 and is_order and "mention" not in roles[k + 1 :]:
+            roles[first] = "task"
+
+
 def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tests the opposite of the condition before, of the same thing, is a mention of it, be that thing an "it" in
     both, with no other one named between ("bring it in if it's wet, and *leave it out when it's dry*")."""
@@ -69,6 +97,35 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_next = clause.boundary == "none" and clause.sentence == before.sentence
     if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next):
         roles[k] = "mention"
+
+
+def lack(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That there is none of what an order in a case needs is no mention of that case, which tests how a thing is ("if
+    the lamp is broken, change the bulb, and *if you don't have one*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "mention"):
+        return
+    clause, check = clauses[k], clauses[first]
+    is_none = clause.wording.is_negated and clause.verb in _HAVING and not _NONE_OF.isdisjoint(clause.thing)
+    is_none = is_none and not clause.objects and "if" in clause.near and not clause.says_too
+    is_of_state = check.is_check and bool(check.said_state) and check.number == "one" and not check.says_there_is
+    is_done = any(clauses[j].task.type != "informing" for j in range(first + 1, k))
+    if is_none and is_of_state and is_done and not check.is_of_whereabouts and check.wording.state not in PRESENT:
+        roles[k] = "condition"
+
+
+def ask_of_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What somebody does not do, right behind an order about it, is no mention of what something else does not do ("if
+    the alarm doesn't ring, wake Tom, and call me *if he doesn't get up*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[k] != "mention" or roles[first] != "condition" or "mention" in roles[k + 1 :]:
+        return
+    clause, check = clauses[k], clauses[first]
+    is_behind = clause.boundary == "none" and clause.near[:1] == ("if",) and clause.is_of_person and clause.is_check
+    is_of_thing = check.is_check and check.verb != clause.verb and not check.is_of_somebody and bool(check.objects)
+    is_named = any(clauses[j].may_be_of_person and clauses[j].objects for j in range(first + 1, k))
+    if is_behind and is_of_thing and is_named and check.number:
+        roles[k] = "condition"
 
 
 def hold(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

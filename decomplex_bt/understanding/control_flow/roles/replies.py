@@ -25,6 +25,7 @@ from decomplex_bt.understanding.control_flow.outcomes import (
 )
 
 _PARTING = frozenset((".", "!", ";"))
+_GOING_ON = frozenset(("keep", "continue"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
@@ -49,6 +50,13 @@ def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if roles[k] != "mention" or first is None or first == k - 1 or roles[first] != "condition":
         return
     is_done = any(clauses[j].task.type in _DOING for j in range(first + 1, k))
+    is_going_on = clauses[k].verb in _GOING_ON or "again" in clauses[k].ways
+    is_going_on = is_going_on and clauses[k].has_pronoun and not clauses[k].wording.is_negated
+    one, other = clauses[first].wording, clauses[k].wording
+    is_later = one.is_negated and other.is_negated and one.state == other.state is not None and not other.is_echo
+    is_later = is_later and clauses[k].near == ("and", "if") and roles[first + 1 : k] == ["task"] * (k - first - 1)
+    if clauses[first].is_check and is_done and (is_going_on or is_later):  # "and if it keeps dripping, ..."
+        roles[k] = "condition"
     if clauses[first].is_check and is_done and is_asked_again_after(clauses[k], clauses[first]):
         roles[k] = "condition"
 
@@ -133,6 +141,29 @@ def fetched_before(clauses: Sequence[Clause], k: int) -> int | None:
         return None
     is_told = clauses[check].sentence == clauses[k - 1].sentence and not any(c.turns for c in clauses[check:k])
     return check - 1 if is_told and is_not_to_be_found(clauses[k], clauses[check - 1], clauses[check]) else None
+
+
+def find_after_all(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That something is found is asked of both places where it was looked for, not of the second alone ("look in the
+    hall. If it isn't there, look in the car. *If you find it*, ...")."""
+    if roles[k] == "mention" and sought_twice(clauses, roles, k) is not None and "mention" not in roles[k + 1 :]:
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def sought_twice(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The first of two searches, the second right ahead of clause `k`, which says in a sentence of its own that the
+    thing is found; else None."""
+    clause, second = clauses[k], clauses[k - 1]
+    is_found = (
+        clause.task.type == "searching" and clause.is_of_it and not clause.objects and not clause.wording.is_negated
+    )
+    is_led = clause.near in (("if",), ("when",), ("after",)) and clause.boundary in _PARTING and k + 1 < len(clauses)
+    is_next = second.task.type == "searching" and second.sentence == clause.sentence - 1
+    is_next = is_next and roles[k - 1] != "mention" and not clause.places  # not "if you find it there"
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    if first is None or not (is_found and is_led and is_next) or clauses[first].task.type != "searching":
+        return None
+    return first if all(roles[j] == "mention" for j in range(first + 1, k - 1)) else None
 
 
 def miss(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

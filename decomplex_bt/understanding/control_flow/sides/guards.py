@@ -19,6 +19,12 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     hangs_ahead,
 )
 
+_HANDLING = frozenset(("taking", "change_state"))
+_SAYING = frozenset(("not", "there", "still"))
+_LISTING = frozenset(("and", "please"))
+_LIST = 3
+"""From so many orders on they are a list."""
+
 
 def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
@@ -45,6 +51,22 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         sides[j] = beside(sides[k])
 
 
+def list_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of several orders in a list ahead of a case that a comma sets off, all hang on it where more than the last do
+    ("dim the lights, draw the blinds and start the film, *unless Tom isn't back*")."""
+    clause = clauses[k]
+    is_behind = clause.boundary == "," and clause.near in (("unless",), ("if",)) and roles[k] == "condition"
+    ahead = list(
+        takewhile(lambda j: roles[j] == "task" and clauses[j].sentence == clause.sentence, range(k - 1, -1, -1))
+    )
+    if not is_behind or len(ahead) < _LIST or not clause.ends_sentence or sides[k - 1] != sides[k - 2]:
+        return
+    is_list = all(not clauses[j].far and _LISTING.issuperset(clauses[j].near) for j in ahead)
+    if is_list and sides[k - 1][:2] == ">1" and all(sides[j] in ("top", sides[k - 1]) for j in ahead):
+        for j in ahead:
+            sides[j] = sides[k - 1]
+
+
 def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """An order hangs on what is asked right behind it after its own thing, and behind a "then" that is asked whatever
     came of another condition ("is the tv on? Turn it off, *then* close the window if *it's open*")."""
@@ -54,6 +76,17 @@ def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     if asks_of(clauses[k], clauses[k - 1], clauses[first]):
         is_next = "then" in clauses[k - 1].near and clauses[k - 1].sentence == clauses[first].sentence
         sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
+
+
+def guard_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order in a case hangs on what is asked right behind it as well, where nothing else would ("see if the lights
+    are on and turn them off *if nobody's there*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and clause.near[:1] in (("if",), ("unless",)) and clause.ends_sentence
+    is_behind = is_behind and _SAYING.issuperset(clause.near[1:])
+    is_free = sides[k - 1] in (HOLDS, FAILS) and (k + 1 == len(clauses) or sides[k + 1][:1] != "<")
+    if is_behind and is_free and (roles[k - 1], roles[k]) == ("task", "condition") and "or" not in order.near:
+        sides[k - 1], sides[k] = ">1+", sides[k - 1]
 
 
 def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -96,20 +129,26 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind the last of several orders is of that one alone where it takes back what one before it brings
     about ("light the candles and blow them out if they drip"), where what is asked comes through one ("fill the tub
-    and call me when it's full") or is about the thing of the last one ("shut the door and fill the jug if it's
-    empty"), or about weather that only the last is for ("feed the cat and shut the window if it rains"), and where a
-    comma parts it from them ("shut the door, and bring a chair if there is one")."""
+    and call me when it's full"), is about the thing of the last one ("shut the door and fill the jug if it's empty"),
+    or in what state that will be which was handled before ("unplug it and put it away when it's cold"), where a "but"
+    sets that one apart ("take it out, but cut it only when it's cold"), where it is about weather that only the last
+    is for ("feed the cat and shut the window if it rains"), and where a comma parts it from them ("shut the door, and
+    bring a chair if there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
         return
     ahead = list(takewhile(lambda j: hangs_ahead(clauses, roles, sides, j, clause.sentence), range(k - 2, -1, -1)))
     is_parted = order.boundary == "," and "and" in order.near and "when" not in clause.near
+    is_awaited = clause.near[-1:] == ("when",) and clause.is_of_it and order.is_of_it and "and" in order.near
+    is_awaited = is_awaited and not order.objects and clause.wording.state is not None
     is_of_weather = is_against(order, clause) and not (
         clause.objects or any(is_against(clauses[j], clause) for j in ahead)
     )
     if (
         is_of_weather
+        or (is_awaited and len(ahead) == 1 and clauses[ahead[0]].task.type in _HANDLING)
+        or (order.near == ("but",) and order.boundary == "," and clause.near == ("only_if",))
         or any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead)
         or (ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]])))
     ):

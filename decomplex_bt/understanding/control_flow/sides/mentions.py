@@ -8,12 +8,12 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
-from decomplex_bt.understanding.control_flow.contrasts import is_other_case_than
+from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than, is_other_case_than
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
 from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
 from decomplex_bt.understanding.control_flow.roles.parts import taken_up
-from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to
+from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to, sought_twice
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
 
@@ -67,6 +67,29 @@ def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     is_other = any(state and clause.wording.state and are_apart(state, clause.wording.state) for state in states)
     if len(named) == 1 and not is_other:
         sides[k] = f"<{nearest.index(named.pop()) + 1}"
+
+
+def find_after_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That something is found in one of two places is asked where the first search is (`roles`)."""
+    first = sought_twice(clauses, roles, k)
+    if first is not None and roles[k] == "condition":
+        sides[k] = sides[first] if sides[first] in ("top", HOLDS, FAILS) else "top"
+
+
+def miss_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That somebody is nowhere to be found is asked where they are in none of the places before ("see if she's in the
+    garden. If she is, ...; if she's on the roof, ...; *if you can't find her*, ...")."""
+    last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if last is None or (roles[last], roles[k]) != ("condition", "mention") or last == k - 1:
+        return
+    first = next((j for j in range(last - 1, -1, -1) if roles[j] == "condition"), None)
+    clause = clauses[k]
+    is_away = clause.wording.is_contrary or (clause.task.type == "searching" and clause.wording.is_negated)
+    is_led = "if" in clause.near and clause.has_pronoun and not clause.objects
+    if first is None or not (is_away and is_led) or not is_elsewhere_than(clauses[last], clauses[first]):
+        return
+    if sides[last] in (HOLDS, FAILS) and sides[k][:1] == "<":
+        sides[last], sides[k] = FAILS, "<1"
 
 
 def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:

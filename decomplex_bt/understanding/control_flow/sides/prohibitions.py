@@ -43,7 +43,8 @@ def replace_order(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
     if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "task"):
         return
     order, check, clause = clauses[k - 2 : k + 1]
-    is_afterthought = check.near == ("unless",) and check.sentence == order.sentence + 1 and clause.near == ("so",)
+    is_afterthought = check.near == ("unless",) and check.sentence == order.sentence + 1
+    is_afterthought = is_afterthought and clause.near in (("so",), ("then",)) and clause.boundary in (",", "none")
     if is_afterthought and sides[k - 2] == "top" and not order.is_forbidden:
         sides[k - 2] = ">1+"
         for j in range(k, len(clauses)):
@@ -73,14 +74,18 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     in that case ("if it's wet, don't iron it, hang it up"), and what an "otherwise" opens behind it in the other."""
     clause = clauses[k]
     is_task = roles[k] == "task" and roles[k - 1] in CONDITION_ROLES
-    if not (is_task and clause.is_forbidden and sides[k] in (HOLDS, FAILS)):
+    is_beside = roles[k - 1] == "condition" and clause.boundary == "," and clause.sentence == clauses[k - 1].sentence
+    is_beside = is_beside and sides[k] == "top" and "if" in clauses[k - 1].near  # "if they're asleep, don't vacuum"
+    if not (is_task and clause.is_forbidden and (sides[k] in (HOLDS, FAILS) or is_beside)):
         return
     sides[k] = FAILS
     for j in range(k + 1, len(clauses)):
         later = clauses[j]
-        if later.sentence != clause.sentence or roles[j] != "task":
+        is_instead = "instead" in later.behind and later.sentence == clause.sentence + 1 and j == k + 1
+        if (later.sentence != clause.sentence and not is_instead) or roles[j] != "task":
             return
         turning = {*later.far, *later.near} & TURNING
+        turning -= {"but"} if j == k + 1 and not later.has_pronoun else set()  # "don't vacuum *but* sweep"
         if turning == {"else"} and sides[j] == HOLDS:
             sides[j] = FAILS
         if later.is_forbidden or turning:

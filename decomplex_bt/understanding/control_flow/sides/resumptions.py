@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
 
 _CARRYING = frozenset(("placing", "bringing", "taking"))
+_COMING = frozenset(("come", "arrive"))
 _TELLING = frozenset(("informing", "check_state"))
 _WHETHER = frozenset(("whether", "if"))
 _AFTER_ASKING = frozenset(("whether", "there", "and"))
@@ -21,10 +22,15 @@ def disregard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     """What is done whether something is so or not hangs on no more than what that hangs on ("if you find it, bring it,
     and *whether you find it or not*, come back"), nor does what ", and" adds to an "otherwise" that only forbids
     ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess ("if it's not here, it must be
-    in the hall. *Bring it to me*")."""
+    in the hall. *Bring it to me*") or, of something else, behind a case that only says where something is ("if he
+    asks, the key is in the drawer. *Offer him tea*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
     clause = clauses[k]
-    if first is not None and (clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess):
+    if first is None:
+        return
+    is_past_place = first == k - 1 and clauses[first].tells_where and clause.sentence == clauses[first].sentence + 1
+    is_past_place = is_past_place and bool(clause.objects) and TURNING.isdisjoint((*clause.far, *clause.near))
+    if clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess or is_past_place:
         _take_out(clauses, roles, sides, k, sides[first])
 
 
@@ -150,22 +156,31 @@ def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What goes on behind an order and a case that commas set off is done in any case: behind an "unless" with a "then"
     and another matter ("shut the door, unless Mum's in there, *and then feed the dog*", not "..., then leave it open"),
-    behind whether the order is needed with an "and" ("close it, if it's open, *and bring me a towel*")."""
-    if k != 2 or (roles[0], roles[1], roles[2]) != ("task", "condition", "task") or sides[0][:2] != ">1":
+    behind whether the order is needed, or the thing has come, with an "and" ("close it, if it's open, *and bring me a
+    towel*", "bring the paper if it's come, *and open the blinds*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "condition", "task") or sides[k - 2][:2] != ">1":
         return
-    order, check, clause = clauses[:3]
-    is_set_off = check.boundary == clause.boundary == "," and order.sentence == check.sentence == clause.sentence
+    order, check, clause = clauses[k - 2 : k + 1]
+    if k > 2 and clauses[k - 3].sentence == order.sentence:
+        return
+    is_one = order.sentence == check.sentence == clause.sentence
+    is_set_off = is_one and check.boundary == clause.boundary == ","
+    is_run_on = is_one and clause.is_and_then and check.boundary == "none"
+    is_led_on = is_set_off or is_run_on  # "shut it unless Mum's in there and then feed the dog"
     is_instead = clause.task.type == order.task.type and order.task.type in _CARRYING
-    is_other = not (is_instead or clause.has_pronoun or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
+    is_of_it = clause.has_pronoun and not clause.objects
+    is_other = not (is_instead or is_of_it or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
     is_on = check.near == ("unless",) and clause.near in (("then",), ("and", "then")) and is_other
     is_done = is_guard_of(check, order) or (check.says_already and not check.has_pronoun and not check.objects)
-    is_needless = check.near == ("if",) and clause.near == ("and",) and is_done
-    if not is_set_off or not (is_on or is_needless) or TURNING & set(clause.far) - {"not"}:
+    is_needless = is_set_off and check.near == ("if",) and clause.near == ("and",) and is_done
+    is_come = check.near == ("if",) and check.verb in _COMING and check.takes_up(order) and is_other
+    is_come = is_come and clause.boundary == "," and clause.near == ("and",) and is_one
+    if not ((is_led_on and is_on) or is_needless or is_come) or TURNING & set(clause.far) - {"not"}:
         return
     for j in range(k, len(clauses)):
         if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j][:2] != "<1":
             return
-        sides[j] = "top"
+        sides[j] = beside(sides[k - 1])
 
 
 def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -182,6 +197,20 @@ def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         roles[k + 1] != "task" and "if" in clauses[k + 1].near and _LEADING_ON.issuperset(clauses[k + 1].near)
     )
     if is_asked and is_report and is_joined and is_last and clause.boundary == "none":
+        sides[k] = beside(sides[k - 1])
+
+
+def keep_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "but" has done with another thing behind an order and its case is done in any case ("throw the rolls away
+    if they're old, *but keep the cake*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "condition", "task") or sides[k - 2][:2] != ">1":
+        return
+    order, check, clause = clauses[k - 2 : k + 1]
+    is_set_off = check.boundary == "none" and clause.boundary == "," and clause.near == ("but",)
+    is_one = order.sentence == check.sentence == clause.sentence and check.near == ("if",)
+    known = {*order.thing, *check.thing, *check.nouns}
+    is_other = bool(clause.objects) and known.isdisjoint(clause.objects) and not order.is_forbidden
+    if is_set_off and is_one and is_other and sides[k] in (HOLDS, FAILS) and not clause.is_forbidden:
         sides[k] = beside(sides[k - 1])
 
 

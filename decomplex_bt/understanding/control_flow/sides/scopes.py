@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
+    asks_same_of_another,
     is_apart_from,
     is_elsewhere_than,
     is_named_apart,
@@ -102,6 +103,21 @@ def wait_for(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k] = "top"
 
 
+def wait_till_over(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done once a case is over is done in any case ("if he's asleep, leave the lamp on. *Once he's awake, turn
+    it off*")."""
+    awaited, clause = clauses[k - 1], clauses[k]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and awaited.boundary in _PARTING
+    if first is None or first == k - 2 or not is_awaited or awaited.near not in (("when",), ("after",)):
+        return
+    one, other = clauses[first].wording, awaited.wording
+    is_over = other.is_opposite_of(one) or (other.is_contrary and not one.is_contrary)
+    is_over = is_over and awaited.has_pronoun and clause.sentence == awaited.sentence and not clause.near
+    if is_over and sides[k] == sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1] = sides[k] = beside(sides[first])
+
+
 def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Who does not know or cannot help has been asked ("ask Tom where it is, and *if he doesn't know*, ...")."""
     clause, order = clauses[k], clauses[k - 1]
@@ -114,11 +130,15 @@ def ask_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 
 def ask_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """A question of its own about another thing, behind what was done in a case, is asked in any case ("Window open?
-    Close it. *Baby awake?* Feed her")."""
+    """A question of its own about another thing, behind what was done in a case, or behind another that nothing goes
+    by, is asked in any case ("Window open? Close it. *Baby awake?* Feed her", "is the kettle on? *Are the cups clean?*
+    If they are, ...")."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k][:2] != "<1":
+    if first is None or roles[k] != "condition" or sides[k][:2] != "<1":
+        return
+    is_echoed = k + 1 < len(clauses) and roles[k + 1] == "mention" and clauses[k + 1].says_only_whether
+    if roles[k - 1] != "task" and not (roles[k - 1] == "condition" and is_echoed):
         return
     is_plain = clause.is_question and not (clause.far or clause.near) and clause.boundary in _ENDING
     known = {word for before in clauses[first:k] for word in (*before.nouns, *before.thing)}
@@ -184,6 +204,39 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):
         sides[first + 1 : k] = [HOLDS] * (k - first - 1)
         sides[k] = FAILS
+
+
+def contrast(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A "but if" that asks the same of somebody or something else is asked where the first does not hold ("if Ann is
+    home, give her the letter, *but if Tom is home*, ..."), one that asks what another one does in any case
+    ("if the dog barks, ..., *but if the cat miaows*, ...")."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    check, between = clauses[first], range(first + 1, k)
+    is_led = clause.near == ("but", "if") and clause.boundary == "," and check.near[-1:] == ("if",)
+    is_one = check.sentence == clause.sentence and all(sides[j] in (HOLDS, ">1-", ">1+") for j in between)
+    if not (is_led and is_one) or sides[k] not in (HOLDS, FAILS) or check.wording.is_negated:
+        return
+    is_rival = asks_same_of_another(clause, check) or (clause.asks_who and check.asks_who)
+    is_other = bool(clause.objects) and check.nouns.isdisjoint(clause.nouns) and clause.verb != check.verb
+    is_other = is_other and not (clause.has_pronoun or clause.places or clause.is_of_weather)
+    is_other = is_other and not (check.said_state or clause.said_state) and "be" not in (clause.verb, check.verb)
+    if is_rival or is_other:
+        for j in between:
+            sides[j] = HOLDS
+        sides[k] = FAILS if is_rival else beside(sides[first])
+
+
+def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether it is somebody else than the one who is excepted is asked beside that ("open unless it's the salesman.
+    *If it's the courier*, ...")."""
+    first, clause = clauses[k - 1], clauses[k]
+    is_next = (roles[k - 1], roles[k]) == ("condition", "condition") and clause.boundary in _PARTING
+    is_apart = clause.asks_who and first.asks_who and "unless" in first.near and set(clause.objects) != {*first.objects}
+    if is_next and is_apart and clause.near == ("if",) and sides[k] in (HOLDS, FAILS):
+        sides[k] = beside(sides[k - 1])
 
 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

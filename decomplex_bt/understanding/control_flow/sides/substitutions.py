@@ -12,6 +12,8 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, M
 
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
+_MEASURES = frozenset(("state", "manner"))
+_KEEPING = frozenset(("leave", "keep", "let"))
 _LEAVING = frozenset(("leave", "keep"))
 _CARRYING = frozenset(("placing", "bringing", "taking"))
 _ROOMS = frozenset(
@@ -22,8 +24,29 @@ _USELESS = frozenset(
     "dirty broken cracked torn ripped chipped empty stale sour mouldy moldy rotten used use order taken occupied gone "
     "missing lost finished flat dead".split()
 )
+_FAILING = frozenset("broken order service use locked shut closed empty stuck down".split())
+"""What nothing can be taken from, or done with."""
 _FILLED = frozenset("full packed crammed overflowing".split())
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
+
+
+def override(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "but if" says of an order that has a case already is asked ahead of that case, where it calls the order
+    off or keeps its thing from it ("let her out if she's at the door, *but if it's raining keep her in*", "...,
+    *don't*")."""
+    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "condition"):
+        return
+    order, check, clause = clauses[k - 2 : k + 1]
+    is_led = clause.near == ("but", "if") and check.near == ("if",) and check.boundary == "none"
+    is_guarded = sides[k - 2] == ">1+" and order.sentence == check.sentence == clause.sentence and clause.is_check
+    other = clauses[k + 1] if k + 1 < len(clauses) and goes_on(clauses, roles, sides, k + 1, clause.sentence) else None
+    is_kept = other is not None and other.verb in _KEEPING and other.has_pronoun and not other.objects
+    is_off = (other is None or is_kept) and (clause.calls_off or clause.forbids_order or is_kept)
+    if not (is_led and is_guarded and is_off) or order.is_forbidden:
+        return
+    sides[k - 1], sides[k] = ">1-", sides[k - 1] if sides[k - 1] in (HOLDS, FAILS) else "top"
+    if other is not None:
+        sides[k + 1] = HOLDS
 
 
 def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -115,6 +138,22 @@ def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
 
 
+def alter(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done to the same thing to another measure in a case is not done as it was said first ("set the table for
+    six. If Gran comes, *set it for seven*"), unless it is still not so, or done again."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_same = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type == "change_state"
+    is_same = is_same and _is_of_same(other, order) and not (order.is_forbidden or other.is_forbidden)
+    measures = [{t for kind, t in c.task.arguments if kind in _MEASURES} for c in (order, other)]
+    is_led = check.boundary in _PARTING and check.near == ("if",) and other.sentence == check.sentence
+    is_later = check.says_still or check.is_of_it or bool(other.ways) or not set(other.behind) <= {"instead"}
+    is_beside = sides[k] == sides[k - 1] and sides[k] in ("top", HOLDS, FAILS) and sides[k + 1] == HOLDS
+    if is_same and all(measures) and is_led and not is_later and is_beside and check.is_check:
+        sides[k - 1] = ">1-"
+
+
 def ask_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is so already is not brought about ("open the window. *If it's open already*, turn the fan on")."""
     is_next = (roles[k - 1], roles[k]) == ("task", "condition") and sides[k - 1] in ("top", HOLDS, FAILS)
@@ -150,8 +189,21 @@ def find_some(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
     locked, *unlock it*")."""
-    if is_cleared(clauses, roles, k) and (sides[k - 1], sides[k]) == (">1-", "top"):
+    if (sides[k - 1], sides[k]) == (">1-", "top") and (is_cleared(clauses, roles, k) or _is_emptied(clauses, roles, k)):
         sides[k - 1] = "top"
+
+
+def _is_emptied(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether what stands where something is to be put is put elsewhere in its case ("put the plates on the table; if
+    there are papers on the table, *put them in the box*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return False
+    order, check, other = clauses[k - 1 : k + 2]
+    is_in_way = check.says_there_is and bool(check.objects) and not check.wording.is_negated
+    is_in_way = is_in_way and not check.places.isdisjoint(order.receivers) and order.nouns.isdisjoint(check.objects)
+    is_led = check.boundary in _PARTING and check.near[:1] == ("if",) and order.task.type in MOVING
+    is_removed = other.task.type in _CARRYING and other.is_of_it and other.number in ("", check.number)
+    return is_in_way and is_led and is_removed and "instead" not in (*other.near, *other.behind)
 
 
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -195,6 +247,21 @@ def _is_of_same(other: Clause, order: Clause) -> bool:
     return bool(order.objects) and (other.has_pronoun or other.names_same(order))
 
 
+def break_down(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What comes before the order that a case keeps from is kept from as well, where that case is of what it needs
+    ("take the lift up and bring Ann the parcel; *if the lift is broken*, come back")."""
+    clause = clauses[k]
+    if roles[k] != "condition" or sides[k - 1] != ">1-" or clause.wording.state not in _FAILING or not clause.objects:
+        return
+    is_led = clause.boundary in _PARTING and clause.near[-1:] == ("if",) and not clause.wording.is_negated
+    own = [j for j in range(k - 1, -1, -1) if clauses[j].sentence == clauses[k - 1].sentence]
+    ahead = list(takewhile(lambda j: roles[j] == "task" and sides[j] in (">1-", "top"), own))
+    needing = [j for j in ahead if not clauses[j].nouns.isdisjoint(clause.objects)]
+    if is_led and needing and sides[k] == "top":
+        for j in range(needing[-1], k):
+            sides[j] = ">1-"
+
+
 def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched, brought or put somewhere is so though a sentence of its own tells a case of another thing, in
     which yet another thing is done, or nothing but said where something is ("take the coats up. If Nan is asleep,
@@ -202,10 +269,12 @@ def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     order, check = clauses[k - 1 : k + 1]
     is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in (".", "!")
     is_led = is_behind and check.near[:1] == ("if",) and check.is_check
-    if not is_led or sides[k - 1] != ">1-" or order.is_forbidden:
+    if not is_led or sides[k - 1][:2] != ">1" or order.is_forbidden:
         return
     if check.ends_sentence and check.tells_where and not check.calls_off:
         sides[k - 1] = "top"
+    if sides[k - 1] != ">1-":
+        return
     if check.ends_sentence or k + 1 >= len(clauses) or roles[k + 1] != "task" or not check.objects:
         return
     if order.task.type not in _CARRYING or (check.says_there_is and check.wording.is_negated):
@@ -219,18 +288,17 @@ def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 
 
 def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is put back in a case was taken before that was asked ("take the book from the shelf, but if it's the wrong
-    one, *put it back*")."""
+    """What is put back in a case was taken before that was asked, and what is taken away again was given or put there
+    ("take the book from the shelf, but if it's the wrong one, *put it back*", "give her a biscuit, but if she leaves
+    it, *take it away*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
-    is_undone = order.task.type == "taking" and other.task.type == "placing" and "back" in other.ways
-    if (
-        is_undone
-        and other.has_pronoun
-        and check.near == ("but", "if")
-        and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
-    ):
+    types = (order.task.type, other.task.type)
+    is_put_back = types == ("taking", "placing") and "back" in other.ways
+    is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
+    is_led = check.near == ("but", "if") and other.has_pronoun
+    if (is_put_back or is_removed) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
         sides[k - 1] = "top"
 
 

@@ -1,0 +1,89 @@
+"""What a "but", an "unless" or a prohibition says of an order that has a case of its own, and what it leaves alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Let the cat out if she's at the gate, but if it's raining keep her in.",
+            [{"if": 3, "then": [4], "else": [{"if": 2, "then": [1]}]}],
+        ),
+        (
+            "Take the rugs out if they're dry, but if it rains, don't.",
+            [{"if": 3, "else": [{"if": 2, "then": [1]}]}],
+        ),
+        (
+            "Feed the cat if she's hungry, but if she's asleep let her be.",
+            [{"if": 3, "else": [{"if": 2, "then": [1]}]}],
+        ),
+        ("Let the dog in, but if he's muddy let him wait.", [{"if": 2, "else": [1]}]),
+    ],
+)
+def test_an_exception_is_asked_ahead_of_the_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If Lea is home, give her the letter, but if Kim is home, give it to him.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If it's my aunt, let her in, but if it's my landlord, call me.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If the dog barks, let him out, but if the cat miaows, feed her.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        ("If Lea is in, give her the jar, but if she's asleep, call me.", None),
+    ],
+)
+def test_another_case_behind_a_but_is_none_within_the_first(interpreter: Interpreter, text: str, expected: Any) -> None:
+    found = flow(interpreter, text)
+    assert found == expected if expected is not None else found[0]["if"] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Walk the dog. Unless it's raining, then just let him out.", [{"if": 2, "then": [3], "else": [1]}]),
+        (
+            "Turn off the radio unless Kim's listening to it and then bring me the rope.",
+            [{"if": 2, "else": [1]}, 3],
+        ),
+        ("Open the blinds unless she says no, and then bring her a scone.", [{"if": 2, "else": [1]}, 3]),
+        ("Turn off the radio unless Kim asks you not to.", [{"if": 2, "else": [1]}]),
+        ("Shut the hatch unless I tell you not to.", [{"if": 2, "else": [1]}]),
+        (
+            "Open the gate unless it's the salesman. If it's the courier, take the parcel.",
+            [{"if": 2, "else": [1]}, {"if": 3, "then": [4]}],
+        ),
+    ],
+)
+def test_what_is_excepted_by_an_unless(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Throw the rolls away if they are old, but keep the pie.", [{"if": 2, "then": [1]}, 3]),
+        ("Bring me the paper if it's come, and open the blinds.", [{"if": 2, "then": [1]}, 3]),
+        ("If the twins are asleep, don't vacuum; sweep the attic instead.", [{"if": 1, "then": [3], "else": [2]}]),
+        ("If the twins are asleep, don't vacuum but sweep the attic.", [{"if": 1, "then": [3], "else": [2]}]),
+    ],
+)
+def test_what_is_done_besides_or_instead(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
