@@ -297,11 +297,8 @@ def _unread(document: Document, own: Sequence[tuple[Argument, range]], order: ra
     if len(words) == 1 or lead not in PREPOSITIONS | {"for"} or len(starts) != 1:
         return None
     rest = _up_to(document, range(starts[0], order.stop), order.stop)
-    return (
-        rest
-        if taken.isdisjoint(rest) and len(rest) > 1 and document.tokens[rest.start].i > max(taken, default=-1)
-        else None
-    )
+    is_last = rest.start > max(taken, default=-1)
+    return rest if is_last and len(rest) > 1 else None
 
 
 def _end_of_order(observed: Observed, verb: int, place: int) -> int:

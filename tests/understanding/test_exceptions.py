@@ -47,12 +47,15 @@ def test_an_exception_is_asked_ahead_of_the_case(interpreter: Interpreter, text:
             "If the dog barks, let him out, but if the cat miaows, feed her.",
             [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
         ),
-        ("If Lea is in, give her the jar, but if she's asleep, call me.", None),
     ],
 )
 def test_another_case_behind_a_but_is_none_within_the_first(interpreter: Interpreter, text: str, expected: Any) -> None:
-    found = flow(interpreter, text)
-    assert found == expected if expected is not None else found[0]["if"] == 1
+    assert flow(interpreter, text) == expected
+
+
+def test_a_but_of_the_same_one_is_asked_within_the_first(interpreter: Interpreter) -> None:
+    text = "If Lea is in, give her the jar, but if she's asleep, call me."
+    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [4], "else": [2]}]}]
 
 
 @pytest.mark.parametrize(

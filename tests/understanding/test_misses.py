@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from readings import flow
+from readings import flow, unordered
 
 from decomplex_bt.understanding.interpreter import Interpreter
 
@@ -64,14 +64,7 @@ def test_none_where_one_was_to_be_got_is_asked_only_then(interpreter: Interprete
     ],
 )
 def test_what_was_found_out_is_told_in_either_case(interpreter: Interpreter, text: str, expected: Any) -> None:
-    assert _unordered(flow(interpreter, text)) == _unordered(expected)
-
-
-def _unordered(found: Any) -> Any:
-    """A flow in which it does not matter which of two places of a task is its first."""
-    if isinstance(found, dict):
-        return found["same"][0] if "same" in found else {key: _unordered(value) for key, value in found.items()}
-    return [_unordered(one) for one in found] if isinstance(found, list) else found
+    assert unordered(flow(interpreter, text)) == unordered(expected)
 
 
 @pytest.mark.parametrize(

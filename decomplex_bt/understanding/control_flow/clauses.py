@@ -221,6 +221,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
 
 
 def _compares(words: Sequence[str]) -> bool:
+    """Whether words say more or less than what: "fewer than", "at least"."""
     return any(one in _MORE_OR_LESS and other in ("than", "least", "most") for one, other in pairwise(words))
 
 

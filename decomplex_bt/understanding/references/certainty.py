@@ -226,7 +226,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
-    if is_ahead and gap.task.type == "check_state" and gap.word in _SOMEBODY and _is_called_in(context, candidate):
+    if is_ahead and gap.task.type == "check_state" and _is_called_in(context, candidate):
         return True
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:

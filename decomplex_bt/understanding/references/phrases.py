@@ -46,7 +46,7 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
-_SPANS = frozenset("minute second hour day week month".split())
+TIME_UNITS = frozenset("second minute hour day week month".split())
 _DEFINITE = frozenset("the my your his her our their this that".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
@@ -175,7 +175,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
 def _is_of_time(document: Document, phrase: range) -> bool:
     """Whether a phrase says how long: "an hour", "five more minutes"."""
     tokens = document.tokens
-    return tokens[phrase.stop - 1].lemma in _SPANS and tokens[phrase.start].lower not in _DEFINITE
+    return tokens[phrase.stop - 1].lemma in TIME_UNITS and tokens[phrase.start].lower not in _DEFINITE
 
 
 def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:

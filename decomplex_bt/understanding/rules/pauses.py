@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.references.phrases import TIME_UNITS
 
 _GIVING = frozenset(("give", "gimme"))
-_SPANS = frozenset("minute min second sec moment mo tick hour hr while bit".split())
+_SPANS = TIME_UNITS | frozenset("sec min hr moment mo tick while bit".split())
 _RECEIVING = frozenset("me us just it them him her".split())
 _HOW_LONG = frozenset("a an one another more few couple of half quarter extra".split())
 

@@ -148,9 +148,8 @@ def is_denied_of_others(document: Document, at: int) -> bool:
     if opener is None or not subject or subject[-1].lower in _SPEAKING | {"it", "this", "that"}:
         return False
     is_many = subject[-1].tag in ("NNS", "NNPS") or subject[-1].lower == "they"  # "don't" is else an order's
-    if any(t.pos in ("AUX", "VERB") or t.text in MARKS for t in subject) or (
-        tokens[at - 2].lower == "do" and not is_many
-    ):
+    is_order = tokens[at - 2].lower == "do" and not is_many
+    if is_order or any(t.pos in ("AUX", "VERB") or t.text in MARKS for t in subject):
         return False
     behind = [t for t in tokens[at + 1 :] if sentences[t.i] == sentences[at]]
     end = next((n for n, t in enumerate(behind) if t.lower in MARKS), len(behind))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import TIME_UNITS
 
 _DAYS = frozenset("tonight tomorrow later".split())
 _LEADING = frozenset(("in", "for", "after"))
 _OPENING = frozenset("if when whenever once unless after before until".split())
-_UNITS = frozenset("second minute hour day week month sec min hr".split())
+_UNITS = TIME_UNITS | {"sec", "min", "hr"}
 _COUNTING = frozenset("a an half few couple of another the quarter next".split())
 _HOURS = frozenset("noon midnight half quarter".split())
 _BEHIND_HOURS = frozenset("o'clock am pm a.m. p.m. sharp past to exactly".split())

@@ -13,8 +13,8 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, M
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))
-_KEEPING = frozenset(("leave", "keep", "let"))
 _LEAVING = frozenset(("leave", "keep"))
+_KEEPING = _LEAVING | {"let"}
 _CARRYING = frozenset(("placing", "bringing", "taking"))
 _ROOMS = frozenset(
     "kitchen bathroom bedroom hall hallway study office garage room nursery laundry lounge cellar attic basement "
