@@ -8,7 +8,7 @@ from itertools import pairwise
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
-from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import (
@@ -20,6 +20,7 @@ from decomplex_bt.understanding.references.phrases import (
     Candidate,
 )
 from decomplex_bt.understanding.references.places import place_meant
+from decomplex_bt.understanding.references.wholes import whole_meant
 
 _FEMALE = frozenset(
     "wife mother mom mum mama mummy mommy daughter sister woman lady girl grandma granny gran nan grandmother aunt "
@@ -64,6 +65,9 @@ def meant(context: Context, gap: Gap) -> range:
         or other_place(context, gap)
         or _removed(context, gap)
         or _lacked(context, gap)
+        or _vessel(context, gap)
+        or _like_it(context, gap)
+        or whole_meant(context, gap)
         or offered(context, gap)
         or filled_meant(context, gap)
         or _somebody(context, gap)
@@ -291,16 +295,16 @@ def _is_in_contrast(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _removed(context: Context, gap: Gap) -> range:
-    """What was taken off or out where it is put back on or in: "remove *the lid* from the jar, take a biscuit and put
-    *it* back on"."""
+    """What was taken off or out where it is put back, or back on or in: "remove *the lid* from the jar, take a biscuit
+    and put *it* back on"."""
     document = context.observed.document
     behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 2]]
     if gap.type != "object" or gap.word not in ("it", "them") or behind[:1] != ["back"]:
         return range(0)
     ways = {"on": ("off", "from"), "in": ("out", "from")}.get(behind[-1], ())
-    end = gap.tokens.stop + 2
+    end = gap.tokens.stop + 1 + bool(ways)
     is_whole = end >= len(document) or document.tokens[end].text in MARKS or document.tokens[end].lower == "and"
-    if not ways or not is_whole:
+    if not is_whole or gap.task.type != "placing":
         return range(0)
     taken = [
         c
@@ -311,8 +315,13 @@ def _removed(context: Context, gap: Gap) -> range:
         and c.shape == "whole"
         and not c.mention
         and document.tokens[c.tokens.start].lower not in _ANY | {"some"}
-        and _is_taken(document, c, ways)
+        and (not ways or _is_taken(document, c, ways))
     ]
+    if not ways and any(
+        c.task_type == "change_state" and c.type == "object" and taken and taken[-1].owner < c.owner < gap.task.id
+        for c in context.pool
+    ):
+        return range(0)  # "lift the chair off the mat, shake the mat out and put it back"
     is_plural = gap.word == "them"
     taken = [c for c in taken if (document.tokens[c.head].tag == "NNS") == is_plural]
     return taken[0].tokens if len(taken) == 1 else range(0)
@@ -336,6 +345,34 @@ def _lacked(context: Context, gap: Gap) -> range:
         return range(0)
     named = [c for c in context.pool if c.tokens.start == at + 2 and c.tokens.stop <= gap.position]
     return min((c.tokens for c in named if "cut" not in c.shape), key=len, default=range(0))
+
+
+def _vessel(context: Context, gap: Gap) -> range:
+    """Some place that serves, right behind which it is asked if there is one: "put the soup in *a bowl* if there's a
+    clean *one*", where another soup would do nothing for it."""
+    tokens, order = context.observed.document.tokens, gap.task.id - 1
+    is_asked = gap.form == "one" and gap.type == "object" and asks_there_is(context.observed.document, gap.task)
+    if not is_asked or context.types.get(order) not in _HANDLING or tokens[gap.tokens.start].lower in ("the", "another"):
+        return range(0)
+    named = [c for c in context.pool if c.owner == order and not c.mention and c.tokens.stop <= gap.position]
+    places = [c for c in named if c.type == "goal" and c.shape in ("whole", "short", "long")]
+    is_known = all(tokens[c.tokens.start].lower not in _ANY | {"some"} for c in named if c.type == "object")
+    is_some = bool(places) and is_known and tokens[places[0].tokens.start].lower in _ANY
+    return min((c.tokens for c in places), key=len) if is_some else range(0)
+
+
+def _like_it(context: Context, gap: Gap) -> range:
+    """What is put somewhere, right behind which it is asked if there is one there already: "put *the lamp* on the desk
+    if there isn't *one* there"."""
+    document, order = context.observed.document, gap.task.id - 1
+    is_asked = gap.form == "one" and len(gap.tokens) == 1 and asks_there_is(document, gap.task)
+    places = [document.indices(a.span) for a in gap.task.arguments if a.type == "location" and a.span]
+    is_there = any(document.tokens[i].lower in ("there", "it") for words in places for i in words)
+    if not is_asked or not is_there or gap.type != "object" or context.types.get(order) != "placing":
+        return range(0)
+    things = [c for c in context.pool if (c.owner, c.type) == (order, "object") and not c.mention]
+    things = [c for c in things if c.shape in ("whole", "short") and document.tokens[c.head].tag in ("NN", "NNP")]
+    return things[0].tokens if len(things) == 1 else range(0)
 
 
 def pair_meant(context: Context, gap: Gap, pairs: Sequence[Candidate]) -> Candidate | None:

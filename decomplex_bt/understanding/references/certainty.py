@@ -5,6 +5,7 @@ from __future__ import annotations
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.absences import is_absent, is_of_other_case
 from decomplex_bt.understanding.references.agreement import (
     is_called_otherwise,
     is_no_person,
@@ -13,16 +14,15 @@ from decomplex_bt.understanding.references.agreement import (
     meant,
 )
 from decomplex_bt.understanding.references.context import Context, kind_of
-from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unwarmed
+from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
-from decomplex_bt.understanding.references.wholes import is_on_whole, is_part
+from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
-_ENDED = frozenset(("off", "down", "shut", "closed"))
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
@@ -38,7 +38,8 @@ _ACTS = (
 CLEANING = frozenset("clean wipe mop sweep scrub vacuum hoover dust brush dry polish rub soak swab dab".split())
 """What is done with one of the `INSTRUMENTS`, which is seldom done to one."""
 INSTRUMENTS = frozenset(
-    "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper".split()
+    "cloth rag mop broom sponge brush dustpan hoover vacuum duster wipe towel roll squeegee tissue paper ladder "
+    "stepladder stool steps".split()
 )
 """What things are cleaned with."""
 _TELLING = frozenset(("check_state", "change_state"))
@@ -53,6 +54,8 @@ _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 """By a verb, what it is done with."""
 _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
+_OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
+"""What is done to rooms and things, and may have no object."""
 _GUARDING = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "then"))
 _ONES = frozenset(("one", "ones"))
@@ -211,7 +214,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
-    if _is_weather(context, gap):
+    if any(is_not(context, gap, candidate) for is_not in (_is_within, _is_sought, _is_led)):
+        return True
+    if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
         return True
     if gap.word not in _ELSEWHERE:
         return False
@@ -231,15 +236,43 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
         return True
-    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unwarmed, is_content, _is_feature)):
+    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unfit, is_unwarmed, is_content, _is_feature)):
         return True
-    if is_on_whole(context, gap, candidate) or _is_turned(context, gap, candidate):
+    if is_not_on_it(context, gap, candidate) or _is_turned(context, gap, candidate):
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
     if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
         return True
-    return _is_absent(context, gap, candidate) or _is_beside(context, gap, candidate)
+    if is_absent(context, gap, candidate) or is_of_other_case(context, gap, candidate):
+        return True
+    return _is_beside(context, gap, candidate)
+
+
+def _is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is looked for, where the word tells a place to look: "it should be on the sofa, but if
+    it isn't, look under *it*"."""
+    is_place = gap.task.type == "searching" and gap.type == "location" and gap.word in ("it", "them")
+    if not is_place or candidate.type != "object" or candidate.task_type not in ("searching", "check_state"):
+        return False
+    is_missed = context.relation(candidate.owner, gap.task.id).startswith("condition.else")
+    return is_missed and any(c.type in ("location", "source") and c.tokens.stop <= gap.position for c in context.pool)
+
+
+def _is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
+    is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
+    return gap.word == "there" and is_own and kind_of(context, candidate) not in _ANIMATE
+
+
+def _is_led(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing, where somebody is shown the way: "take *their coats* and show *them* in"; nor is
+    anybody mopped, where that is left unsaid."""
+    is_thing = candidate.type == "object" and candidate.task_type in _HANDLING and not candidate.mention
+    if gap.task.type == "following" and gap.type == "object" and gap.word in _ELSEWHERE:
+        return is_thing and kind_of(context, candidate) not in _ANIMATE
+    is_cleaned = gap.type == "object" and not gap.word and context.lemmas[gap.task.id] in _OF_ROOMS
+    return is_cleaned and kind_of(context, candidate) in _ANIMATE
 
 
 def _is_called_in(context: Context, candidate: Candidate) -> bool:
@@ -338,9 +371,17 @@ def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_weather(context: Context, gap: Gap) -> bool:
     """Whether a check without an object is of the weather: nothing named is what "*it* looks like rain" is of."""
     tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
-    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
-    is_unsaid = gap.type == "object" and not gap.word and gap.task.type == "check_state"
-    return is_unsaid and tokens[verb - 1].lower == "it" and not WEATHER.isdisjoint(words)
+    first = next((task for task in context.tasks if task.id == context.first.get(gap.task.id)), gap.task)
+    own, asked = (
+        {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
+        for task in (gap.task, first)
+    )
+    if gap.type != "object" or gap.task.type != "check_state" or tokens[verb - 1].lower != "it":
+        return False
+    if not gap.word and not WEATHER.isdisjoint(own):
+        return True
+    is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)
+    return is_mention and gap.word in ("", "it") and not WEATHER.isdisjoint(asked)
 
 
 def _is_one_of_a_choice(context: Context, candidate: Candidate) -> bool:
@@ -420,15 +461,3 @@ def _listed(context: Context, gap: Gap) -> int:
     check = next((task for task in context.tasks if task.id == path[-1][0] < gap.task.id), None)
     is_lack = check is not None and says_there_is(context.observed.document, check) and _is_of_list(context, gap)
     return path[-1][0] if is_lack else 0
-
-
-def _is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what there is none of where something is switched off or shut: "if there is no steam, turn
-    it off". It may well be fetched, made or put on a list."""
-    if not any(a.type == "state" and a.value.lower() in _ENDED for a in gap.task.arguments):
-        return False
-    start = candidate.tokens.start
-    words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
-    if "no" not in words:
-        return False
-    return context.relation(candidate.owner, gap.task.id).startswith("condition.else")

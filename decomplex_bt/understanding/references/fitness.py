@@ -26,6 +26,16 @@ _IDLE = frozenset("clean wipe mop sweep scrub vacuum hoover dust polish tidy cle
 """What makes nothing warm."""
 _ON = frozenset(("on", "up"))
 _FILLED = frozenset(("full", "empty"))
+_MOVING = frozenset(("placing", "bringing", "taking"))
+_WHERE = frozenset(("goal", "source", "location"))
+_LOCKED = frozenset(("locked", "unlocked"))
+_LOCKABLE = frozenset(
+    "door gate shed garage car van boat caravan house flat office cellar attic room cabin barn greenhouse workshop "
+    "cabinet cupboard safe locker drawer chest trunk boot box toolbox suitcase case briefcase bike bicycle scooter "
+    "phone tablet laptop computer church shop school gym store lift window padlock cage hatch pantry bathroom toilet "
+    "basement hut studio library building truck".split()
+)
+_READY_TO_COOK = frozenset(("preheated", "heated"))
 _VESSELS = frozenset(
     "bottle can tin cup mug glass jug jar carton pot pan kettle teapot thermos flask tank bucket pail vase bowl "
     "basket box bag bin case sack purse wallet packet pack tube tray basin tub canister cartridge dispenser feeder "
@@ -33,6 +43,25 @@ _VESSELS = frozenset(
     "lunchbox".split()
 )
 """What holds something itself, of the domain or not."""
+
+
+def is_unfit(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is nothing that could be locked, or full, beside a place named with it that could: "put *the bucket*
+    in the shed unless *it*'s locked", "put *the cake* in the tin if *it* isn't full". What is put into an oven is not
+    what is to be hot *enough* for it."""
+    if gap.word != "it" or gap.type != "object" or gap.task.type != "check_state" or candidate.type != "object":
+        return False
+    if candidate.mention or candidate.task_type not in _MOVING or candidate.owner != gap.task.id - 1:
+        return False
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    places = [c for c in context.pool if c.owner == candidate.owner and c.type in _WHERE and not c.mention]
+    if not words.isdisjoint(_LOCKED):
+        return any(_has_lock(context, place) for place in places) and not _has_lock(context, candidate)
+    if not words.isdisjoint(_FILLED):
+        return any(_is_container(context, place) for place in places) and not _is_container(context, candidate)
+    is_heated_up = "enough" in words and not words.isdisjoint(_TEMPERATURES)
+    is_heated_up = is_heated_up or not words.isdisjoint(_READY_TO_COOK)
+    return is_heated_up and any(_gets_warm(context, place) for place in places) and not _gets_warm(context, candidate)
 
 
 def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -92,6 +121,12 @@ def _is_container(context: Context, candidate: Candidate) -> bool:
         or "fill" in context.observed.gazetteer.changeable.get(noun, ())
         or has_inside(context, candidate)
     )
+
+
+def _has_lock(context: Context, candidate: Candidate) -> bool:
+    noun = context.observed.document.tokens[candidate.head].lemma
+    gazetteer = context.observed.gazetteer
+    return noun in _LOCKABLE or gazetteer.category(noun) == "room" or "aperture" in gazetteer.changeable.get(noun, ())
 
 
 def _is_one_put(context: Context, place: Candidate) -> bool:

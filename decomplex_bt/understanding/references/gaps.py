@@ -191,10 +191,15 @@ def last_word(document: Document, verb: int) -> str:
 
 def says_there_is(document: Document, task: Task) -> bool:
     """Whether a check says that there is, or is not, something that it names: "if there's a letter for me"."""
+    named = (gap_of(document, task, a) is None for a in task.arguments if a.type == "object" and a.span is not None)
+    return asks_there_is(document, task) and any(named)
+
+
+def asks_there_is(document: Document, task: Task) -> bool:
+    """Whether a check asks if there is something, be it named or not: "if there's one"."""
     verb = document.indices(task.span).start
     around = [token.lower for token in document.tokens[max(0, verb - 1) : verb + 2]]
-    named = (gap_of(document, task, a) is None for a in task.arguments if a.type == "object" and a.span is not None)
-    return "there" in around and any(named)
+    return task.type == "check_state" and "there" in around
 
 
 def is_bare_being(document: Document, verb: int) -> bool:

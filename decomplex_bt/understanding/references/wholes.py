@@ -31,6 +31,7 @@ _OF_FLAWS = frozenset("wipe mop sweep clean scrub brush pick take get rub wash c
 """What is done to a flaw where it is done "up", "off" or "out"."""
 _TO_FLAWS = frozenset("remove fix repair mend seal plug patch report fill darn tape glue".split())
 _CLEANING = frozenset("wipe rinse clean wash mop sweep polish empty scrub dust".split())
+_WIPING = frozenset("wipe mop sweep scrub".split())
 _AWAY = frozenset(("up", "off", "out", "away"))
 _HANDLING = _CARRYING | {"taking", "change_state"}
 
@@ -63,7 +64,7 @@ def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "it" is no flaw that is on or in something, but that ("if there's *a stain* on the shirt, wash it"), nor
     something that is on what is cleaned ("if there's *something* on the table, wipe it"). A flaw may be wiped off."""
     document = context.observed.document
-    is_taken_up = gap.type == "object" and gap.word in ("it", "them") and candidate.type == "object"
+    is_taken_up = gap.type == "object" and gap.word in ("it", "them", "one", "ones") and candidate.type == "object"
     check = next((task for task in context.tasks if task.id == candidate.owner), None)
     if not is_taken_up or check is None or check.type != "check_state" or not says_there_is(document, check):
         return False
@@ -73,8 +74,34 @@ def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if candidate.text.lower() in _SOMETHING:
         return verb in _CLEANING
     behind = {token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 1]}
-    is_undone = verb in _TO_FLAWS or (verb in _OF_FLAWS and not behind.isdisjoint(_AWAY))
+    is_undone = verb in _TO_FLAWS or (verb in _OF_FLAWS - {"take"} and not behind.isdisjoint(_AWAY))
     return document.tokens[candidate.head].lemma in _FLAWS and not is_undone
+
+
+def whole_meant(context: Context, gap: Gap) -> range:
+    """What has the flaw that is asked after, of which "the grey one" is another: "if there's a hole in *the blue
+    blanket*, bring me *the grey one*"; empty where there is none such."""
+    document, path = context.observed.document, context.paths.get(gap.task.id, ())
+    check = next((task for task in context.tasks if path and task.id == path[-1][0]), None)
+    is_another = gap.form == "one" and gap.type == "object" and len(gap.tokens) > 1
+    if not is_another or check is None or check.type != "check_state" or not says_there_is(document, check):
+        return range(0)
+    own = [c for c in context.pool if c.owner == check.id and not c.mention and c.shape in ("whole", "short", "long")]
+    has_flaw = any(c.type == "object" and document.tokens[c.head].lemma in _FLAWS for c in own)
+    places = [c.tokens for c in own if c.type == "location"]
+    return min(places, key=len) if has_flaw and places else range(0)
+
+
+def is_not_on_it(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether what is wiped is neither what a condition right ahead found nor where that is: "shut *the freezer*, and if
+    there's water on the floor mop *it* up"."""
+    path = context.paths.get(gap.task.id, ())
+    is_wiped = gap.type == "object" and gap.word == "it" and context.lemmas[gap.task.id].split()[0] in _WIPING
+    if not is_wiped or not path or path[-1] != (gap.task.id - 1, "then") or candidate.owner == gap.task.id - 1:
+        return False
+    check = next(task for task in context.tasks if task.id == gap.task.id - 1)
+    is_found = says_there_is(context.observed.document, check) and any(a.type == "location" for a in check.arguments)
+    return is_found and check.type == "check_state"
 
 
 def _is_fitted(document: Document, gap: Gap) -> bool:

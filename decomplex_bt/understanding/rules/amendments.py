@@ -41,7 +41,7 @@ from decomplex_bt.understanding.rules.extents import with_features, with_purpose
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.guesses import without_guessed
-from decomplex_bt.understanding.rules.handing import accompanied, called, divided, given, put_out, served
+from decomplex_bt.understanding.rules.handing import accompanied, called, divided, fed, given, put_out, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
@@ -136,6 +136,8 @@ def amended(
             kept = called(document, kept, token)
             kept = served(document, kept, token)
             kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
+        if kind == "change_state":
+            kept = fed(document, kept, token)
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
             kept = with_whole_state(document, that_there_is(document, kept, token), token)

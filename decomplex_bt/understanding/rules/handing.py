@@ -42,6 +42,14 @@ def called(document: Document, arguments: Sequence[FoundArgument], fetching: int
     return [replace(a, type="object") if (a.owner, a.tokens) == (fetching, whom) else a for a in arguments]
 
 
+def fed(document: Document, arguments: Sequence[FoundArgument], feeding: int) -> list[FoundArgument]:
+    """The arguments with who is fed as what that is done to, where nothing is said of the food: "feed *the dog*"."""
+    own = {a.type for a in arguments if a.owner == feeding}
+    if document.tokens[feeding].lemma != "feed" or "object" in own:
+        return list(arguments)
+    return [replace(a, type="object") if (a.owner, a.type) == (feeding, "recipient") else a for a in arguments]
+
+
 def served(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:
     """The arguments with what is brought along as part of the thing right behind which it stands ("bring me *my coffee
     with two biscuits*"), else as another object ("bring it here *with two biscuits*"); not how or in what it is brought

@@ -1,0 +1,48 @@
+"""Absences: what a word cannot refer to since it is not there where something is done."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
+from decomplex_bt.understanding.references.phrases import Candidate
+
+_ENDED = frozenset(("off", "down", "shut", "closed"))
+_SOME = frozenset("a an any some another".split())
+_PRONOUNS = frozenset("it them they 'em em him her".split())
+_ONES = frozenset(("one", "ones"))
+_WRITTEN = frozenset(("list", "note"))
+
+
+def is_absent(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what there is none of where something is switched off or shut: "if there is no steam, turn
+    it off". It may well be fetched, made or put on a list."""
+    if not any(a.type == "state" and a.value.lower() in _ENDED for a in gap.task.arguments):
+        return False
+    start = candidate.tokens.start
+    words = {token.lower for token in context.observed.document.tokens[max(0, start - 1) : start + 1]}
+    if "no" not in words:
+        return False
+    return context.relation(candidate.owner, gap.task.id).startswith("condition.else")
+
+
+def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is asked to be there at all, where it is not: "look in the mailbox. If there's *a
+    parcel*, bring it in; if not, lock *it*"."""
+    document = context.observed.document
+    if gap.word not in _PRONOUNS or gap.task.type == "informing":
+        return False
+    if any(document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)):
+        return False
+    missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
+    checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]
+    return any(
+        c.text.lower() == candidate.text.lower() and c.type == "object" and c.owner == check.id and _is_some(context, c)
+        for check in checks
+        for c in context.pool
+    )
+
+
+def _is_some(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is one that need not be there: "a parcel", "a clean one"."""
+    first = context.observed.document.tokens[candidate.tokens.start].lower
+    return candidate.mention in _ONES or (not candidate.mention and first in _SOME)

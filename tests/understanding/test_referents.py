@@ -1,0 +1,104 @@
+"""What a word cannot mean: what lacks the state, what is not there in this case, what is on a thing and no thing."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+def values(found: Interpreter, text: str, word: str, kind: str = "object") -> list[str | None]:
+    """The values of the arguments of a type whose words are, or end in, a word."""
+    tasks = found.interpret(text).tasks
+    return [
+        a.value
+        for task in tasks
+        for a in task.arguments
+        if a.type == kind and a.span and a.span.of(text).lower().split()[-1] == word
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Put the spade in the barn unless it's locked.", "the barn"),
+        ("Take the ball to the gym, and if it's locked, leave it by the fence.", "the gym"),
+        ("Put the biscuits in the tin, but if it's full, bring them here.", "the tin"),
+        ("Hang the coats in the wardrobe. If it's full, lay them on the bed.", "the wardrobe"),
+        ("Put the pie in the oven if it's hot enough.", "the oven"),
+        # what has the state itself
+        ("Put the suitcase in the hall if it's locked.", "the suitcase"),
+        ("Put the bottle in the box if it's full.", "the bottle"),
+        ("Put the soup on the table if it's hot enough.", "the soup"),
+    ],
+)
+def test_a_state_is_of_what_can_have_it(interpreter: Interpreter, text: str, value: str) -> None:
+    assert values(interpreter, text, "it")[0] == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Pour the milk into a jug if there's a clean one.", "a clean jug"),
+        ("Put the photos in an envelope if there is a big one, otherwise leave them on the desk.", "a big envelope"),
+        ("If there's a hole in the blue blanket, bring me the grey one.", "the grey blanket"),
+        ("If there's a stain on the tablecloth, take it to the laundry and fetch a clean one.", "a clean tablecloth"),
+        # no place that serves
+        ("Put the lamp on the desk if there isn't already one there.", "a lamp"),
+        ("Bring a plate to the kitchen if there's a dirty one.", "a dirty plate"),
+    ],
+)
+def test_one_is_of_the_kind_that_serves(interpreter: Interpreter, text: str, value: str) -> None:
+    found = values(interpreter, text, "one")
+    assert found[0] in (value, value.replace("a ", "the ", 1))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Close the fridge, and if there's milk on the floor, mop it up.", ("milk", "the floor")),
+        ("Turn off the washer. If there's foam on the tiles, wipe it up.", ("foam", "the tiles")),
+        ("Look in the letterbox. If there's a letter, bring it to me; if not, close it.", ("the letterbox",)),
+        ("Take the jug out of the fridge, and if it's cold pour Ann a glass, or else put it back.", ("the jug",)),
+        ("Lift the chair off the rug, shake the rug out and then put it back.", ("the rug",)),
+        ("Sweep the steps, and if you can't reach the top one, fetch a ladder and then sweep it.", ("the top step",)),
+        # what is there after all
+        ("Take the tray upstairs, and if there's room on the desk, put it there.", ("the tray",)),
+        ("If there's no towel in the bathroom, put it on the shopping list.", ("towel", "a towel")),
+        ("Only if Mum is awake take her up a coffee, otherwise leave it on the landing.", ("a coffee",)),
+    ],
+)
+def test_what_is_handled_is_there_in_the_case(interpreter: Interpreter, text: str, value: tuple[str, ...]) -> None:
+    assert values(interpreter, text, "it")[-1] in value
+
+
+@pytest.mark.parametrize(
+    ("text", "word", "kind", "value"),
+    [
+        ("If the visitors are early, take their hats and show them to the lounge.", "them", "object", "the visitors"),
+        ("Find my phone. It should be on the couch, but if it's not, look under it.", "it", "location", "the couch"),
+    ],
+)
+def test_no_thing_is_shown_in_nor_is_where_it_is_looked_for(
+    interpreter: Interpreter, text: str, word: str, kind: str, value: str
+) -> None:
+    assert values(interpreter, text, word, kind)[-1:] == [value]
+
+
+def test_nothing_is_within_itself(interpreter: Interpreter) -> None:
+    found = values(interpreter, "Mop the bathroom floor and empty the bin in there.", "there", "location")
+    assert found != ["the bin"]
+
+
+def test_it_is_not_raining_is_of_nothing_named(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("If it's raining, close the skylight, and if it isn't, water the beans.")
+    checks = [task for task in found.tasks if task.type == "check_state"]
+    assert [(task.value("state"), task.value("object")) for task in checks] in (
+        [("raining", None)] * 2,
+        [("raining", None), ("raining", "it")],
+    )
+
+
+def test_who_is_fed_is_what_that_is_done_to(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Feed the cat if its bowl is empty.")
+    assert [task.value("object") for task in found.tasks] == ["the cat", "its bowl"]
