@@ -20,7 +20,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "in the event that", "given that", "granted", "iff", "as far as", "if in fact", "if by any chance", "if ever", "if indeed",
             "subject to", "to the extent that", "on the off chance", "on the off chance that", "conditional on", "contingent on", "what if",
         ),
-        "only_if": ("only if", "only when", "but only if", "but only when", "only in case", "only as long as", "only provided"),
+        "only_if": ("only if", "only when", "but only if", "but only when", "only in case", "only as long as", "only provided", "only do if", "only do it if", "only do that if", "only do so if"),
         "even_if": ("even if", "even though", "although", "whether or not", "even when"),
         "unless": ("unless", "except if", "except when", "if not already", "but not if", "not if", "but not when", "save if", "save where", "save when", "except where", "except in case", "other than if"),
         "whether": ("whether", "whether or not"),
@@ -67,7 +67,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "before_that": (
             "before that", "before this", "before which", "prior to which", "before you do that", "before doing that", "before you do", "beforehand",
             "but first", "prior to that", "ahead of that", "before doing so", "before you do so", "before you do this",
-            "even before that", "even before this", "earlier still", "even earlier", "earlier than that", "sooner than that",
+            "even before that", "even before this", "earlier still", "even earlier", "earlier than that", "sooner than that", "until then", "till then", "up to then",
         ),
         "before_all": (
             "before any of that", "before any of this", "before any of it", "before all that", "before all this", "before all of that", "before all of this", "before you do any of that",
@@ -174,6 +174,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             names = ()
         if names == ("instead",) and _counts(document, position):
             names = ()
+        if "not" in names and words[position + 1 : position + 2] == ["forget"]:
+            names = ()  # "don't forget to lock up if you leave"
         is_before = names == ("before",)
         if is_before and (_is_forbidden_before(document, words, position) or _forbids_first(words, position)):
             names = ("until",)
@@ -454,6 +456,7 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
     {
         word: opposite
         for first, second in (
+            ("cooled", "hot"), ("thawed", "frozen"), ("melted", "frozen"), ("dried", "wet"), ("emptied", "full"),
             ("on", "off"), ("open", "closed"), ("open", "shut"), ("hot", "cold"), ("warm", "cold"), ("clean", "dirty"), ("full", "empty"), ("locked", "unlocked"),
             ("awake", "asleep"), ("wet", "dry"), ("in", "out"), ("home", "out"), ("home", "away"), ("inside", "outside"), ("up", "down"), ("free", "occupied"),
             ("free", "busy"), ("running", "stopped"), ("done", "running"), ("finished", "running"), ("lit", "unlit"), ("charged", "flat"), ("alive", "dead"), ("early", "late"),

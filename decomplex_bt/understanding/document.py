@@ -221,6 +221,10 @@ class Parser:
             yield self._nlp
 
 
+_CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|ve|re|d)",)
+"""Suffixes besides those of spaCy, which has "'s" alone."""
+
+
 def _load_pipeline() -> Any:
     import importlib
     import importlib.util
@@ -233,6 +237,7 @@ def _load_pipeline() -> Any:
         ruler = nlp.get_pipe("attribute_ruler")
         ruler.matcher = KnownMatches(ruler)
         _part_joined(nlp.tokenizer)
+        _part_contracted(nlp)
         return nlp
     raise LanguageModelError(
         f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "
@@ -247,6 +252,13 @@ def _part_joined(tokenizer: Any) -> None:
             word = case("".join(parts))
             halves = (word[: len(parts[0])], word[len(parts[0]) :])
             tokenizer.add_special_case(word, [{"ORTH": half} for half in halves])
+
+
+def _part_contracted(nlp: Any) -> None:
+    """Has a noun and the verb that is contracted with it be two tokens, as a pronoun and its verb are: "the cat'll"."""
+    from spacy.util import compile_suffix_regex
+
+    nlp.tokenizer.suffix_search = compile_suffix_regex([*nlp.Defaults.suffixes, *_CONTRACTED]).search
 
 
 def _check_pipeline(name: str, version: str, components: Sequence[str], *, expected_name: str) -> None:

@@ -155,6 +155,8 @@ class Clause:
     """Whether it says to take something "away", "out" or "off" again."""
     is_of_any: bool = False
     """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
+    is_had: bool = False
+    """Whether it waits until something is in hand: "once *you have it*, ..."."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 

@@ -51,6 +51,7 @@ from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidde
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))
 _AWAY = frozenset("away out off back".split())
+_HAVE = frozenset(("have", "'ve", "\u2019ve"))
 _MORE_OR_LESS = frozenset("more fewer less over under at".split())
 _ANY = frozenset(("any", "some", "one"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
@@ -217,7 +218,18 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         removes=any(t.lower in _AWAY for t in document.tokens[token + 1 : own_last + 1]),
         is_of_any=is_of_somebody(document, task, _ANY),
         turns=turns(document, ahead, token),
+        is_had=_is_had([t.lower for t in document.tokens[previous + 1 : token]]),
     )
+
+
+def _is_had(words: Sequence[str]) -> bool:
+    """Whether words say to wait until something is in hand: "once you have it", "when you've got them"."""
+    for you in (i for i, word in enumerate(words) if word == "you"):
+        have, *behind = [word for word in words[you + 1 : you + 4] if word not in ("got", "found")] or [""]
+        is_led = words[you - 1 : you] in (["once"], ["when"]) or words[max(0, you - 3) : you] == ["as", "soon", "as"]
+        if is_led and have in _HAVE and behind[:1] in (["it"], ["them"], ["one"]):
+            return True
+    return False
 
 
 def _compares(words: Sequence[str]) -> bool:

@@ -70,6 +70,32 @@ def _is_state_beside(clause: Clause, first: Clause) -> bool:
     return are_stated and is_other and not {*clause.far, *clause.near} & {"else", "fail", "so"}
 
 
+def is_of_one_of_both(clause: Clause, first: Clause) -> bool:
+    """Whether it asks after one alone of the things that the other looks for: "look for *flour and sugar*, and if we
+    don't have any *sugar*, ..."."""
+    is_sought = first.task.type == "searching" and len(set(first.objects)) > 1
+    is_one = len(set(clause.objects)) == 1 and {*clause.objects} < {*first.objects}
+    return clause.is_check and is_sought and is_one and "and" in first.thing
+
+
+def _is_of_stock(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if there is none left in a place, where the other tests a state of what is used up: "if the paper
+    is *running low*, put out two rolls, and if there are *none left in the cellar*, ..."."""
+    if clause.said_state[:2] == ("out", "of") and first.says_there_is:
+        return clause.is_check and clause.said_state[-1] not in first.objects  # "no red", "out of wine altogether"
+    is_none = clause.is_check and clause.says_there_is and clause.wording.is_negated
+    is_elsewhere = bool(clause.places - AROUND - _THERE) and not first.places
+    return is_none and is_elsewhere and first.is_check and bool(first.said_state) and not first.says_there_is
+
+
+def _is_of_deed(clause: Clause, first: Clause) -> bool:
+    """Whether it tests how somebody is where the other asks if they do something, of which no state is the opposite:
+    "if the neighbours *complain*, turn it down, and if they still aren't *happy*, ..."."""
+    is_state = clause.is_check and clause.verb in _BEING and bool(clause.said_state) and not clause.is_of_weather
+    is_deed = first.is_check and first.verb in _DEEDS and not first.wording.is_negated
+    return is_state and is_deed and not {*clause.far, *clause.near} & {"else", "fail", "so"}
+
+
 def is_named_apart(clause: Clause, first: Clause) -> bool:
     """Whether both ask the same of two things of one kind that words tell apart: "if the *left window* is open, ..., if
     the *right window* is open, ..."."""
@@ -217,7 +243,12 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
     is_of_other = asks_same_of_another(clause, first) or is_of_other_matter(clause, first)
     if is_of_other or asks_for_what_had_state(clause, first) or is_of_other_place(clause, first):
         return True
-    if is_other_wish(clause, first) or _is_state_beside(clause, first):
+    if (
+        _is_of_stock(clause, first)
+        or is_other_wish(clause, first)
+        or _is_state_beside(clause, first)
+        or _is_of_deed(clause, first)
+    ):
         return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
         return False
@@ -238,6 +269,7 @@ _ANSWERING = frozenset("say answer reply choose pick want prefer".split())
 """What somebody does or has one of at a time."""
 _WISHING = frozenset("ask need fancy like".split())
 _HOLDING = frozenset("contain hold have".split())
+_DEEDS = frozenset("complain ask call cry knock ring bark moan grumble shout scream protest insist beg".split())
 _DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
 """What is in something though it may be empty."""
 _ROOM = frozenset(("room", "space"))

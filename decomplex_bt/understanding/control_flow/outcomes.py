@@ -132,6 +132,15 @@ def answers_ring(clause: Clause, order: Clause) -> bool:
     return is_answer and order.verb in _RINGING
 
 
+def is_answer_behind(clause: Clause, order: Clause, question: Clause) -> bool:
+    """Whether it says, behind an order that hangs on it, how somebody answered what was asked right ahead of that: "ask
+    him if he's cold, and bring him the shawl *if he is*"."""
+    is_fitting = clause.verb == "do" or not question.question.isdisjoint((clause.verb, "'s", "\u2019s"))
+    is_bare = clause.says_only_whether and clause.is_of_somebody and clause.near == ("if",)
+    is_behind = clause.boundary == "none" and clause.sentence == order.sentence == question.sentence
+    return bool(question.question) and question.task.type == "informing" and is_fitting and is_bare and is_behind
+
+
 def is_answer_to(clause: Clause, before: Clause, others: Sequence[Clause]) -> bool:
     """Whether it says how somebody answered what the task before asked ("ask Lea if she wants soap, and if she
     does, ..."), where that is in the same sentence, or the `others`, the conditions so far, are of things, or say how

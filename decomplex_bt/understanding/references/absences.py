@@ -31,7 +31,9 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
     document = context.observed.document
     if gap.word not in _PRONOUNS or gap.task.type == "informing":
         return False
-    if any(document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)):
+    if any(
+        document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)
+    ):
         return False
     missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
     checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]

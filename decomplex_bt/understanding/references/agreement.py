@@ -352,7 +352,11 @@ def _vessel(context: Context, gap: Gap) -> range:
     clean *one*", where another soup would do nothing for it."""
     tokens, order = context.observed.document.tokens, gap.task.id - 1
     is_asked = gap.form == "one" and gap.type == "object" and asks_there_is(context.observed.document, gap.task)
-    if not is_asked or context.types.get(order) not in _HANDLING or tokens[gap.tokens.start].lower in ("the", "another"):
+    if (
+        not is_asked
+        or context.types.get(order) not in _HANDLING
+        or tokens[gap.tokens.start].lower in ("the", "another")
+    ):
         return range(0)
     named = [c for c in context.pool if c.owner == order and not c.mention and c.tokens.stop <= gap.position]
     places = [c for c in named if c.type == "goal" and c.shape in ("whole", "short", "long")]

@@ -250,8 +250,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what is looked for, where the word tells a place to look: "it should be on the sofa, but if
-    it isn't, look under *it*"."""
+    """Whether a candidate is what is looked for, where the word tells a place to look: "it should be on the sofa, but
+    if it isn't, look under *it*"."""
     is_place = gap.task.type == "searching" and gap.type == "location" and gap.word in ("it", "them")
     if not is_place or candidate.type != "object" or candidate.task_type not in ("searching", "check_state"):
         return False

@@ -160,6 +160,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 continue
             if document.tokens[phrase.stop - 1].lower in _NO_NOUNS or _is_of_time(document, phrase):
                 continue
+            if is_deed(document, phrase):
+                continue
             owner = inside.get(phrase.stop - 1)
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
                 continue
@@ -170,6 +172,13 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             else:
                 found[phrase.start, phrase.stop] = _owned(document, phrase, *owner, f"in.{shape}")
     return [found[place] for place in sorted(found)]
+
+
+def is_deed(document: Document, phrase: range) -> bool:
+    """Whether a phrase is what is done to something, as it is given that: "give it *a wipe*"."""
+    said = [document.tokens[i].lower for i in phrase]
+    is_given = phrase.start > 1 and document.tokens[phrase.start - 2].lower in ("give", "gave")
+    return said[:1] == ["a"] and said[-1] in _DEEDS and is_given
 
 
 def _is_of_time(document: Document, phrase: range) -> bool:
@@ -196,8 +205,17 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             found[tokens.start, tokens.stop, "whole"] = _owned(document, tokens, task, argument.type, "whole")
             if argument.type != "state" and inner != tokens:
                 found[inner.start, inner.stop, "bare"] = _owned(document, inner, task, argument.type, "bare")
+    lacking: set[int] = set()  # the "out" of "out of milk", which is a state by what there is none of
     for chunk in noun_chunks(document):
         before = chunk.start - 1
+        if tuple(token.lower for token in document.tokens[max(0, before - 1) : chunk.start]) == _OUT_OF:
+            is_lacked = before > 1 and document.tokens[before - 2].lower in _BEING_OR_RUNNING
+            if is_lacked:
+                lacking.add(before - 1)
+                text = document.span(before - 1, chunk.stop - 1).of(document.text)
+                candidate = Candidate(text, range(before - 1, chunk.stop), before - 1, type="state", shape="adjective")
+                found.setdefault((before - 1, chunk.stop, "whole"), candidate)
+            continue
         if before >= 0 and document.tokens[before].pos == "ADP" and (before, chunk.stop, "whole") not in found:
             for start, shape in ((before, "said"), (chunk.start, "said.bare")):
                 text = document.span(start, chunk.stop - 1).of(document.text)
@@ -210,7 +228,7 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             continue
         is_state = token.lower in observed.gazetteer.states or token.pos == "ADJ"
         is_verb = token.pos == "VERB" and token.tag != "MD"
-        if not (is_state or is_verb) or token.lower in _LIKELY:
+        if not (is_state or is_verb) or token.lower in _LIKELY or token.i in lacking:
             continue
         number, kind = (owner.id, owner.type) if owner else (0, "")
         candidate = Candidate(token.text, range(i, i + 1), i, number, "state", kind, "verb" if is_verb else "adjective")
@@ -242,6 +260,9 @@ def noun_chunks(document: Document) -> Iterator[range]:
         start = None
 
 
+_OUT_OF = ("out", "of")
+_BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run running was were".split())
+_DEEDS = frozenset("wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy".split())
 _LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
 """How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""
 _TIMES = frozenset("yesterday today tonight tomorrow now later".split())

@@ -93,8 +93,8 @@ def whole_meant(context: Context, gap: Gap) -> range:
 
 
 def is_not_on_it(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether what is wiped is neither what a condition right ahead found nor where that is: "shut *the freezer*, and if
-    there's water on the floor mop *it* up"."""
+    """Whether what is wiped is neither what a condition right ahead found nor where that is: "shut *the freezer*, and
+    if there's water on the floor mop *it* up"."""
     path = context.paths.get(gap.task.id, ())
     is_wiped = gap.type == "object" and gap.word == "it" and context.lemmas[gap.task.id].split()[0] in _WIPING
     if not is_wiped or not path or path[-1] != (gap.task.id - 1, "then") or candidate.owner == gap.task.id - 1:

@@ -380,7 +380,8 @@ def _good_enough(document: Document, parts: Sequence[_Part], k: int, tasks: Mapp
     the milk is fine"), nor with an order of its own ("then navy will do: bring me that")."""
     part, tokens = parts[k], document.tokens
     is_failed = k > 0 and (part.lead == "turn" or _is_turn_alone(document, parts[k - 1]))
-    if not part.is_last or not (is_failed or (part.lead == "mark" and _follows_condition(parts, k, tasks))):
+    is_last = part.is_last or _is_further_case(document, parts[k + 1 : k + 3])
+    if not is_last or not (is_failed or (part.lead == "mark" and _follows_condition(parts, k, tasks))):
         return range(0)
     stop = next((i for i in part.body if _is_praise(tokens, range(i, part.body.stop))), part.body.start)
     named = _bare(document, range(part.body.start, stop), tasks)
@@ -392,6 +393,12 @@ def _good_enough(document: Document, parts: Sequence[_Part], k: int, tasks: Mapp
     said = {token.lemma for token in tokens[: part.opening.start] if token.i not in named}
     is_other = any(tokens[i].lemma not in said and tokens[i].pos in _TELLING for i in named)
     return named if is_other or tokens[named.start].lower in _WHICHEVER else range(0)
+
+
+def _is_further_case(document: Document, behind: Sequence[_Part]) -> bool:
+    """Whether no more than a further case goes on: ", and if we're out of wine, ..."."""
+    words = [token.lower for part in behind[:1] for token in document.tokens[part.body.start : part.body.stop]]
+    return len(behind) > 1 and behind[0].lead == "mark" and words in (["and"], ["but"]) and behind[1].lead == "if"
 
 
 def _is_turn_alone(document: Document, part: _Part) -> bool:

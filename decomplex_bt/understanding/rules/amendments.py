@@ -14,6 +14,7 @@ from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENT
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
 from decomplex_bt.understanding.references.phrases import (
     PREPOSITIONS,
+    is_deed,
     is_pronoun,
     nobody,
 )
@@ -43,7 +44,7 @@ from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.guesses import without_guessed
 from decomplex_bt.understanding.rules.handing import accompanied, called, divided, fed, given, put_out, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import admitted, encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import due, in_need
@@ -51,7 +52,7 @@ from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import preferences
-from decomplex_bt.understanding.rules.prohibitions import prohibitions
+from decomplex_bt.understanding.rules.prohibitions import let_be, prohibitions
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
 from decomplex_bt.understanding.rules.reports import with_next_told, with_reports, without_times
@@ -87,6 +88,7 @@ _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_RELATIVE = frozenset("that which who to where".split())
 _RECEIVING = frozenset(("recipient", "goal"))
 _ADDING = frozenset(("too", "also", "well"))
 
@@ -99,7 +101,7 @@ def amended(
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
-    idle |= wishers(document, tasks)
+    idle |= wishers(document, tasks) | let_be(document)
     idle = idle.union(
         *pauses(document), *(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     )
@@ -130,6 +132,7 @@ def amended(
     for token, kind in tasks.items():
         if kind == "placing":
             kept = put_out(document, _put_in(document, with_loaded(observed, kept, token), token), token)
+            kept = _gone_to(document, kept, token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -137,7 +140,10 @@ def amended(
             kept = served(document, kept, token)
             kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "change_state":
-            kept = fed(document, kept, token)
+            kept = _given_once(document, fed(document, kept, token))
+            if whom := admitted(document, token):
+                kept = [a for a in kept if a.owner != token or not set(a.tokens) & set(range(token, whom.stop + 1))]
+                kept.append(FoundArgument("object", token, whom, CERTAIN))
         if kind == "check_state":
             kept = [_undenied(document, a) if a.owner == token else a for a in kept]
             kept = with_whole_state(document, that_there_is(document, kept, token), token)
@@ -197,6 +203,7 @@ def amended(
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
     kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
+    kept = [_up_to_order(document, tasks, a) for a in kept]
     kept = without_guessed(document, with_nearer_places(document, tasks, kept))
     kept = [a for a in kept if not _is_bare_preposition(document, a)]
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
@@ -206,6 +213,20 @@ def _is_bare_preposition(document: Document, argument: FoundArgument) -> bool:
     """Whether nobody is named by whom somebody is told something: "knock *on* the door"."""
     is_single = argument.type == "recipient" and len(argument.tokens) == 1
     return is_single and document.tokens[argument.tokens.start].lower in PREPOSITIONS - {"to", "for", "with"}
+
+
+def _up_to_order(document: Document, tasks: Mapping[int, str], argument: FoundArgument) -> FoundArgument:
+    """An argument of a check that runs on into an order behind it, up to that: "if no one is *in the study* close the
+    window"."""
+    if tasks.get(argument.owner) != "check_state" or argument.type not in ("object", "state", "location"):
+        return argument
+    inside = argument.tokens[2:]
+    order = next((i for i in inside if tasks.get(i, "check_state") != "check_state"), None)
+    is_order = order is not None and document.tokens[order].tag in ("VB", "VBP", "NN", "NNP", "JJ")
+    is_own = order is not None and any(t.lower in _RELATIVE for t in document.tokens[argument.tokens.start : order])
+    if order is None or not is_order or is_own or argument.owner > argument.tokens.start:
+        return argument
+    return replace(argument, tokens=range(argument.tokens.start, order))
 
 
 def _telegraphed(document: Document, verb: int) -> dict[str, range]:
@@ -264,6 +285,21 @@ def _put_in(document: Document, arguments: Sequence[FoundArgument], put: int) ->
         return list(arguments)
     kept = [a for a in arguments if a is not goal]
     return [*kept, replace(goal, type="object", tokens=range(put + 2, goal.tokens.stop))]
+
+
+def _given_once(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments without the deed that something is given, which is no thing: "give it *a wipe*"."""
+    return [a for a in arguments if not is_deed(document, a.tokens)]
+
+
+def _gone_to(document: Document, arguments: Sequence[FoundArgument], going: int) -> list[FoundArgument]:
+    """The arguments with where something goes as where it is put: "anything from the bank *goes on my desk*"."""
+    own = {a.type: a for a in arguments if a.owner == going and a.tokens.start > going}
+    place = own.get("location")
+    is_told = place is not None and place.tokens.start == going + 1 and "goal" not in own
+    if not is_told or document.tokens[going].lemma not in ("go", "belong"):
+        return list(arguments)
+    return [replace(a, type="goal") if a is place else a for a in arguments]
 
 
 def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:

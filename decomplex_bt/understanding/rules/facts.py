@@ -19,7 +19,15 @@ from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
+from decomplex_bt.understanding.rules.idioms import (
+    admitted,
+    encountered,
+    for_somebody,
+    idiomatic,
+    is_answered,
+    is_light,
+    prospect_of,
+)
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import needed
@@ -37,7 +45,7 @@ from decomplex_bt.understanding.rules.plans import is_planned
 from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
-from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone
+from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone, let_be
 from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
@@ -77,7 +85,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         task for task in _with_passives(document, tasks) if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
-    idle = forgone(document).union(*pauses(document))
+    idle = (forgone(document) | let_be(document)).union(*pauses(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
@@ -332,6 +340,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "motion" and are_gone(document, task.token):
         return "check_state"
+    if task.type != "check_state" and (admitted(document, task.token) or is_answered(document, task.token)):
+        return "change_state"
     if task.type == "informing" and lemma == "enter":
         return "motion"  # "only enter if Tom says so"
     if task.type == "motion" and encountered(document, task.token):

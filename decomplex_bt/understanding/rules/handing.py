@@ -178,7 +178,7 @@ def accompanied(
 
 def _is_of_clause(document: Document, verb: int, at: int) -> bool:
     """Whether a word stands in the clause of a verb before it."""
-    return not any(token.lower in MARKS - {"-"} for token in document.tokens[verb:at])
+    return not any(token.lower in MARKS - {"-"} for token in document.tokens[verb : at - 1])
 
 
 def given(arguments: Sequence[FoundArgument], bringing: int, whom: range) -> list[FoundArgument]:

@@ -34,6 +34,8 @@ _ALLOWING = frozenset(
 _BESIDE_ALLOWING = frozenset("then please by all means though however".split())
 _BESIDE_OTHERWISE = frozenset((",", "then", "please", "just", "well"))
 _LEFT = frozenset("it them that this 'em".split())
+_LONGEST_NAMED = 4
+"""The most words that name what is let be."""
 _CASES = frozenset("if when unless otherwise else".split())
 
 
@@ -122,6 +124,22 @@ def is_left_alone(document: Document, verb: int, tasks: Collection[int]) -> bool
     sentence = [t.i for t in tokens[:verb] if document.sentences[t.i] == document.sentences[verb]]
     case = max((i for i in sentence if tokens[i].lower in _CASES), default=None)
     return is_left and case is not None and not any(case < i < verb for i in tasks)
+
+
+def let_be(document: Document) -> frozenset[int]:
+    """The words that only say what is let be for what is ordered behind a mark instead: "*leave the AC*, just close the
+    window"."""
+    found: set[int] = set()
+    tokens = document.tokens
+    for verb in (token.i for token in tokens if token.lower == "leave"):
+        stop = next((t.i for t in tokens[verb + 1 :] if t.text in MARKS), len(tokens))
+        words = tokens[verb + 1 : stop]
+        is_thing = 0 < len(words) <= _LONGEST_NAMED and words[-1].pos in ("NOUN", "PROPN", "PRON")
+        is_thing = is_thing and all(t.pos in ("DET", "ADJ", "NOUN", "PROPN", "PRON") for t in words)
+        behind = [t.lower for t in tokens[stop + 1 : stop + 2]]
+        if is_thing and behind in (["just"], ["only"]) and tokens[stop].text != ".":
+            found.update(range(verb, stop))
+    return frozenset(found)
 
 
 def _may_govern(document: Document, cue: int, negation: int) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.rules.elsewhere import elsewhere
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
 from decomplex_bt.understanding.rules.needs import belonging
 from decomplex_bt.understanding.rules.renewals import renewals
@@ -13,10 +14,11 @@ from decomplex_bt.understanding.rules.wants import wants
 
 
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
-    """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again;
-    `tasks`: tokens that are tasks, with types."""
+    """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again,
+    where else something is; `tasks`: tokens that are tasks, with types."""
     yield from fragments(observed.document)
     yield from transfers(observed)
     yield from belonging(observed.document)
     yield from wants(observed, tasks)
     yield from renewals(observed.document)
+    yield from elsewhere(observed.document)

@@ -46,6 +46,9 @@ _RULES = (
     parts.find_nobody,
     orders.ask_of_order,
     parts.wish,
+    parts.lack_one,
+    parts.tell_of_both,
+    parts.miss_anywhere,
 )
 """One after the other, each on all tasks from left to right: a later one has the last word."""
 

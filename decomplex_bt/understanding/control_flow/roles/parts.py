@@ -9,8 +9,10 @@ from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, PRESENT,
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_content_of,
+    is_elsewhere_than,
     is_named_apart,
     is_of_another,
+    is_of_one_of_both,
     is_of_other_matter,
     is_of_other_state,
     is_opposite_of,
@@ -201,6 +203,52 @@ def find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     roles[k] = "condition"
     if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
         roles[first] = "task"
+
+
+def miss_anywhere(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That something cannot be found is asked where it is in neither of two places ("if it's in the hall, bring it, if
+    it's in the car leave it, *and if you can't find it*, ...")."""
+    if missed_anywhere(clauses, roles, k) is not None:
+        roles[k - 1 : k + 1] = "condition", "condition"
+
+
+def missed_anywhere(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The first of two places of one thing that are asked, the second right ahead of clause `k`, which says that it
+    cannot be found; else None."""
+    clause, second = clauses[k], clauses[k - 1]
+    is_missed = clause.task.type == "searching" and clause.wording.is_negated and clause.is_of_it
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    if first is None or not (is_missed and "if" in clause.near and k + 1 < len(clauses)) or clauses[first].is_asked:
+        return None
+    is_second = second.is_check and "if" in second.near and is_elsewhere_than(second, clauses[first])
+    is_plain = all(role == "task" for role in roles[first + 1 : k - 1]) and "mention" not in roles[k + 1 :]
+    return first if is_second and is_plain else None
+
+
+def lack_one(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That there is none of one of two things does not tell how the look for both went ("look for flour and sugar, *and
+    if we don't have any sugar*, ...")."""
+    is_mention = roles[k - 1 : k + 1] in (["condition", "mention"], ["condition", "condition"])
+    if is_mention and "mention" not in roles[k + 1 :] and is_of_one_of_both(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def tell_of_both(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of two things that are to be checked somebody is told whatever they are ("check whether the door is shut and the
+    stove is off, *and tell me*")."""
+    if roles[k] == "task" and "mention" not in roles[k + 1 :] and is_told_of_both(clauses, k):
+        roles[k - 2 : k] = "task", "task"
+
+
+def is_told_of_both(clauses: Sequence[Clause], k: int) -> bool:
+    """Whether it only says to tell somebody, right behind an order to check two things, set off by a comma."""
+    if k < 2:
+        return False
+    first, second, report = clauses[k - 2 : k + 1]
+    are_checked = first.is_asked and not first.is_question and "whether" in first.behind
+    are_checked = are_checked and second.near[:2] == ("whether", "and") and second.boundary == "none"
+    is_told = report.task.type == "informing" and report.near == ("and",) and report.boundary == ","
+    return are_checked and is_told and report.sentence == first.sentence
 
 
 def wish(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.control_flow.failures import (
 from decomplex_bt.understanding.control_flow.outcomes import (
     answers_ring,
     comes_through,
+    is_answer_behind,
     is_answer_to,
     turns_on_answer,
     turns_on_report,
@@ -194,6 +195,9 @@ def answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1 : k + 1] = "task", "condition"
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     if roles[k] == "mention" and others and is_answer_to(clauses[k], clauses[k - 1], others):
+        roles[k] = "condition"
+    is_behind = k > 1 and roles[k - 2 : k + 1] == ["task", "task", "mention"]
+    if is_behind and is_answer_behind(clauses[k], clauses[k - 1], clauses[k - 2]):
         roles[k] = "condition"
 
 

@@ -10,9 +10,9 @@ from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.construction import Builder
 from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than, is_other_case_than
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
-from decomplex_bt.understanding.control_flow.outcomes import is_answer_to, needs_found
+from decomplex_bt.understanding.control_flow.outcomes import is_answer_behind, is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
-from decomplex_bt.understanding.control_flow.roles.parts import taken_up
+from decomplex_bt.understanding.control_flow.roles.parts import is_told_of_both, missed_anywhere, taken_up
 from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to, sought_twice
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
 from decomplex_bt.understanding.cues import are_apart
@@ -40,6 +40,10 @@ def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     others = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     if roles[k] == "condition" and others and is_answer_to(clauses[k], clauses[k - 1], others):
         sides[k] = sides[k - 1]
+    is_behind = k > 1 and tuple(roles[k - 2 : k + 1]) == ("task", "task", "condition")
+    if is_behind and is_answer_behind(clauses[k], clauses[k - 1], clauses[k - 2]):
+        sides[k] = sides[k - 2] if sides[k - 2] in ("top", HOLDS, FAILS) else sides[k]
+        sides[k - 1] = ">1-" if clauses[k].wording.is_negated else ">1+"
 
 
 def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -90,6 +94,22 @@ def miss_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
         return
     if sides[last] in (HOLDS, FAILS) and sides[k][:1] == "<":
         sides[last], sides[k] = FAILS, "<1"
+
+
+def miss_anywhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That something is in neither of two places is asked where it is in neither (`roles`)."""
+    if (roles[k - 1], roles[k]) == ("condition", "condition") and missed_anywhere(clauses, roles, k) is not None:
+        sides[k - 1] = sides[k] = FAILS
+        for j in range(k + 1, len(clauses)):
+            if sides[j] not in (HOLDS, FAILS) or clauses[j].sentence != clauses[k].sentence:
+                return
+            sides[j] = FAILS
+
+
+def tell_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of two things that are to be checked somebody is told whatever they are (`roles`)."""
+    if is_told_of_both(clauses, k) and tuple(roles[k - 2 : k + 1]) == ("task",) * 3:
+        sides[k - 1] = sides[k] = sides[k - 2]
 
 
 def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int]:

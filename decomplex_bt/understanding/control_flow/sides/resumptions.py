@@ -229,6 +229,16 @@ def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = "top"
 
 
+def have_at_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "once you have it" is done wherever it was found ("if it's not there, look in the car, *and once you
+    have it*, hang it up")."""
+    clause = clauses[k]
+    if roles[k] != "task" or not clause.is_had or sides[k] not in (HOLDS, FAILS, "<2-", "<2+"):
+        return
+    if clauses[k - 1].task.type in ("searching", "bringing", "taking") and CONDITION_ROLES & {*roles[:k]}:
+        sides[k] = "top"
+
+
 def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done, set off by a comma, with what is picked up in one case and got otherwise in the other is done with
     either ("take a plate if there is one, otherwise take a bowl, *and bring it to me*")."""

@@ -233,6 +233,34 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[j] = right
 
 
+def do_after_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done where something is "still" otherwise than it is after "if I did", of which nothing comes, is done
+    where I did not ("I'm not sure if I locked it. If I did, fine, *but if it's still open*, lock it")."""
+    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("condition", "mention", "task") or sides[k] != HOLDS:
+        return
+    first, mention = clauses[k - 2 : k]
+    is_done = first.verb == "do" and first.wording.is_echo and "if" in first.near and not first.wording.is_negated
+    is_still = mention.near == ("but", "if") and mention.says_still and not mention.wording.is_negated
+    for j in range(k, len(clauses)) if is_done and is_still and mention.sentence == first.sentence else ():
+        if sides[j] != HOLDS or not (j == k or goes_on(clauses, roles, sides, j, mention.sentence)):
+            return
+        sides[j] = FAILS
+
+
+def turn_to_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done in the second of two opposite cases of what was to be checked, of the first of which nothing comes,
+    is done on the other side ("check the oven. If it's hot, leave it, *but if it's cold* clean it")."""
+    if k < 3 or tuple(roles[k - 3 : k + 1]) != ("condition", "mention", "mention", "task") or sides[k] != HOLDS:
+        return
+    order, first, second = clauses[k - 3 : k]
+    are_opposite = second.wording.is_opposite_of(first.wording) or first.wording.is_opposite_of(second.wording)
+    are_stated = not (first.wording.is_negated or second.wording.is_negated) and order.wording.state is None
+    for j in range(k, len(clauses)) if are_opposite and are_stated else ():
+        if sides[j] != HOLDS or not (j == k or goes_on(clauses, roles, sides, j, second.sentence)):
+            return
+        sides[j] = FAILS
+
+
 def pick(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with those of what is to be checked that are not so is done where it is not so ("check that the
     windows are shut *and shut any that aren't*")."""

@@ -23,6 +23,8 @@ _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
 _ALL = frozenset(("everything", "anything", "all"))
 _PARTING = frozenset((".", ";"))
+_WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish chilly".split())
+"""States in which somebody wants something, of which one keeps none from another."""
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 
 
@@ -262,6 +264,22 @@ def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_led = clauses[k].boundary in _PARTING and clauses[k].near == ("if",)
     if is_led and is_named_apart(clauses[k], clauses[first]) and not clauses[k].thing <= between:
         sides[k] = "top"
+
+
+def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether somebody wants something else as well is asked in any case ("if she's cold, bring her a shawl, *and if
+    she's hungry*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    clause, check = clauses[k], clauses[first]
+    is_led = clause.near == ("and", "if") and check.near[-1:] == ("if",) and sides[k] in (HOLDS, FAILS)
+    is_same = (
+        clause.is_of_somebody and not clause.objects and not (clause.wording.is_negated or check.wording.is_negated)
+    )
+    said, other = frozenset(clause.said_state), frozenset(check.said_state)
+    if is_led and is_same and said & _WANTING and other & _WANTING and not said & other:
+        sides[k] = beside(sides[first])
 
 
 def answer_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

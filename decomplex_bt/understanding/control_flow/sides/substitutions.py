@@ -13,6 +13,8 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, M
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))
+_SERVED = frozenset(("bringing", "placing"))
+_TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
 _LEAVING = frozenset(("leave", "keep"))
 _KEEPING = _LEAVING | {"let"}
 _CARRYING = frozenset(("placing", "bringing", "taking"))
@@ -119,6 +121,18 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
     elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
         sides[k - 1] = "top"
+
+
+def try_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What somebody does not want, eat or finish was brought or served first ("take Joe this plate, *and if he doesn't
+    want it*, ..."); not "give him the tea if he wants it"."""
+    order, check = clauses[k - 1 : k + 1]
+    is_served = order.task.type in _SERVED and not order.is_forbidden and sides[k - 1] in (">1+", ">1-")
+    is_taken = check.is_check and check.verb in _TASTING and check.wording.is_negated and "unless" not in check.near
+    is_led = check.near[:1] in (("if",), ("and",), ("but",)) and "if" in check.near and not check.is_trailing
+    is_led = is_led and (check.boundary != "none" or check.near[:1] != ("if",))
+    if (roles[k - 1], roles[k]) == ("task", "condition") and is_served and is_taken and is_led:
+        sides[k - 1] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
 
 
 def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

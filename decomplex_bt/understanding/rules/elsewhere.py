@@ -1,0 +1,74 @@
+"""Elsewhere: where something else, or the thing itself, is said to be where it is not where it was looked for, which
+says to look there ("if they're not on the desk, *they might be in the study*", "..., *there's another pair in the
+car*")."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.rules.fragments import Fragment
+
+_SUBJECTS = frozenset("it they he she".split())
+_MODALS = frozenset("must will 'll \u2019ll might may should could would".split())
+_BE = frozenset("be is are 's \u2019s 're \u2019re".split())
+_BETWEEN = frozenset("probably likely surely maybe perhaps still also usually always then just".split())
+_DENYING = frozenset("not n't n\u2019t nt no none".split())
+_OPENING = frozenset(("if", "otherwise"))
+_BEFORE_CASES = frozenset("and but so or well then".split())
+_ONE_MORE = frozenset("another one more some spare extra others".split())
+_NAMED = frozenset(("DET", "ADJ", "NOUN", "NUM", "PROPN", "PRON"))
+_TAKING_UP = frozenset("it them him her there that those one".split())
+
+
+def elsewhere(document: Document) -> Iterator[Fragment]:
+    """Every such statement that ends its sentence, where no order in the next one takes it up, carried by its "be"."""
+    if document.words.isdisjoint(_OPENING):
+        return
+    tokens = document.tokens
+    for first in range(1, len(tokens) - 2):
+        if tokens[first].lower not in _SUBJECTS | {"there"} or not _is_behind_case(document, first):
+            continue
+        be = first + 1
+        while be < len(tokens) and tokens[be].lower in _MODALS | _BETWEEN:
+            be += 1
+        stop = next((i for i in range(first, len(tokens)) if tokens[i].text in MARKS), len(tokens))
+        if be >= stop or tokens[be].lower not in _BE or not _is_last(document, stop):
+            continue
+        place = be + 1
+        while place < stop and (tokens[place].pos in _NAMED or tokens[place].lower in _BETWEEN):
+            place += 1
+        named = [i for i in range(be + 1, place) if tokens[i].lower not in _BETWEEN]
+        is_there = tokens[first].lower == "there"
+        is_place = place < stop - 1 and tokens[place].tag == "IN" and tokens[stop - 1].pos in ("NOUN", "PROPN")
+        is_more = any(tokens[i].lower in _ONE_MORE for i in named)
+        if is_place and (is_more if is_there else not named) and not _has_verb(document, range(place, stop)):
+            thing = range(named[0], place) if is_there else range(first, first + 1)
+            yield Fragment(range(first, stop), be, thing, range(place, stop), "searching")
+
+
+def _is_behind_case(document: Document, first: int) -> bool:
+    """Whether a comma right ahead ends the case that something is not there: "if it isn't in the drawer, ..."."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[first - 1].text != "," or sentences[first - 1] != sentences[first]:
+        return False
+    start = first - 1
+    while start and sentences[start - 1] == sentences[first] and tokens[start - 1].text not in MARKS:
+        start -= 1
+    words = [token.lower for token in tokens[start : first - 1]]
+    while words and words[0] in _BEFORE_CASES:
+        words = words[1:]
+    return words == ["otherwise"] or (words[:1] == ["if"] and not _DENYING.isdisjoint(words))
+
+
+def _is_last(document: Document, stop: int) -> bool:
+    """Whether a sentence ends before a token, and no word of the next one takes up what it says."""
+    tokens, sentences = document.tokens, document.sentences
+    if stop < len(tokens) and tokens[stop].text not in ENDS:
+        return False
+    behind = [t.lower for t in tokens[stop + 1 :] if sentences[t.i] == sentences[min(stop + 1, len(tokens) - 1)]]
+    return _TAKING_UP.isdisjoint(behind)
+
+
+def _has_verb(document: Document, words: range) -> bool:
+    return any(document.tokens[i].pos in ("VERB", "AUX", "CCONJ") for i in words)

@@ -1,0 +1,106 @@
+"""What a further case asks: an answer, another want, a state behind a deed, what was left undone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        # what somebody was asked, and no earlier condition
+        (
+            "If Leo's in the den, ask him whether he's thirsty, and bring him some juice if he is.",
+            [{"if": 1, "then": [2, {"if": 4, "then": [3]}]}],
+        ),
+        (
+            "If Mum is up, ask her if she wants tea, and make her a cup if she does.",
+            [{"if": 1, "then": [2, {"if": 4, "then": [3]}]}],
+        ),
+        ("If the lamp is on, ask Tom why, and turn it off if it is.", [{"if": [1, 4], "then": [2, 3]}]),
+        # another want is asked in any case
+        (
+            "Look in on Ann; if she's thirsty, bring her some water, and if she's cold, bring her a shawl.",
+            [1, {"if": 2, "then": [3]}, {"if": 4, "then": [5]}],
+        ),
+        (
+            "If she's awake, bring her some tea, and if she's asleep, close the door.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        # a state is no opposite of a deed
+        (
+            "Dim the lights if the kids complain, and if they still aren't happy, switch them off.",
+            [{"if": 2, "then": [1, {"if": 3, "else": [4]}]}],
+        ),
+        (
+            "If the kettle has stopped, pour the tea; if it's still going, wait by the door.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        # what I did not do after all
+        (
+            "I can't recall whether I shut the gate. If I did, great, but if it's still open, shut it and tell me.",
+            [{"if": [1, 2], "else": [3, 4]}],
+        ),
+        (
+            "Is the gate open? If it is, shut it, but if it's still open after that, tell me.",
+            [{"if": [1, 2], "then": [3, {"if": 4, "then": [5]}]}],
+        ),
+    ],
+)
+def test_what_a_further_case_asks(interpreter: Interpreter, text: str, wanted: Any) -> None:
+    assert flow(interpreter, text) == wanted
+
+
+def test_the_answer_is_what_was_asked(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("If Leo's in the den, ask him whether he's thirsty, and bring him juice if he is.")
+    assert [task.value("state") for task in found.tasks if task.span.of(found.text) == "is"] == ["thirsty"]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("Mow the lawn after you've raked it, which you should only do if it's dry out.", [{"if": 3, "then": [2, 1]}]),
+        ("Feed the hens, which you must only do if the coop is shut.", [{"if": 2, "then": [1]}]),
+        # wherever it was found
+        (
+            "Is my hat on the peg? If not, look in the trunk, and once you have it, brush it.",
+            [{"if": 1, "else": [2]}, 3],
+        ),
+        (
+            "Look in the hall for my bag. If it's not there, try the car, and when you've got it, hang it up.",
+            [{"if": [1, 2], "else": [3]}, 4],
+        ),
+        # no task at all
+        ("Switch the fan off, no, sorry, leave the fan, just open the hatch.", [1]),
+        ("Leave the radio, just turn off the lamp.", [1]),
+        ("Leave the radio on the table, just turn off the lamp.", [1, 2]),
+        # what serves instead, in short
+        ("Fetch the ladder; if you can't find it, the stool'll do.", [{"if": [1, 2], "else": [3]}]),
+        ("Get the door, would you? If it's the postman, take the parcel.", [1, {"if": 2, "then": [3]}]),
+        ("Go to the door and if it's tom let him in and take his coat", [1, {"if": 2, "then": [3, 4]}]),
+    ],
+)
+def test_how_far_a_case_reaches(interpreter: Interpreter, text: str, wanted: Any) -> None:
+    assert flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "kind", "values"),
+    [
+        ("Let the plumber in and show him the boiler.", "Let", "change_state", {"object": "the plumber"}),
+        ("Get the door for me, please.", "Get", "change_state", {"object": "the door"}),
+        ("Get the door handle from the shed.", "Get", "taking", {"object": "the door handle"}),
+        ("if no one is in the study close the window", "is", "check_state", {"location": "in the study"}),
+        ("The copier's out of toner. If it is, tell Sue.", "is", "check_state", {"state": "out of toner"}),
+        ("If it isn't ready, bring it anyway, along with my coat.", "bring", "bringing", {"object": "my coat"}),
+    ],
+)
+def test_what_is_told_of_it(interpreter: Interpreter, text: str, verb: str, kind: str, values: dict[str, str]) -> None:
+    task = next(task for task in interpreter.interpret(text).tasks if task.span.of(text) == verb)
+    assert task.type == kind
+    assert all(value in task.values(name) for name, value in values.items())

@@ -1,0 +1,66 @@
+"""Further cases: refused, lacking, found nowhere, opposite; and what is told whatever they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        # not to be forgotten is ordered
+        ("Don't forget to switch off the fan if you leave the flat.", [{"if": 2, "then": [1]}]),
+        ("Don't forget to bolt the gate unless Dad is still out.", [{"if": 2, "else": [1]}]),
+        ("Don't switch off the fan if you leave the flat.", [{"if": 2, "else": [1]}]),
+        # served before it is refused
+        ("Take Joe this pie, and if he doesn't want it, put it in the fridge.", [1, {"if": 2, "else": [3]}]),
+        ("Put the tuna in the dish. If the cat doesn't eat it, put the dish away.", [1, {"if": 2, "else": [3]}]),
+        ("Bring Ann the pie if she wants it.", [{"if": 2, "then": [1]}]),
+        # two things to check, and a report
+        ("Check whether the hatch is shut and the hob is off, and tell me.", [1, 2, 3]),
+        # in neither place
+        (
+            "If my bag is in the hall bring it here, if it's in the car leave it, and if you can't find it, tell me.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "else": [{"if": 4, "else": [5]}]}]}],
+        ),
+        # none left where it is fetched from
+        (
+            "If the soap is running low, put a bar in the bathroom, and if there are none left in the cellar, tell Kim.",
+            [{"if": 1, "then": [2, {"if": 3, "else": [4]}]}],
+        ),
+        ("Look for eggs and milk, and if there's no milk, tell Ann.", [1, {"if": 2, "else": [3]}]),
+        ("Look for milk, and if there's no milk, tell Ann.", [{"if": [1, 2], "else": [3]}]),
+        # the other of two cases, where nothing comes of the first
+        ("Check the stove. If it's hot leave it, but if it's cooled down give it a wipe.", None),
+        ("Check the grill. If it's hot leave it, but if it's cold wipe it.", None),
+    ],
+)
+def test_what_a_further_case_says(interpreter: Interpreter, text: str, wanted: Any) -> None:
+    found = flow(interpreter, text)
+    if wanted is None:  # the check may be the condition or come before it
+        assert [node["else"] for node in found if isinstance(node, dict) and "then" not in node] == [[4]]
+    else:
+        assert found == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "kind", "value"),
+    [
+        ("Check the letterbox. Anything from the bank goes on my desk.", "goes", "goal", "on my desk"),
+        ("Check the stove. If it's cold, give it a wipe.", "give", "object", "the stove"),
+        ("Give the shelf a rinse if it's sticky.", "Give", "object", "the shelf"),
+    ],
+)
+def test_what_is_said_of_it(interpreter: Interpreter, text: str, verb: str, kind: str, value: str) -> None:
+    task = next(task for task in interpreter.interpret(text).tasks if task.span.of(text) == verb)
+    assert task.values(kind) == (value,)
+
+
+def test_what_serves_stands_ahead_of_a_further_case(interpreter: Interpreter) -> None:
+    text = "Bring me the red pen; if it's not there, a blue one will do, and if there are no pens, bring me a pencil."
+    assert [task.value("object") for task in interpreter.interpret(text).tasks][2] == "a blue pen"
