@@ -58,7 +58,7 @@ def test_a_phrase_is_its_class(text, expected):
         ("Turn off the light, but not before you have closed the door.", ["until"]),
         ("Before it is dry, don't touch the wall.", ["until", "not"]),
         ("Before you go, don't wake the baby.", ["before", "not"]),
-        ("Before you go, don't forget the milk.", ["before", "not"]),
+        ("Before you go, don't forget the milk.", ["before"]),
         ("Put the box on shelf B4 and close the door.", []),
     ],
 )

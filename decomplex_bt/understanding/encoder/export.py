@@ -26,4 +26,5 @@ def export(
             dynamic_axes={name: dict(axes) for name, axes in inputs.items()},
             dynamo=False,
         )
-        quantize_dynamic(str(exact), str(path), weight_type=QuantType.QInt8, per_channel=True)
+        # unsigned: signed weights overflow on processors without VNNI, which then read otherwise than all others
+        quantize_dynamic(str(exact), str(path), weight_type=QuantType.QUInt8, per_channel=True)

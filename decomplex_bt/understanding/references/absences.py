@@ -35,6 +35,10 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
         document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)
     ):
         return False
+    if candidate.mention in _ONES or (
+        candidate.mention and context.relation(candidate.owner, gap.task.id) != "exclusive"
+    ):
+        return False  # "if there's no clean towel, take *one* from the dryer and hand *it* to him"
     missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
     checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]
     return any(

@@ -283,8 +283,8 @@ def _is_of_later_mention(context: Context, gap: Gap, option: Option) -> bool:
 def _answers(context: Context, gap: Gap, options: Sequence[Option]) -> list[Option]:
     """Of what a new condition may ask, what the task before asks somebody: "ask him if he's *hungry*, and if he is"."""
     # the question may stand ahead of what hangs on the answer: "ask him if he's *cold*, and bring a shawl if he is"
-    ahead = [context.types.get(gap.task.id - k) for k in (1, 2)]
-    asked = gap.task.id - (1 if ahead[0] == "informing" else 2)
+    path = context.paths.get(gap.task.id - 1, ())
+    asked = gap.task.id - (2 if path and path[-1][0] == gap.task.id else 1)
     before = next((task for task in context.tasks if task.id == asked), None)
     if before is None or before.type != "informing" or context.first.get(gap.task.id) != gap.task.id:
         return []

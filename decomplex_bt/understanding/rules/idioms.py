@@ -29,7 +29,7 @@ _GETTING = frozenset(("get", "fetch", "grab", "pick"))
 _ONESELF = frozenset(("me", "us"))
 _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
 _GET_THE_DOOR = ("get", "the", "door")
-_NOT_LET = frozenset("not n't n\u2019t never to who will 'll".split())
+_NOT_LET = frozenset("not n't n\u2019t nt dont never to who will 'll".split())
 _BEHIND_IN = frozenset("and then but if unless when once please first or".split())
 _LONGEST_NAMED = 5
 """The most words by which somebody is named."""

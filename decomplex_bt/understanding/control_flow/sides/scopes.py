@@ -274,6 +274,7 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         return
     clause, check = clauses[k], clauses[first]
     is_led = clause.near == ("and", "if") and check.near[-1:] == ("if",) and sides[k] in (HOLDS, FAILS)
+    is_led = is_led and "also" not in clause.behind
     is_same = (
         clause.is_of_somebody and not clause.objects and not (clause.wording.is_negated or check.wording.is_negated)
     )
