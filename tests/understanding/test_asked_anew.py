@@ -104,3 +104,14 @@ def test_what_is_told_of_it(interpreter: Interpreter, text: str, verb: str, kind
     task = next(task for task in interpreter.interpret(text).tasks if task.span.of(text) == verb)
     assert task.type == kind
     assert all(value in task.values(name) for name, value in values.items())
+
+
+def test_nobody_in_a_room_is_told_up_to_the_order(interpreter: Interpreter) -> None:
+    check, order = interpreter.interpret("if nobody's in the cellar turn off the radio").tasks
+    assert (check.value("location"), order.value("state")) == ("in the cellar", "off")
+
+
+def test_a_wish_is_what_the_case_behind_a_question_brings(interpreter: Interpreter) -> None:
+    assert flow(interpreter, "I'd love a coffee. Is there any milk? If not, bring it black.") == [
+        {"if": 1, "else": [2]}
+    ]

@@ -30,7 +30,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ),
         # none left where it is fetched from
         (
-            "If the soap is running low, put a bar in the bathroom, and if there are none left in the cellar, tell Kim.",
+            "If the soap is running low, put one in the bathroom, and if there are none left in the shed, tell Kim.",
             [{"if": 1, "then": [2, {"if": 3, "else": [4]}]}],
         ),
         ("Look for eggs and milk, and if there's no milk, tell Ann.", [1, {"if": 2, "else": [3]}]),

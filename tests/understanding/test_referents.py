@@ -102,3 +102,8 @@ def test_it_is_not_raining_is_of_nothing_named(interpreter: Interpreter) -> None
 def test_who_is_fed_is_what_that_is_done_to(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Feed the cat if its bowl is empty.")
     assert [task.value("object") for task in found.tasks] == ["the cat", "its bowl"]
+
+
+def test_who_is_at_the_door_is_not_the_door(interpreter: Interpreter) -> None:
+    found = values(interpreter, "Get the door, and if it's the plumber, show him the boiler.", "it")
+    assert "the door" not in found

@@ -214,7 +214,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
-    if any(is_not(context, gap, candidate) for is_not in (_is_within, _is_sought, _is_led)):
+    if any(is_not(context, gap, candidate) for is_not in (_is_within, _is_sought, _is_led, _is_nobody)):
         return True
     if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
         return True
@@ -273,6 +273,17 @@ def _is_led(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return is_thing and kind_of(context, candidate) not in _ANIMATE
     is_cleaned = gap.type == "object" and not gap.word and context.lemmas[gap.task.id] in _OF_ROOMS
     return is_cleaned and kind_of(context, candidate) in _ANIMATE
+
+
+def _is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing, where it is asked who somebody is: "get *the door*, and if *it*'s the plumber,
+    ..."."""
+    document = context.observed.document
+    if gap.task.type != "check_state" or gap.type != "object" or gap.word != "it" or candidate.mention:
+        return False
+    identity = identity_of(document, document.indices(gap.task.span).start)
+    is_who = identity is not None and identity.is_pronoun(document) and identity.is_of_person(document)
+    return is_who and kind_of(context, candidate) not in _ANIMATE and candidate.type in ("object", "location", "goal")
 
 
 def _is_called_in(context: Context, candidate: Candidate) -> bool:

@@ -153,7 +153,7 @@ def amended(
             kept = with_told(kept, token, doing(document, token))
             kept = with_told(kept, token, happening.get(token, {}))
             kept = _of_now(document, kept, token)
-            kept = with_told(kept, token, predicated(document, token))
+            kept = with_told(kept, token, _before_orders(tasks, predicated(document, token)))
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
@@ -227,6 +227,13 @@ def _up_to_order(document: Document, tasks: Mapping[int, str], argument: FoundAr
     if order is None or not is_order or is_own or argument.owner > argument.tokens.start:
         return argument
     return replace(argument, tokens=range(argument.tokens.start, order))
+
+
+def _before_orders(tasks: Mapping[int, str], told: Mapping[str, range]) -> dict[str, range]:
+    """What is told of a check, up to where an order begins: "if nobody's *in the cellar* turn off the light"."""
+    orders = sorted(i for i, kind in tasks.items() if kind != "check_state")
+    ends = {name: next((i for i in orders if i in words), words.stop) for name, words in told.items()}
+    return {name: range(words.start, ends[name]) for name, words in told.items() if words.start < ends[name]}
 
 
 def _telegraphed(document: Document, verb: int) -> dict[str, range]:

@@ -97,6 +97,9 @@ def is_taken_up(document: Document, wish: int, tasks: Mapping[int, str]) -> bool
         return False
     said = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish]]
     behind = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish] + 1]
+    if behind and behind[-1].text == "?" and not any(tasks.get(t.i) in ("bringing", "taking") for t in behind):
+        # "I'd love a tea. Is there any milk? If not, bring it black"
+        behind = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish] + 2]
     ahead = [t for t in tokens[:wish] if sentences[t.i] == sentences[wish]]
     is_plain = all(t.i not in tasks and t.lower not in _CASES | {"and", "to"} for t in (*ahead, *said))
     if not is_plain or not behind or behind[0].lower not in _OPENING_CASES:
