@@ -177,8 +177,9 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
 def is_deed(document: Document, phrase: range) -> bool:
     """Whether a phrase is what is done to something, as it is given that: "give it *a wipe*"."""
     said = [document.tokens[i].lower for i in phrase]
-    is_given = phrase.start > 1 and document.tokens[phrase.start - 2].lower in ("give", "gave")
-    return said[:1] == ["a"] and said[-1] in _DEEDS and is_given
+    before = [token.lower for token in document.tokens[max(0, phrase.start - _NEAR) : phrase.start]]
+    is_ended = MARKS.isdisjoint(before[before.index("give") :]) if "give" in before else False
+    return said[:1] == ["a"] and said[-1] in _DEEDS and len(said) > 1 and is_ended
 
 
 def _is_of_time(document: Document, phrase: range) -> bool:
@@ -262,6 +263,8 @@ def noun_chunks(document: Document) -> Iterator[range]:
 
 _OUT_OF = ("out", "of")
 _BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run running was were".split())
+_NEAR = 4
+"""Within so many words ahead of a deed stands the "give" that it is given by [tokens]."""
 _DEEDS = frozenset("wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy".split())
 _LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
 """How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""

@@ -17,6 +17,7 @@ from decomplex_bt.understanding.references.phrases import (
     is_deed,
     is_pronoun,
     nobody,
+    noun_chunks,
 )
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
@@ -88,6 +89,7 @@ _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_ONTO = frozenset("in on into onto under behind by".split())
 _RELATIVE = frozenset("that which who to where".split())
 _RECEIVING = frozenset(("recipient", "goal"))
 _ADDING = frozenset(("too", "also", "well"))
@@ -301,12 +303,13 @@ def _given_once(document: Document, arguments: Sequence[FoundArgument]) -> list[
 
 def _gone_to(document: Document, arguments: Sequence[FoundArgument], going: int) -> list[FoundArgument]:
     """The arguments with where something goes as where it is put: "anything from the bank *goes on my desk*"."""
-    own = {a.type: a for a in arguments if a.owner == going and a.tokens.start > going}
-    place = own.get("location")
-    is_told = place is not None and place.tokens.start == going + 1 and "goal" not in own
-    if not is_told or document.tokens[going].lemma not in ("go", "belong"):
+    tokens, start = document.tokens, going + 1
+    is_led = start < len(tokens) and tokens[start].lower in _ONTO and tokens[going].lemma in ("go", "belong")
+    place = next((chunk for chunk in noun_chunks(document) if is_led and chunk.start == start + 1), None)
+    if place is None or any((a.owner, a.type) == (going, "goal") and a.tokens.start > going for a in arguments):
         return list(arguments)
-    return [replace(a, type="goal") if a is place else a for a in arguments]
+    kept = [a for a in arguments if set(a.tokens).isdisjoint(range(start, place.stop))]
+    return [*kept, FoundArgument("goal", going, range(start, place.stop), CERTAIN)]
 
 
 def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:

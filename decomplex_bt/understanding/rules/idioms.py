@@ -10,7 +10,7 @@ from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed
 from decomplex_bt.understanding.rules.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
 
@@ -75,12 +75,22 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
-        **dict.fromkeys(_admissions(document, tasks), "change_state"),
+        **dict.fromkeys((*_admissions(document, tasks), *_deeds(document)), "change_state"),
         **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(_knocks(document, tasks), "informing"),
         **dict.fromkeys(checks, "check_state"),
     }
+
+
+def _deeds(document: Document) -> Iterator[int]:
+    """The "give" of every order to give something a wipe or the like: "*give* it a quick rinse"."""
+    tokens = document.tokens
+    for phrase in (range(i, i + 2 + k) for k in (0, 1) for i in range(2, len(tokens) - 1 - k)):
+        if is_deed(document, phrase):
+            giving = next((j for j in range(phrase.start - 1, -1, -1) if tokens[j].lower == "give"), None)
+            if giving is not None and phrase.start - giving <= _LONGEST_NAMED:
+                yield giving
 
 
 def admitted(document: Document, verb: int) -> range:

@@ -37,6 +37,7 @@ _RULES = (
     prohibitions.replace_order,
     prohibitions.forbid,
     prohibitions.forbid_again,
+    prohibitions.remember,
     reversals.oppose,
     reversals.agree,
     reversals.report,

@@ -94,6 +94,14 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             sides[j] = HOLDS
 
 
+def remember(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is not to be forgotten "if" something is so is done where it is ("*don't forget to* lock up if you go")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_trailing = (roles[k - 1], roles[k]) == ("task", "condition") and check.near == ("if",) and check.is_trailing
+    if order.is_reminder and is_trailing and sides[k - 1] == ">1-" and not check.wording.is_negated:
+        sides[k - 1] = ">1+"
+
+
 def forbid_again(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is ordered and then forbidden in a case right behind is done where that is not so, and that is asked where
     it would be done ("if the grass is long, mow it, but *don't mow it if it's wet*")."""

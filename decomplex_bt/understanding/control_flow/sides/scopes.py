@@ -270,7 +270,7 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     """Whether somebody wants something else as well is asked in any case ("if she's cold, bring her a shawl, *and if
     she's hungry*, ...")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+    if first is None or first == k - 1 or roles[first] not in CONDITION_ROLES or roles[k] != "condition":
         return
     clause, check = clauses[k], clauses[first]
     is_led = clause.near == ("and", "if") and check.near[-1:] == ("if",) and sides[k] in (HOLDS, FAILS)
@@ -279,8 +279,9 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         clause.is_of_somebody and not clause.objects and not (clause.wording.is_negated or check.wording.is_negated)
     )
     said, other = frozenset(clause.said_state), frozenset(check.said_state)
+    head = next((j for j in range(first, -1, -1) if roles[j] == "condition"), first)
     if is_led and is_same and said & _WANTING and other & _WANTING and not said & other:
-        sides[k] = beside(sides[first])
+        sides[k] = beside(sides[head])
 
 
 def answer_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
