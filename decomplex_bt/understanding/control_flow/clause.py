@@ -155,6 +155,8 @@ class Clause:
     """Whether it says to take something "away", "out" or "off" again."""
     is_of_any: bool = False
     """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
+    is_urged: bool = False
+    """Whether a "but do" sets it against what was forbidden: "don't open it if it rains, *but do* close this"."""
     is_reminder: bool = False
     """Whether it says not to forget it: "*don't forget to* lock up"."""
     is_had: bool = False

@@ -218,6 +218,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         removes=any(t.lower in _AWAY for t in document.tokens[token + 1 : own_last + 1]),
         is_of_any=is_of_somebody(document, task, _ANY),
         turns=turns(document, ahead, token),
+        is_urged=[t.lower for t in document.tokens[max(0, token - 2) : token]] == ["but", "do"],
         is_reminder=[t.lower for t in document.tokens[max(0, token - 2) : token]] == ["forget", "to"],
         is_had=_is_had([t.lower for t in document.tokens[previous + 1 : token]]),
     )

@@ -10,6 +10,7 @@ _ENDED = frozenset(("off", "down", "shut", "closed"))
 _SOME = frozenset("a an any some another".split())
 _PRONOUNS = frozenset("it them they 'em em him her".split())
 _ONES = frozenset(("one", "ones"))
+_ROOM = frozenset(("room", "space"))
 _WRITTEN = frozenset(("list", "note"))
 
 
@@ -50,5 +51,6 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 def _is_some(context: Context, candidate: Candidate) -> bool:
     """Whether a candidate is one that need not be there: "a parcel", "a clean one"."""
-    first = context.observed.document.tokens[candidate.tokens.start].lower
-    return candidate.mention in _ONES or (not candidate.mention and first in _SOME)
+    tokens, start = context.observed.document.tokens, candidate.tokens.start
+    is_room = tokens[candidate.head].lemma in _ROOM and start > 0 and tokens[start - 1].lower == "no"
+    return candidate.mention in _ONES or (not candidate.mention and (tokens[start].lower in _SOME or is_room))

@@ -214,6 +214,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
+    is_later = candidate.tokens.start > gap.position and candidate.type == "location"
+    if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
+        return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
     if any(is_not(context, gap, candidate) for is_not in (_is_within, _is_sought, _is_led, _is_nobody)):
         return True
     if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
@@ -392,7 +395,9 @@ def _is_weather(context: Context, gap: Gap) -> bool:
     if not gap.word and not WEATHER.isdisjoint(own):
         return True
     is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)
-    return is_mention and gap.word in ("", "it") and not WEATHER.isdisjoint(asked)
+    at = context.observed.document.indices(first.span).start
+    is_of_air = at > 0 and tokens[at - 1].lower == "it" and "location" in {a.type for a in first.arguments}
+    return is_mention and gap.word in ("", "it") and (is_of_air or not WEATHER.isdisjoint(asked))
 
 
 def _is_one_of_a_choice(context: Context, candidate: Candidate) -> bool:

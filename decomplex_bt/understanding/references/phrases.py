@@ -49,7 +49,7 @@ PRONOUNS = frozenset(
 TIME_UNITS = frozenset("second minute hour day week month".split())
 _DEFINITE = frozenset("the my your his her our their this that".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
-_NO_NOUNS = frozenset("one ones other others case cases luck joy".split())
+_NO_NOUNS = frozenset("one ones other others case cases luck joy half".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
 _CALLS = frozenset("hey hi hello ok okay oh dear please listen right".split())
 _CLAUSE_ENDS = frozenset(".?!;,:-–—") | {"and", "but", "or", "so", "if", "then", "because", "unless", "when"}

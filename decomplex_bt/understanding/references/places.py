@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.document import MARKS
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import head_of, stripped
 
+_BE = frozenset("is are be 's 're \u2019s \u2019re".split())
 _GOING = frozenset(("placing", "bringing", "motion"))
 _APERTURE = "aperture"
 _REMAINING = frozenset(("rest", "other", "others", "remainder"))
@@ -14,10 +16,28 @@ _REMAINING = frozenset(("rest", "other", "others", "remainder"))
 
 def place_meant(context: Context, gap: Gap) -> range:
     """The words of the place that "there" must be; empty where English leaves it open."""
+    if gap.word == "there" and gap.type in ("location", "goal") and (said := _said(context, gap)):
+        return said
     if gap.word != "there" or gap.type != "goal" or gap.task.type not in _GOING:
         return range(0)
     found = _asked(context, gap) or _left(context, gap)
     return found if any(c.tokens == found for c in context.pool) else range(0)
+
+
+def _said(context: Context, gap: Gap) -> range:
+    """The place that a statement tells for which it is ordered: "it's probably *in the car*, so look there"."""
+    document = context.observed.document
+    tokens, verb = document.tokens, document.indices(gap.task.span).start
+    so = next((i for i in range(verb - 1, max(-1, verb - 4), -1) if tokens[i].lower == "so"), None)
+    if so is None or so < 1 or tokens[so - 1].text != ",":
+        return range(0)
+    start = next((i + 1 for i in range(so - 2, -1, -1) if tokens[i].text in MARKS), 0)
+    is_statement = any(t.lower in _BE for t in tokens[start : so - 1]) and not any(
+        i in context.verbs for i in range(start, so)
+    )
+    named = [c.tokens for c in context.pool if c.tokens.stop == so - 1 and c.tokens.start > start and not c.mention]
+    is_place = bool(named) and tokens[max(named, key=len).start - 1].tag == "IN"
+    return max(named, key=len) if is_statement and is_place else range(0)
 
 
 def _asked(context: Context, gap: Gap) -> range:

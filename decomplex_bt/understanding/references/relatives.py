@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from decomplex_bt.understanding.document import MARKS, Document, Token
 
 _RELATIVES = frozenset(("that", "which", "who"))
+_FINDING = frozenset(("find", "take", "get", "leave", "put"))
+"""What is told of a place behind "where you"."""
 BE = frozenset("is are was were be 's \u2019s 're \u2019re s re".split())
 _ANTECEDENTS = frozenset("one ones those any all some both everything anything everyone anyone".split())
 _NOUNS = frozenset(("NOUN", "PROPN"))
@@ -160,3 +162,17 @@ def _end(document: Document, start: int, tasks: Collection[int]) -> int | None:
             return None
         stop += 1
     return stop if any(t.pos in _NOUNS or t.lower in ("one", "ones") for t in tokens[start:stop]) else None
+
+
+def found_places(document: Document) -> Iterator[range]:
+    """The words of every clause that tells of a place that something was found or taken there: "put it back on the desk
+    *where you found it*"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-2]):
+        is_led = token.lower == "where" and tokens[i + 1].lower in ("you", "i", "we")
+        if not is_led or tokens[i + 2].lemma not in _FINDING or tokens[i + 2].tag not in ("VBD", "VBN"):
+            continue
+        is_place = i > 0 and tokens[i - 1].pos in ("NOUN", "PROPN")
+        stop = next((t.i for t in tokens[i + 3 :] if t.text in MARKS or t.tag == "CC"), len(tokens))
+        if is_place:
+            yield range(i, stop)

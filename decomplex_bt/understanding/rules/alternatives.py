@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS, noun_chunks
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -322,6 +322,10 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
             yield replace(part, body=range(part.body.start, added.start))
             yield _Part("mark", range(added.start, added.start), added, is_last=part.is_last)
             continue
+        if part.lead == "if" and part.is_last and (start := _praised_within(document, part.body, tasks)):
+            yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
+            yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=True)
+            continue
         is_joined = k > 0 and document.tokens[part.opening.start - 1].lower in ("and", "or") if part.opening else False
         is_turned = not part.is_last and k + 1 < len(parts) and parts[k + 1].lead in ("if", "turn")
         ahead = next((other.body for other in reversed(parts[:k]) if other.body), range(0))
@@ -331,6 +335,17 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
             continue
         yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
         yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=part.is_last)
+
+
+def _praised_within(document: Document, body: range, tasks: Mapping[int, str]) -> int:
+    """Where what will do as well begins, behind a condition without a mark that denies something: "if there's none *a
+    juice will do*"; 0 where nothing does."""
+    tokens = document.tokens
+    stop = next((i for i in body[2:] if _is_praise(tokens, range(i, body.stop))), 0)
+    named = next((chunk for chunk in noun_chunks(document) if stop and chunk.stop == stop), range(0))
+    ahead = range(body.start, named.start)
+    is_case = any(i in tasks for i in ahead) and any(tokens[i].lower in _DENYING for i in ahead)
+    return named.start if named and is_case else 0
 
 
 def _and_too(document: Document, body: range, condition: _Part, tasks: Mapping[int, str]) -> range:

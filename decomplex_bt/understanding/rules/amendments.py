@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
-from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
@@ -19,6 +19,7 @@ from decomplex_bt.understanding.references.phrases import (
     nobody,
     noun_chunks,
 )
+from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.assurances import with_assured
@@ -89,6 +90,7 @@ _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
+_DENIED = frozenset("not n't n\u2019t nt dont never".split())
 _ONTO = frozenset("in on into onto under behind by".split())
 _RELATIVE = frozenset("that which who to where".split())
 _RECEIVING = frozenset(("recipient", "goal"))
@@ -105,7 +107,9 @@ def amended(
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
     idle |= wishers(document, tasks) | let_be(document)
     idle = idle.union(
-        *pauses(document), *(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
+        *found_places(document),
+        *pauses(document),
+        *(found.tokens for found in alternatives(observed, tasks) if not found.is_verbal),
     )
     why = reasons(document, tasks)
     kept = [a for a in found.arguments if a.tokens.start not in idle]
@@ -134,7 +138,7 @@ def amended(
     for token, kind in tasks.items():
         if kind == "placing":
             kept = put_out(document, _put_in(document, with_loaded(observed, kept, token), token), token)
-            kept = _gone_to(document, kept, token)
+            kept = _put_inside(document, _gone_to(document, kept, token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -142,6 +146,7 @@ def amended(
             kept = served(document, kept, token)
             kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "change_state":
+            kept = [a for a in kept if a.owner != token or not _is_of_forbidden(document, a)]
             kept = _given_once(document, fed(document, kept, token))
             if whom := admitted(document, token):
                 kept = [a for a in kept if a.owner != token or not set(a.tokens) & set(range(token, whom.stop + 1))]
@@ -166,6 +171,8 @@ def amended(
         if kind == "searching" and (met := encountered(document, token)):
             kept = [a for a in kept if not {met.start - 1, *met} & {*a.tokens}]
             kept.append(FoundArgument("object", token, met, CERTAIN))
+        if kind == "searching" and document.tokens[token].lemma == "meet":
+            kept = [replace(a, type="location") if (a.owner, a.type) == (token, "goal") else a for a in kept]
         if kind == "searching":
             kept = with_rounds(document, tasks, kept, token)
         if not any(a.owner == token and len(a.tokens) > 1 for a in kept):
@@ -299,6 +306,23 @@ def _put_in(document: Document, arguments: Sequence[FoundArgument], put: int) ->
 def _given_once(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments without the deed that something is given, which is no thing: "give it *a wipe*"."""
     return [a for a in arguments if not is_deed(document, a.tokens)]
+
+
+def _is_of_forbidden(document: Document, argument: FoundArgument) -> bool:
+    """Whether a state is the particle of a verb ahead that is forbidden: "don't turn *on* the radio, just close it"."""
+    at = argument.tokens.start
+    is_ahead = argument.type == "state" and len(argument.tokens) == 1 and 1 < at < argument.owner
+    is_denied = is_ahead and any(t.lower in _DENIED for t in document.tokens[max(0, at - 3) : at - 1])
+    return is_denied and any(t.text in MARKS for t in document.tokens[at : argument.owner])
+
+
+def _put_inside(document: Document, arguments: Sequence[FoundArgument], putting: int) -> list[FoundArgument]:
+    """The arguments without a mere "in" as where something is put, which what was spoken of before tells ("open the
+    washer and put *in* the sheets")."""
+    own = {a.type: a for a in arguments if a.owner == putting}
+    goal = own.get("goal")
+    is_particle = goal is not None and [document.tokens[i].lower for i in goal.tokens] == ["in"]
+    return [a for a in arguments if not (is_particle and "object" in own and a is goal)]
 
 
 def _gone_to(document: Document, arguments: Sequence[FoundArgument], going: int) -> list[FoundArgument]:

@@ -4,9 +4,10 @@ car*")."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.references.phrases import noun_chunks
 from decomplex_bt.understanding.rules.fragments import Fragment
 
 _SUBJECTS = frozenset("it they he she".split())
@@ -18,6 +19,7 @@ _OPENING = frozenset(("if", "otherwise"))
 _BEFORE_CASES = frozenset("and but so or well then".split())
 _ONE_MORE = frozenset("another one more some spare extra others".split())
 _NAMED = frozenset(("DET", "ADJ", "NOUN", "NUM", "PROPN", "PRON"))
+_WHERE = frozenset("in on under behind inside by near beside at".split())
 _TAKING_UP = frozenset("it them him her there that those one".split())
 
 
@@ -45,6 +47,27 @@ def elsewhere(document: Document) -> Iterator[Fragment]:
         if is_place and (is_more if is_there else not named) and not _has_verb(document, range(place, stop)):
             thing = range(named[0], place) if is_there else range(first, first + 1)
             yield Fragment(range(first, stop), be, thing, range(place, stop), "searching")
+
+
+def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fragment]:
+    """Every further place behind an "otherwise" right after a search, which is searched where that fails: "look in the
+    drawer, *otherwise on the desk*"; carried by its preposition. `tasks`: tokens with types."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-2]):
+        start = i + 1 + (token.lower == "or" and tokens[i + 1].lower == "else")
+        if (token.lower != "otherwise" and start == i + 1) or i == 0 or tokens[i - 1].text not in MARKS:
+            continue
+        before = max((j for j in tasks if j < i), default=None)
+        is_next = before is not None and document.sentences[before] in (
+            document.sentences[i],
+            document.sentences[i] - 1,
+        )
+        place = next((chunk for chunk in noun_chunks(document) if chunk.start == start + 1), None)
+        if not is_next or before is None or tasks[before] != "searching" or place is None or tokens[start].tag != "IN":
+            continue
+        behind = tokens[place.stop] if place.stop < len(tokens) else None
+        if (behind is None or behind.text in MARKS) and tokens[start].lower in _WHERE:
+            yield Fragment(range(start, place.stop), start, range(0), range(start, place.stop), "searching")
 
 
 def _is_behind_case(document: Document, first: int) -> bool:

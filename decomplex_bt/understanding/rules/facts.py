@@ -10,6 +10,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
+from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
@@ -58,6 +59,8 @@ from decomplex_bt.understanding.rules.wishes import is_background, is_served, is
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
+_NEAR_DOWN = 4
+"""Within so many words behind "set" stands the "down" by which something is put down [tokens]."""
 _LAYING = frozenset(("lay", "set"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _SOME = frozenset("any some enough anything".split())
@@ -85,7 +88,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         task for task in _with_passives(document, tasks) if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
-    idle = (forgone(document) | let_be(document)).union(*pauses(document))
+    idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
@@ -322,6 +325,10 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         is_put_on(observed, said) if lemma == "put" else lemma in _LAYING and is_the_table(said)
     ):
         return "change_state"
+    if task.type == "change_state" and lemma == "set" and any(t.lower == "down" for t in said[:_NEAR_DOWN]):
+        return "placing"
+    if task.type in ("following", "informing") and lemma == "meet":
+        return "searching"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
     if task.type in _HANDLING and loading(observed, task.token) is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.rules.elsewhere import elsewhere
+from decomplex_bt.understanding.rules.elsewhere import elsewhere, other_searches
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
 from decomplex_bt.understanding.rules.needs import belonging
 from decomplex_bt.understanding.rules.renewals import renewals
@@ -22,3 +22,4 @@ def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]
     yield from wants(observed, tasks)
     yield from renewals(observed.document)
     yield from elsewhere(observed.document)
+    yield from other_searches(observed.document, tasks)

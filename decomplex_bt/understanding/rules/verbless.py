@@ -42,6 +42,9 @@ def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragm
         while first < stop and tokens[first].lower in _UNHEEDED:
             first += 1
         phrase = range(first + (first < stop and tokens[first].lower == _DENYING), stop)
+        if _is_comparison(document, phrase):
+            yield Fragment(range(first, stop), first, range(0), range(0), state=phrase)
+            continue
         head = _head(document, phrase)
         if head is not None and not any(i in tasks for i in phrase if i != head):
             is_of_day = tokens[head].lower in WEATHER
@@ -49,6 +52,13 @@ def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragm
             if tokens[first - 1].lower == "of":  # "in case of rain" names no state beside the word that carries it
                 state = range(0)
             yield Fragment(range(first, stop), head, thing, range(0), state=state)
+
+
+def _is_comparison(document: Document, phrase: range) -> bool:
+    """Whether words say no more than that there is more or less than so much: "fewer than six"."""
+    words = [document.tokens[i] for i in phrase]
+    is_led = len(words) > 2 and words[0].lower in ("fewer", "less", "more") and words[1].lower == "than"
+    return is_led and len(words) <= _LONGEST and not any(word.pos in ("VERB", "AUX") for word in words)
 
 
 def _openings(document: Document) -> Iterator[int]:

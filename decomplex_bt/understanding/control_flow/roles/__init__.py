@@ -19,6 +19,7 @@ _RULES = (
     orders.ask_ahead_of_other,
     orders.ask_ahead,
     replies.try_out,
+    replies.look_over,
     parts.oppose,
     replies.wait,
     parts.look_after,

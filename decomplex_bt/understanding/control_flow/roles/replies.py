@@ -29,6 +29,7 @@ _PARTING = frozenset((".", "!", ";"))
 _GOING_ON = frozenset(("keep", "continue"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
+_SEEMING = frozenset("look smell taste feel seem".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 
@@ -110,6 +111,15 @@ def try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     if tries_out(clauses[k], clauses[first]):
         roles[first : k + 1] = "task", "condition"
+
+
+def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """How what was looked for looks is asked anew ("look for the roast, and *if it looks done*, take it out")."""
+    clause = clauses[k]
+    is_look = clause.is_check and clause.verb in _SEEMING and bool(clause.said_state) and clause.boundary != "none"
+    is_sought = roles[k - 1 : k + 1] == ["condition", "mention"] and clauses[k - 1].task.type == "searching"
+    if is_look and is_sought and clause.has_pronoun and "mention" not in roles[k + 1 :]:
+        roles[k - 1 : k + 1] = "task", "condition"
 
 
 def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -22,6 +22,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
 _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))
 _LISTING = frozenset(("and", "please"))
+_ROOM = frozenset(("room", "space"))
 _LIST = 3
 """From so many orders on they are a list."""
 
@@ -97,6 +98,20 @@ def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
     if tuple(roles[k - 2 : k]) == ("task", "condition") and sides[k - 2][:2] == ">1" and roles[k] != "or":
         sides[k] = FAILS if roles[k] == "condition" else "<1"
         sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
+
+
+def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether there is room is asked of the last order alone that puts things somewhere, which were taken on the way to
+    it ("take the books to the study and put them on the shelf *if there's room*, otherwise ...")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    taken, put, check, other = clauses[k - 2 : k + 2]
+    is_room = check.says_there_is and not _ROOM.isdisjoint(check.thing) and check.near[:1] == ("if",)
+    is_behind = check.boundary == "none" and taken.sentence == put.sentence == check.sentence
+    is_put = put.task.type == "placing" and put.has_pronoun and not put.objects and put.near == ("and",)
+    is_taken = taken.task.type in ("bringing", "motion") and any(kind == "goal" for kind, _ in taken.task.arguments)
+    if is_room and is_behind and is_put and is_taken and other.is_otherwise and other.has_pronoun:
+        sides[k - 2] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
 
 
 def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

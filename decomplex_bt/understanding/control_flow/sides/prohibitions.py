@@ -94,6 +94,15 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             sides[j] = HOLDS
 
 
+def urge(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be done all the same is done in any case ("don't open the window if it rains, *but do* shut the
+    door")."""
+    if k < 2 or (roles[k - 2], roles[k - 1], roles[k]) != ("task", "condition", "task"):
+        return
+    if clauses[k].is_urged and clauses[k - 2].is_forbidden and clauses[k].sentence == clauses[k - 2].sentence:
+        sides[k] = sides[k - 1] if sides[k - 1] in ("top", HOLDS, FAILS) else sides[k]
+
+
 def remember(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is not to be forgotten "if" something is so is done where it is ("*don't forget to* lock up if you go")."""
     order, check = clauses[k - 1 : k + 1]

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, T
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
+_BARE = frozenset(("be", "do", "have"))
 _LISTING = ((), ("and",), ("then",), ("and", "then"))
 _OF_QUESTIONS = frozenset(("whether", "not", "still", "there"))
 
@@ -133,9 +134,11 @@ def agree_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
-    is_listed = k + 1 < len(clauses) and clauses[k + 1].boundary == "," and "then" in clauses[k + 1].near
+    is_listed = k + 1 < len(clauses) and clauses[k + 1].boundary in (",", "none") and "then" in clauses[k + 1].near
     is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.sentence == clauses[k - 1].sentence
-    if is_listed and is_behind and clause.wording.is_echo and not clause.wording.is_negated:
+    is_bare = clause.behind == ("then",) and clause.verb in _BARE and not (clause.said_state or clause.places)
+    is_bare = clause.wording.is_echo or (is_bare and clause.has_pronoun and not clause.objects)
+    if is_listed and is_behind and is_bare and not clause.wording.is_negated:
         _list_on(clauses, roles, sides, k, first)
 
 

@@ -13,6 +13,11 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, M
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))
+_WAYS = frozenset("stairs stair stairway staircase elevator lift corridor hallway hall path way passage door".split())
+"""What lies on the way to where something is carried."""
+_BROKEN = frozenset("broken out order".split())
+_THERE = frozenset(("there", "here"))
+_ROOM = frozenset(("room", "space"))
 _SERVED = frozenset(("bringing", "placing"))
 _TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
 _LEAVING = frozenset(("leave", "keep"))
@@ -61,7 +66,10 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
     is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
-    is_shut = clause.wording.state in OBSTRUCTED and not clause.wording.is_negated
+    is_way = not _WAYS.isdisjoint(clause.objects[-1:]) and clause.boundary in _PARTING
+    is_place = is_place or is_way  # "carry it upstairs. If the stairs are blocked, ..."
+    is_shut = clause.wording.state in OBSTRUCTED | (_BROKEN if is_way else frozenset())
+    is_shut = is_shut and not clause.wording.is_negated
     is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
     # "if the bin is full, take it out", not "take them out", of which one is not full
     is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
@@ -121,6 +129,28 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
     elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
         sides[k - 1] = "top"
+
+
+def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered in a sentence of its own is in place of neither of two cases that each say what is done then
+    ("bring the towels to the cellar. If the dryer is free, *put them in; if not, hang them up*"), nor of what is asked
+    of a place that it has nothing to do with ("put the cake in a box, and if there's no room *in the fridge*, ...")."""
+    if k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("task", "condition", "task"):
+        return
+    order, check = clauses[k - 1 : k + 1]
+    if sides[k - 1] not in (">1-", ">1+") or "if" not in check.near or order.is_forbidden:
+        return
+    side = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
+    later = [j for j in range(k + 1, len(clauses)) if roles[j] == "task" and not {*clauses[j].near} & {"if", "unless"}]
+    turned = [j for j in later if clauses[j].turns and sides[j][:2] == "<1"]
+    is_both = bool(turned) and turned[0] > k + 1 and sides[k + 1][:2] == "<1"
+    are_moves = order.task.type == "bringing" and all(clauses[j].has_pronoun for j in (k + 1, *turned[:1]))
+    if is_both and are_moves and check.boundary in _PARTING and order.sentence < check.sentence:
+        sides[k - 1] = side
+    is_room = check.says_there_is and not _ROOM.isdisjoint(check.thing) and check.wording.is_negated
+    is_elsewhere = bool(check.places - _THERE) and check.places.isdisjoint(order.receivers | order.places)
+    if is_room and is_elsewhere and check.boundary != "none" and order.task.type == "placing":
+        sides[k - 1] = side
 
 
 def try_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
