@@ -121,8 +121,8 @@ def test_what_is_switched_off_and_on_again(interpreter: Interpreter, text: str, 
 
 def test_a_second_place_is_looked_at_as_well(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Look for the rope on the desk, otherwise in the trunk. Then bring it.")
-    assert found.tasks[0].values("location") == ("on the desk", "in the trunk")
-    assert found.to_json()["flow"] == [1, 2]
+    assert [task.value("location") for task in found.tasks[:2]] == ["on the desk", "in the trunk"]
+    assert found.to_json()["flow"] == [{"if": 1, "else": [2]}, 3]
 
 
 def test_who_is_told_is_not_whom_it_is_about(interpreter: Interpreter) -> None:

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, M
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))
-_WAYS = frozenset("stairs stair stairway staircase elevator lift corridor hallway hall path way passage door".split())
+_WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path way passage".split())
 """What lies on the way to where something is carried."""
 _BROKEN = frozenset("broken out order".split())
 _THERE = frozenset(("there", "here"))
