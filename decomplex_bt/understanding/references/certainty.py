@@ -21,6 +21,7 @@ from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
+from decomplex_bt.understanding.references.roles import is_called_in, is_led, is_nobody, is_sought, is_within
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
 _ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
@@ -54,8 +55,6 @@ _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 """By a verb, what it is done with."""
 _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
-_OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
-"""What is done to rooms and things, and may have no object."""
 _GUARDING = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "then"))
 _ONES = frozenset(("one", "ones"))
@@ -217,7 +216,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_later = candidate.tokens.start > gap.position and candidate.type == "location"
     if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
-    if any(is_not(context, gap, candidate) for is_not in (_is_within, _is_sought, _is_led, _is_nobody)):
+    if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody)):
         return True
     if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
         return True
@@ -234,7 +233,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
-    if is_ahead and gap.task.type == "check_state" and _is_called_in(context, candidate):
+    if is_ahead and gap.task.type == "check_state" and is_called_in(context, candidate):
         return True
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
     if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
@@ -250,50 +249,6 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_absent(context, gap, candidate) or is_of_other_case(context, gap, candidate):
         return True
     return _is_beside(context, gap, candidate)
-
-
-def _is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what is looked for, where the word tells a place to look: "it should be on the sofa, but
-    if it isn't, look under *it*"."""
-    is_place = gap.task.type == "searching" and gap.type == "location" and gap.word in ("it", "them")
-    if not is_place or candidate.type != "object" or candidate.task_type not in ("searching", "check_state"):
-        return False
-    is_missed = context.relation(candidate.owner, gap.task.id).startswith("condition.else")
-    return is_missed and any(c.type in ("location", "source") and c.tokens.stop <= gap.position for c in context.pool)
-
-
-def _is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
-    is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
-    return gap.word == "there" and is_own and kind_of(context, candidate) not in _ANIMATE
-
-
-def _is_led(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is a thing, where somebody is shown the way: "take *their coats* and show *them* in"; nor is
-    anybody mopped, where that is left unsaid."""
-    is_thing = candidate.type == "object" and candidate.task_type in _HANDLING and not candidate.mention
-    if gap.task.type == "following" and gap.type == "object" and gap.word in _ELSEWHERE:
-        return is_thing and kind_of(context, candidate) not in _ANIMATE
-    is_cleaned = gap.type == "object" and not gap.word and context.lemmas[gap.task.id] in _OF_ROOMS
-    return is_cleaned and kind_of(context, candidate) in _ANIMATE
-
-
-def _is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is a thing, where it is asked who somebody is: "get *the door*, and if *it*'s the plumber,
-    ..."."""
-    document = context.observed.document
-    if gap.task.type != "check_state" or gap.type != "object" or gap.word != "it" or candidate.mention:
-        return False
-    identity = identity_of(document, document.indices(gap.task.span).start)
-    is_who = identity is not None and identity.is_pronoun(document) and identity.is_of_person(document)
-    return is_who and kind_of(context, candidate) not in _ANIMATE and candidate.type in ("object", "location", "goal")
-
-
-def _is_called_in(context: Context, candidate: Candidate) -> bool:
-    """Whether a candidate is somebody who is got on account of what was asked of another one: "if he's in pain, get
-    *the nurse*"."""
-    is_got = candidate.type == "object" and context.lemmas.get(candidate.owner, "").split()[:1] in (["get"], ["fetch"])
-    return is_got and candidate.task_type in ("taking", "following", "bringing")
 
 
 def _is_turned(context: Context, gap: Gap, candidate: Candidate) -> bool:

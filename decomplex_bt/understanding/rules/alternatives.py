@@ -322,9 +322,10 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
             yield replace(part, body=range(part.body.start, added.start))
             yield _Part("mark", range(added.start, added.start), added, is_last=part.is_last)
             continue
-        if part.lead == "if" and part.is_last and (start := _praised_within(document, part.body, tasks)):
-            yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
-            yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=True)
+        praised = _praised_within(document, part.body, tasks) if part.lead == "if" and part.is_last else 0
+        if praised:
+            yield _Part(part.lead, part.opening, range(part.body.start, praised), is_last=False)
+            yield _Part("mark", range(praised, praised), range(praised, part.body.stop), is_last=True)
             continue
         is_joined = k > 0 and document.tokens[part.opening.start - 1].lower in ("and", "or") if part.opening else False
         is_turned = not part.is_last and k + 1 < len(parts) and parts[k + 1].lead in ("if", "turn")

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
-from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
@@ -17,12 +17,12 @@ from decomplex_bt.understanding.references.phrases import (
     is_deed,
     is_pronoun,
     nobody,
-    noun_chunks,
 )
 from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.alternatives import alternatives, other_places
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons, whereabouts
 from decomplex_bt.understanding.rules.assurances import with_assured
+from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden, up_to_order
 from decomplex_bt.understanding.rules.checks import (
     asked,
     departed,
@@ -39,14 +39,16 @@ from decomplex_bt.understanding.rules.checks import (
 )
 from decomplex_bt.understanding.rules.conditions import without_cases
 from decomplex_bt.understanding.rules.contractions import reports
+from decomplex_bt.understanding.rules.doors import admitted
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.extents import with_features, with_purposes, with_whole_places, without_questions
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
+from decomplex_bt.understanding.rules.goals import gone_to, put_in, put_inside, put_out
 from decomplex_bt.understanding.rules.guesses import without_guessed
-from decomplex_bt.understanding.rules.handing import accompanied, called, divided, fed, given, put_out, served
+from decomplex_bt.understanding.rules.handing import accompanied, called, divided, fed, given, served
 from decomplex_bt.understanding.rules.hearsay import hearsays
-from decomplex_bt.understanding.rules.idioms import admitted, encountered, for_somebody, foreseen, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import due, in_need
@@ -90,9 +92,6 @@ _NEEDING_A_PHRASE = frozenset(("for", "to", "with", "from", "into", "of"))
 _PHRASE_PARTS = _NOUN_PARTS | {"DET", "PRON"}
 _CORRECTING = frozenset("no sorry wait mean meant rather scratch actually".split())
 _AROUND_CORRECTIONS = _CORRECTING | frozenset("i or that make hang hold on oh er um uh erm well not".split())
-_DENIED = frozenset("not n't n\u2019t nt dont never".split())
-_ONTO = frozenset("in on into onto under behind by".split())
-_RELATIVE = frozenset("that which who to where".split())
 _RECEIVING = frozenset(("recipient", "goal"))
 _ADDING = frozenset(("too", "also", "well"))
 
@@ -137,8 +136,8 @@ def amended(
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
-            kept = put_out(document, _put_in(document, with_loaded(observed, kept, token), token), token)
-            kept = _put_inside(document, _gone_to(document, kept, token), token)
+            kept = put_out(document, put_in(document, with_loaded(observed, kept, token), token), token)
+            kept = put_inside(document, gone_to(document, kept, token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)
             kept = given(kept, token, for_somebody(document, token))
@@ -146,7 +145,7 @@ def amended(
             kept = served(document, kept, token)
             kept = with_told(kept, token, {"object": said} if (said := troubled(document, token)) else {})
         if kind == "change_state":
-            kept = [a for a in kept if a.owner != token or not _is_of_forbidden(document, a)]
+            kept = [a for a in kept if a.owner != token or not is_of_forbidden(document, a)]
             kept = _given_once(document, fed(document, kept, token))
             if whom := admitted(document, token):
                 kept = [a for a in kept if a.owner != token or not set(a.tokens) & set(range(token, whom.stop + 1))]
@@ -160,7 +159,7 @@ def amended(
             kept = with_told(kept, token, doing(document, token))
             kept = with_told(kept, token, happening.get(token, {}))
             kept = _of_now(document, kept, token)
-            kept = with_told(kept, token, _before_orders(tasks, predicated(document, token)))
+            kept = with_told(kept, token, before_orders(tasks, predicated(document, token)))
             kept = wishes[token].told(kept) if token in wishes else kept
             kept = asked(document, kept, token, tasks)
             kept = with_named_state(document, identified(observed, kept, token), token)
@@ -212,7 +211,7 @@ def amended(
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
     kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
-    kept = [_up_to_order(document, tasks, a) for a in kept]
+    kept = [up_to_order(document, tasks, a) for a in kept]
     kept = without_guessed(document, with_nearer_places(document, tasks, kept))
     kept = [a for a in kept if not _is_bare_preposition(document, a)]
     return FoundArguments(tuple(sorted(kept, key=lambda argument: argument.tokens.start)), found.probability)
@@ -222,27 +221,6 @@ def _is_bare_preposition(document: Document, argument: FoundArgument) -> bool:
     """Whether nobody is named by whom somebody is told something: "knock *on* the door"."""
     is_single = argument.type == "recipient" and len(argument.tokens) == 1
     return is_single and document.tokens[argument.tokens.start].lower in PREPOSITIONS - {"to", "for", "with"}
-
-
-def _up_to_order(document: Document, tasks: Mapping[int, str], argument: FoundArgument) -> FoundArgument:
-    """An argument of a check that runs on into an order behind it, up to that: "if no one is *in the study* close the
-    window"."""
-    if tasks.get(argument.owner) != "check_state" or argument.type not in ("object", "state", "location"):
-        return argument
-    inside = argument.tokens[2:]
-    order = next((i for i in inside if tasks.get(i, "check_state") != "check_state"), None)
-    is_order = order is not None and document.tokens[order].tag in ("VB", "VBP", "NN", "NNP", "JJ")
-    is_own = order is not None and any(t.lower in _RELATIVE for t in document.tokens[argument.tokens.start : order])
-    if order is None or not is_order or is_own or argument.owner > argument.tokens.start:
-        return argument
-    return replace(argument, tokens=range(argument.tokens.start, order))
-
-
-def _before_orders(tasks: Mapping[int, str], told: Mapping[str, range]) -> dict[str, range]:
-    """What is told of a check, up to where an order begins: "if nobody's *in the cellar* turn off the light"."""
-    orders = sorted(i for i, kind in tasks.items() if kind != "check_state")
-    ends = {name: next((i for i in orders if i in words), words.stop) for name, words in told.items()}
-    return {name: range(words.start, ends[name]) for name, words in told.items() if words.start < ends[name]}
 
 
 def _telegraphed(document: Document, verb: int) -> dict[str, range]:
@@ -292,48 +270,9 @@ def _corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: r
     return [*(a for a in others if a is not wrong), replace(wrong, tokens=phrase)]
 
 
-def _put_in(document: Document, arguments: Sequence[FoundArgument], put: int) -> list[FoundArgument]:
-    """The arguments with what is put in, where nothing else is, as what is put: "put in *the pasta*"."""
-    own = {a.type: a for a in arguments if a.owner == put}
-    goal = own.get("goal")
-    is_particle = goal is not None and goal.tokens.start == put + 1 and document.tokens[put + 1].lower == "in"
-    if goal is None or not is_particle or "object" in own or len(goal.tokens) < 2:
-        return list(arguments)
-    kept = [a for a in arguments if a is not goal]
-    return [*kept, replace(goal, type="object", tokens=range(put + 2, goal.tokens.stop))]
-
-
 def _given_once(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments without the deed that something is given, which is no thing: "give it *a wipe*"."""
     return [a for a in arguments if not is_deed(document, a.tokens)]
-
-
-def _is_of_forbidden(document: Document, argument: FoundArgument) -> bool:
-    """Whether a state is the particle of a verb ahead that is forbidden: "don't turn *on* the radio, just close it"."""
-    at = argument.tokens.start
-    is_ahead = argument.type == "state" and len(argument.tokens) == 1 and 1 < at < argument.owner
-    is_denied = is_ahead and any(t.lower in _DENIED for t in document.tokens[max(0, at - 3) : at - 1])
-    return is_denied and any(t.text in MARKS for t in document.tokens[at : argument.owner])
-
-
-def _put_inside(document: Document, arguments: Sequence[FoundArgument], putting: int) -> list[FoundArgument]:
-    """The arguments without a mere "in" as where something is put, which what was spoken of before tells ("open the
-    washer and put *in* the sheets")."""
-    own = {a.type: a for a in arguments if a.owner == putting}
-    goal = own.get("goal")
-    is_particle = goal is not None and [document.tokens[i].lower for i in goal.tokens] == ["in"]
-    return [a for a in arguments if not (is_particle and "object" in own and a is goal)]
-
-
-def _gone_to(document: Document, arguments: Sequence[FoundArgument], going: int) -> list[FoundArgument]:
-    """The arguments with where something goes as where it is put: "anything from the bank *goes on my desk*"."""
-    tokens, start = document.tokens, going + 1
-    is_led = start < len(tokens) and tokens[start].lower in _ONTO and tokens[going].lemma in ("go", "belong")
-    place = next((chunk for chunk in noun_chunks(document) if is_led and chunk.start == start + 1), None)
-    if place is None or any((a.owner, a.type) == (going, "goal") and a.tokens.start > going for a in arguments):
-        return list(arguments)
-    kept = [a for a in arguments if set(a.tokens).isdisjoint(range(start, place.stop))]
-    return [*kept, FoundArgument("goal", going, range(start, place.stop), CERTAIN)]
 
 
 def _is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:

@@ -17,15 +17,14 @@ from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.contractions import reports
+from decomplex_bt.understanding.rules.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import (
-    admitted,
     encountered,
     for_somebody,
     idiomatic,
-    is_answered,
     is_light,
     prospect_of,
 )

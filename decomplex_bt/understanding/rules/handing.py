@@ -20,7 +20,6 @@ _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
-_REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
 _CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
 _REGARDS = frozenset("compliment regard thanks thank love wish care hand finger apology smile".split())
 """What comes with a thing without being one."""
@@ -97,23 +96,6 @@ def _is_indefinite(document: Document, at: int) -> bool:
 def _clause_end(document: Document, verb: int) -> int:
     ends = (token.i for token in document.tokens[verb + 1 :] if token.lower in _CLAUSE_ENDS)
     return next(ends, len(document))
-
-
-def put_out(document: Document, arguments: Sequence[FoundArgument], putting: int) -> list[FoundArgument]:
-    """The arguments with the "out" behind an animal, somebody or the rubbish as where they are put: "put the cat
-    *out*"; plates that are put out are not put outside."""
-    own = {a.type: a for a in arguments if a.owner == putting}
-    thing = own.get("object")
-    if thing is None or "goal" in own or document.tokens[putting].lemma not in ("put", "let", "turn"):
-        return list(arguments)
-    at = thing.tokens.stop
-    words = [token.lower for token in document.tokens[at : at + 2]]
-    last = document.tokens[at - 1]
-    is_put_outside = last.lemma in ANIMALS | PERSON_NOUNS | _REFUSE or last.lower in ("him", "her")
-    is_out = words[:1] == ["out"] and (len(words) == 1 or words[1] in _CLAUSE_ENDS)
-    if not is_out or not is_put_outside or thing.tokens.start < putting:
-        return list(arguments)
-    return [*arguments, FoundArgument("goal", putting, range(at, at + 1), CERTAIN)]
 
 
 def _with_behind(document: Document, at: int, stops: Mapping[int, int]) -> int:

@@ -11,6 +11,7 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed
+from decomplex_bt.understanding.rules.doors import admissions
 from decomplex_bt.understanding.rules.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
 
@@ -28,9 +29,6 @@ _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
 _GETTING = frozenset(("get", "fetch", "grab", "pick"))
 _ONESELF = frozenset(("me", "us"))
 _PEOPLE = frozenset(("me", "us", "him", "her", "them"))
-_GET_THE_DOOR = ("get", "the", "door")
-_NOT_LET = frozenset("not n't n\u2019t nt dont never to who will 'll".split())
-_BEHIND_IN = frozenset("and then but if unless when once please first or".split())
 _LONGEST_NAMED = 5
 """The most words by which somebody is named."""
 _NO_STATES = frozenset("too already so not yet then".split())
@@ -75,7 +73,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
         **{i: "check_state" if degree_asked(document, i) else "searching" for i in _looks(document, tasks)},
         **dict.fromkeys(_lettings(document), "placing"),
-        **dict.fromkeys((*_admissions(document, tasks), *_deeds(document)), "change_state"),
+        **dict.fromkeys((*admissions(document, tasks), *_deeds(document)), "change_state"),
         **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(_knocks(document, tasks), "informing"),
@@ -91,39 +89,6 @@ def _deeds(document: Document) -> Iterator[int]:
             giving = next((j for j in range(phrase.start - 1, -1, -1) if tokens[j].lower == "give"), None)
             if giving is not None and phrase.start - giving <= _LONGEST_NAMED:
                 yield giving
-
-
-def admitted(document: Document, verb: int) -> range:
-    """Who is let in, at a "let" with nothing but them between it and its "in": "let *the plumber* in and show him up";
-    empty where the words say anything else ("let her in on it")."""
-    tokens = document.tokens
-    stop = verb + 1
-    while (
-        stop < len(tokens)
-        and stop - verb <= _LONGEST_NAMED
-        and (tokens[stop].pos in _PHRASE or tokens[stop].tag in ("PRP$", "POS") or tokens[stop].lower in _PEOPLE)
-    ):
-        stop += 1
-    behind = tokens[stop + 1] if stop + 1 < len(tokens) else None
-    is_end = behind is None or behind.text in MARKS or behind.lower in _BEHIND_IN
-    is_let = tokens[verb].lower in ("let", "lets") and stop > verb + 1 and stop < len(tokens)
-    return range(verb + 1, stop) if is_let and tokens[stop].lower == "in" and is_end else range(0)
-
-
-def is_answered(document: Document, verb: int) -> bool:
-    """Whether the door is got, which is to open it for who is there: "*get* the door, would you?"."""
-    words = [token.lower for token in document.tokens[verb : verb + 4]]
-    is_end = len(words) < len(_GET_THE_DOOR) + 1 or words[-1] in MARKS | _BEHIND_IN | {"for"}
-    return tuple(words[: len(_GET_THE_DOOR)]) == _GET_THE_DOOR and is_end
-
-
-def _admissions(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
-    """Every order to let somebody in that no task is of: "if it's Aunt May *let* her in"."""
-    tokens = document.tokens
-    for i, token in enumerate(tokens[:-2]):
-        is_denied = any(t.lower in _NOT_LET for t in tokens[max(0, i - 2) : i])
-        if token.lower == "let" and i not in tasks and not is_denied and admitted(document, i):
-            yield i
 
 
 def _knocks(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:

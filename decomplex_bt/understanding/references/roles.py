@@ -1,0 +1,59 @@
+"""Roles: what a word cannot mean for what it is in its task: what is looked for is no place to look, a thing is not
+shown in, and nobody is the door that they are at."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.identity import identity_of
+from decomplex_bt.understanding.references.phrases import Candidate
+
+_ANIMATE = frozenset(("person", "animal", "name"))
+_HANDLING = frozenset(("bringing", "taking", "placing"))
+_PRONOUNS = frozenset("it them 'em em they that those this these him he she her".split())
+_OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
+"""What is done to rooms and things, and may have no object."""
+
+
+def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
+    is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
+    return gap.word == "there" and is_own and kind_of(context, candidate) not in _ANIMATE
+
+
+def is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is looked for, where the word tells a place to look: "it should be on the sofa, but
+    if it isn't, look under *it*"."""
+    is_place = gap.task.type == "searching" and gap.type == "location" and gap.word in ("it", "them")
+    if not is_place or candidate.type != "object" or candidate.task_type not in ("searching", "check_state"):
+        return False
+    is_missed = context.relation(candidate.owner, gap.task.id).startswith("condition.else")
+    return is_missed and any(c.type in ("location", "source") and c.tokens.stop <= gap.position for c in context.pool)
+
+
+def is_led(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing, where somebody is shown the way: "take *their coats* and show *them* in"; nor is
+    anybody mopped, where that is left unsaid."""
+    is_thing = candidate.type == "object" and candidate.task_type in _HANDLING and not candidate.mention
+    if gap.task.type == "following" and gap.type == "object" and gap.word in _PRONOUNS:
+        return is_thing and kind_of(context, candidate) not in _ANIMATE
+    is_cleaned = gap.type == "object" and not gap.word and context.lemmas[gap.task.id] in _OF_ROOMS
+    return is_cleaned and kind_of(context, candidate) in _ANIMATE
+
+
+def is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing, where it is asked who somebody is: "get *the door*, and if *it*'s the plumber,
+    ..."."""
+    document = context.observed.document
+    if gap.task.type != "check_state" or gap.type != "object" or gap.word != "it" or candidate.mention:
+        return False
+    identity = identity_of(document, document.indices(gap.task.span).start)
+    is_who = identity is not None and identity.is_pronoun(document) and identity.is_of_person(document)
+    return is_who and kind_of(context, candidate) not in _ANIMATE and candidate.type in ("object", "location", "goal")
+
+
+def is_called_in(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is somebody who is got on account of what was asked of another one: "if he's in pain, get
+    *the nurse*"."""
+    is_got = candidate.type == "object" and context.lemmas.get(candidate.owner, "").split()[:1] in (["get"], ["fetch"])
+    return is_got and candidate.task_type in ("taking", "following", "bringing")
