@@ -221,7 +221,7 @@ class Parser:
             yield self._nlp
 
 
-_CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|ve|re|d)",)
+_CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|d)",)
 """Suffixes besides those of spaCy, which has "'s" alone."""
 
 

@@ -18,7 +18,8 @@ _OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
 def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
     is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
-    return gap.word == "there" and is_own and kind_of(context, candidate) not in _ANIMATE
+    is_living = kind_of(context, candidate) in _ANIMATE  # nor inside somebody who was spoken of before
+    return gap.word == "there" and (is_own != is_living if gap.preposition == "in" else is_own and not is_living)
 
 
 def is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:

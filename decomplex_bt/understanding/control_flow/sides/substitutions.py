@@ -160,7 +160,7 @@ def try_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_served = order.task.type in _SERVED and not order.is_forbidden and sides[k - 1] in (">1+", ">1-")
     is_taken = check.is_check and check.verb in _TASTING and check.wording.is_negated and "unless" not in check.near
     is_led = check.near[:1] in (("if",), ("and",), ("but",)) and "if" in check.near and not check.is_trailing
-    is_led = is_led and (check.boundary != "none" or check.near[:1] != ("if",))
+    is_led = is_led and (check.boundary != "none" or check.near[:1] != ("if",)) and not check.ends_sentence
     if (roles[k - 1], roles[k]) == ("task", "condition") and is_served and is_taken and is_led:
         sides[k - 1] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
 
