@@ -42,7 +42,8 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False  # "if there's no clean towel, take *one* from the dryer and hand *it* to him"
     missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
     checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]
-    if candidate.type == "location" and gap.type == "object" and not candidate.mention:
+    is_place = candidate.type == "location" and gap.type == "object" and not candidate.mention
+    if is_place and gap.task.type in ("placing", "bringing"):
         asked = {c.owner for c in context.pool if c.type == "object" and document.tokens[c.head].lemma in _ROOM}
         return candidate.owner in asked & {check.id for check in checks}  # "if there's no room *in the fridge*, eat it"
     return any(
