@@ -51,6 +51,26 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Count the cups. If fewer than six, tell Dad.", [1, {"if": 2, "then": [3]}]),
         ("Look in the chest for the tape, otherwise on the shelf.", [{"if": 1, "else": [2]}]),
         ("Bring me a cola, and if there is no cola a lemonade will do.", [{"if": [1, 2], "else": [3]}]),
+        # it is left where it is in a case
+        (
+            "Take the rugs out and put them on the fence, but leave them inside if it's raining.",
+            [{"if": 4, "then": [3], "else": [1, 2]}],
+        ),
+        (
+            "If it's raining, bring the rugs in, and if it's dry leave them out.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        # what cannot be done
+        (
+            "If you can lift the crate, carry it up to the attic, and if it's too heavy ask Marek to help.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        # a request in the form of a question
+        (
+            "Can you find the tape? Try the box first, and if it isn't in there look in the drawer.",
+            [1, {"if": [2, 3], "else": [4]}],
+        ),
+        ("Can you find the tape? If not, call Tom.", [{"if": 1, "else": [2]}]),
         # what tells where something was found
         ("Put the pliers back in the box where you found them, and turn the lamp off.", [1, 2]),
     ],
@@ -85,3 +105,8 @@ def test_what_is_told_of_it(interpreter: Interpreter, text: str, verb: str, kind
 def test_the_particle_of_what_is_forbidden_goes_with_it(interpreter: Interpreter) -> None:
     found = interpreter.interpret("If Dad is asleep, don't turn on the radio, just close the door instead.")
     assert [task.value("state") for task in found.tasks] == ["asleep", None]
+
+
+def test_what_is_put_out_or_away_goes_nowhere_that_was_named(interpreter: Interpreter) -> None:
+    for text in ("Turn up the boiler and put out a fresh towel.", "Wash the hob and put the frying pan away."):
+        assert interpreter.interpret(text).tasks[1].value("goal") is None

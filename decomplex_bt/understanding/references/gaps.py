@@ -166,8 +166,8 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             continue  # "put the cups away", "hang up the washing"
         if group[0] == "goal" and _is_put_aside(document, position):
             continue
-        if group[0] == "goal" and document.tokens[position].lemma == "put" and last_word(document, position) == "out":
-            continue  # "lock the door and put the bins out"
+        if group[0] == "goal" and _is_put_away(document, position):
+            continue
         if group[0] in ("object", "goal") and not said & set(group):
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
@@ -180,6 +180,15 @@ def _is_put_aside(document: Document, verb: int) -> bool:
     """Whether something is put aside, which is nowhere in particular."""
     words = [token.lower for token in document.tokens[verb + 1 :]]
     return "aside" in words[: next((i for i, word in enumerate(words) if word in MARKS | {"and", "but"}), len(words))]
+
+
+def _is_put_away(document: Document, verb: int) -> bool:
+    """Whether something is put out or away, which is where it goes: "put the bins *out*", "put *out* a towel", "put the
+    pan *away*"."""
+    tokens = document.tokens
+    is_put = tokens[verb].lemma in ("put", "let")
+    behind = tokens[verb + 1].lower if verb + 1 < len(tokens) else ""
+    return is_put and (last_word(document, verb) in ("out", "away") or behind in ("out", "away"))
 
 
 def last_word(document: Document, verb: int) -> str:

@@ -20,6 +20,7 @@ _RULES = (
     orders.ask_ahead,
     replies.try_out,
     replies.look_over,
+    replies.search_asked,
     parts.oppose,
     replies.wait,
     parts.look_after,

@@ -85,6 +85,10 @@ def count(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
             roles[first] = "task"
 
 
+_RAINLESS = frozenset(("dry", "fine"))
+"""How it is when it is not raining."""
+
+
 def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What tests the opposite of the condition before, of the same thing, is a mention of it, be that thing an "it" in
     both, with no other one named between ("bring it in if it's wet, and *leave it out when it's dry*")."""
@@ -97,7 +101,11 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_turned = clause.wording.is_opposite_of(before.wording) or before.wording.is_opposite_of(clause.wording)
     is_turned = is_turned and not (clause.wording.is_negated or before.wording.is_negated)
     is_next = clause.boundary == "none" and clause.sentence == before.sentence
-    if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next):
+    is_weather = before.is_of_weather and not clause.objects and (clause.is_of_it or not clause.has_pronoun)
+    is_weather = is_weather and clause.wording.state in _RAINLESS and bool(between)
+    is_weather = is_weather and before.wording.state == "raining" and not clause.says_still
+    are_stated = not (clause.wording.is_negated or before.wording.is_negated)
+    if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next) or (is_weather and are_stated):
         roles[k] = "mention"
 
 

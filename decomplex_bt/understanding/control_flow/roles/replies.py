@@ -29,6 +29,7 @@ _PARTING = frozenset((".", "!", ";"))
 _GOING_ON = frozenset(("keep", "continue"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
+_TURNS = frozenset("if unless else fail so not then".split())
 _SEEMING = frozenset("look smell taste feel seem".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
@@ -111,6 +112,16 @@ def try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     if tries_out(clauses[k], clauses[first]):
         roles[first : k + 1] = "task", "condition"
+
+
+def search_asked(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A request to find something in the form of a question, behind which it is said where to look, is no condition
+    ("can you find the tape? *Try the box first*, and if ...")."""
+    asked, search = clauses[k - 1 : k + 1]
+    is_asked = roles[k - 1] == "condition" and asked.task.type == search.task.type == "searching"
+    is_next = search.sentence == asked.sentence + 1 and search.boundary == "?" and not {*search.near} & _TURNS
+    if is_asked and is_next and not asked.wording.is_negated and "if" not in asked.near:
+        roles[k - 1] = "task"
 
 
 def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

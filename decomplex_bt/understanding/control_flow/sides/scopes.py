@@ -287,6 +287,18 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         sides[k] = beside(sides[head])
 
 
+def be_too_much(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """That something is too heavy for it is asked where it cannot be done ("if you can lift the box, carry it up, *and
+    if it's too heavy*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    clause, check = clauses[k], clauses[first]
+    is_too = clause.said_state[:1] == ("too",) and not clause.wording.is_negated and "if" in clause.near
+    if is_too and check.ability == "asked" and clause.has_pronoun and sides[k] == HOLDS:
+        sides[k] = FAILS
+
+
 def answer_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """That nobody answers is asked where somebody was rung or knocked for ("if the door is shut, ring the bell; *if
     nobody answers*, ...")."""

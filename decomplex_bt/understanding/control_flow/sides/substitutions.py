@@ -18,6 +18,7 @@ _WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path w
 _BROKEN = frozenset("broken out order".split())
 _THERE = frozenset(("there", "here"))
 _ROOM = frozenset(("room", "space"))
+_MOVED = MOVING | {"change_state", "taking"}
 _SERVED = frozenset(("bringing", "placing"))
 _TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
 _LEAVING = frozenset(("leave", "keep"))
@@ -163,6 +164,25 @@ def try_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_led = is_led and (check.boundary != "none" or check.near[:1] != ("if",)) and not check.ends_sentence
     if (roles[k - 1], roles[k]) == ("task", "condition") and is_served and is_taken and is_led:
         sides[k - 1] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
+
+
+def leave_in_place(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "but" says to leave in a case is not moved in it ("take the towels out and put them on the bed, *but leave
+    them in there if they're damp*")."""
+    order = clauses[k - 1]
+    is_left = order.task.type == "placing" and order.verb in _LEAVING and order.near[:1] == ("but",)
+    is_behind = clauses[k].boundary == "none" and clauses[k].near == ("if",) and clauses[k].sentence == order.sentence
+    if (roles[k - 1], roles[k]) != ("task", "condition") or not (is_left and is_behind):
+        return
+    ahead = [j for j in range(k - 1) if clauses[j].sentence == order.sentence and clauses[j].task.type in _MOVED]
+    run = [j for j in ahead if all(roles[i] == "task" for i in range(j, k))]
+    if not run or not order.has_pronoun or {sides[j] for j in run} - {"top", HOLDS, FAILS}:
+        return
+    side = sides[run[-1]]
+    if {sides[j] for j in run} == {side} and sides[k - 1] in (">1+", side):
+        sides[k - 1], sides[k] = ">1+", side
+        for j in run:
+            sides[j] = ">1-"
 
 
 def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
