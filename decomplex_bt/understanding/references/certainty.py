@@ -352,6 +352,7 @@ def _is_weather(context: Context, gap: Gap) -> bool:
     is_mention = not own and first is not gap.task and all(a.type != "object" for a in first.arguments)
     at = context.observed.document.indices(first.span).start
     is_of_air = at > 0 and tokens[at - 1].lower == "it" and "location" in {a.type for a in first.arguments}
+    is_of_air = is_of_air and first.type == "check_state" and bool(asked)
     return is_mention and gap.word in ("", "it") and (is_of_air or not WEATHER.isdisjoint(asked))
 
 

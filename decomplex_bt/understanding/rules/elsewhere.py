@@ -58,10 +58,7 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
         if (token.lower != "otherwise" and start == i + 1) or i == 0 or tokens[i - 1].text not in MARKS:
             continue
         before = max((j for j in tasks if j < i), default=None)
-        is_next = before is not None and document.sentences[before] in (
-            document.sentences[i],
-            document.sentences[i] - 1,
-        )
+        is_next = before is not None and document.sentences[before] == document.sentences[i]
         place = next((chunk for chunk in noun_chunks(document) if chunk.start == start + 1), None)
         if not is_next or before is None or tasks[before] != "searching" or place is None or tokens[start].tag != "IN":
             continue

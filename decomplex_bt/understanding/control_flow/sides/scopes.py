@@ -222,12 +222,9 @@ def contrast(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if not (is_led and is_one) or sides[k] not in (HOLDS, FAILS) or check.wording.is_negated:
         return
     is_rival = asks_same_of_another(clause, check) or (clause.asks_who and check.asks_who)
-    are_stated = bool(check.said_state) and bool(clause.said_state) and not clause.wording.is_negated
-    are_plain = not (check.said_state or clause.said_state) and "be" not in (clause.verb, check.verb)
-    are_plain = are_plain and clause.verb != check.verb
-    is_other = are_plain or (are_stated and clause.is_check and check.is_check)
-    is_other = is_other and bool(clause.objects) and check.nouns.isdisjoint(clause.nouns)
+    is_other = bool(clause.objects) and check.nouns.isdisjoint(clause.nouns) and clause.verb != check.verb
     is_other = is_other and not (clause.has_pronoun or clause.places or clause.is_of_weather)
+    is_other = is_other and not (check.said_state or clause.said_state) and "be" not in (clause.verb, check.verb)
     if is_rival or is_other:
         for j in between:
             sides[j] = HOLDS

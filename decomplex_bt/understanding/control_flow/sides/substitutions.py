@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import takewhile
 
-from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.failures import lacks_too
 from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, is_cleared
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on
@@ -16,7 +16,7 @@ _MEASURES = frozenset(("state", "manner"))
 _WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path way passage".split())
 """What lies on the way to where something is carried."""
 _BROKEN = frozenset("broken out order".split())
-_THERE = frozenset(("there", "here"))
+_VESSELS = frozenset("box container bag bowl tub jar dish basket tin carton crate sack".split())
 _ROOM = frozenset(("room", "space"))
 _MOVED = MOVING | {"change_state", "taking"}
 _SERVED = frozenset(("bringing", "placing"))
@@ -135,7 +135,8 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is ordered in a sentence of its own is in place of neither of two cases that each say what is done then
     ("bring the towels to the cellar. If the dryer is free, *put them in; if not, hang them up*"), nor of what is asked
-    of a place that it has nothing to do with ("put the cake in a box, and if there's no room *in the fridge*, ...")."""
+    of another place, where it only fills what goes there ("put the cake in a box, and if there's no room *in the
+    fridge*, ...")."""
     if k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("task", "condition", "task"):
         return
     order, check = clauses[k - 1 : k + 1]
@@ -149,7 +150,7 @@ def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
     if is_both and are_moves and check.boundary in _PARTING and order.sentence < check.sentence:
         sides[k - 1] = side
     is_room = check.says_there_is and not _ROOM.isdisjoint(check.thing) and check.wording.is_negated
-    is_elsewhere = bool(check.places - _THERE) and check.places.isdisjoint(order.receivers | order.places)
+    is_elsewhere = bool(check.places - AROUND) and not order.receivers.isdisjoint(_VESSELS - check.places)
     if is_room and is_elsewhere and check.boundary != "none" and order.task.type == "placing":
         sides[k - 1] = side
 
