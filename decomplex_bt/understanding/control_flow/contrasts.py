@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.cues import OPPOSITES, are_apart, are_near
-from decomplex_bt.understanding.references.phrases import ANIMALS
+from decomplex_bt.understanding.references.phrases import ANIMALS, ROOM
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:
@@ -111,7 +111,7 @@ def is_content_of(clause: Clause, first: Clause) -> bool:
     words = {clause.verb, *clause.thing} if clause.is_check else frozenset()
     is_held = clause.verb in _HOLDING or clause.says_there_is
     is_of_it = (clause.has_pronoun and clause.is_in_it) or (clause.verb in _HOLDING and "it" in clause.thing)
-    is_room = not _ROOM.isdisjoint(words)
+    is_room = not ROOM.isdisjoint(words)
     state = first.wording.state
     is_other = (state in _EMPTY and not is_room) or (state in _FILLED and is_room)
     is_inside = clause.verb != "have" or clause.says_still or clause.is_in_it
@@ -272,7 +272,6 @@ _HOLDING = frozenset("contain hold have".split())
 _DEEDS = frozenset("complain ask call cry knock ring bark moan grumble shout scream protest insist beg".split())
 _DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
 """What is in something though it may be empty."""
-_ROOM = frozenset(("room", "space"))
 _EMPTY = frozenset(("empty",))
 _FILLED = frozenset(("full", "packed", "crammed"))
 _IFS = frozenset(("if", "unless", "only_if"))

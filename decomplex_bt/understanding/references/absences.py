@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
-from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.references.phrases import ROOM, Candidate
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _SOME = frozenset("a an any some another".split())
 _PRONOUNS = frozenset("it them they 'em em him her".split())
 _ONES = frozenset(("one", "ones"))
-_ROOM = frozenset(("room", "space"))
 _WRITTEN = frozenset(("list", "note"))
 
 
@@ -44,7 +43,7 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
     checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]
     is_place = candidate.type == "location" and gap.type == "object" and not candidate.mention
     if is_place and gap.task.type in ("placing", "bringing"):
-        asked = {c.owner for c in context.pool if c.type == "object" and document.tokens[c.head].lemma in _ROOM}
+        asked = {c.owner for c in context.pool if c.type == "object" and document.tokens[c.head].lemma in ROOM}
         return candidate.owner in asked & {check.id for check in checks}  # "if there's no room *in the fridge*, eat it"
     return any(
         c.text.lower() == candidate.text.lower() and c.type == "object" and c.owner == check.id and _is_some(context, c)
@@ -56,5 +55,5 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_some(context: Context, candidate: Candidate) -> bool:
     """Whether a candidate is one that need not be there: "a parcel", "a clean one"."""
     tokens, start = context.observed.document.tokens, candidate.tokens.start
-    is_room = tokens[candidate.head].lemma in _ROOM and start > 0 and tokens[start - 1].lower == "no"
+    is_room = tokens[candidate.head].lemma in ROOM and start > 0 and tokens[start - 1].lower == "no"
     return candidate.mention in _ONES or (not candidate.mention and (tokens[start].lower in _SOME or is_room))

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
@@ -41,7 +41,6 @@ _GROUPS = frozenset(
 """Nouns in the singular for several."""
 _HANDLING = frozenset(("bringing", "placing"))
 _HANDLING_THINGS = _HANDLING | {"change_state", "taking"}
-_ANIMATE = frozenset(("person", "animal", "name"))
 _PERSONAL = frozenset(("he", "she", "they"))
 _OWNING = {"his": "he", "her": "she", "their": "they"}
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
@@ -92,9 +91,9 @@ def is_called_otherwise(context: Context, gap: Gap, candidate: Candidate) -> boo
     plumber* is here and *he*'s allergic to dogs, so if the terrier is in, take *her* out"."""
     group = GROUPS.get(gap.word, "")
     is_open = not candidate.mention and not _gender(context.observed.document, candidate)
-    if group not in ("he", "she") or not is_open or kind_of(context, candidate) not in _ANIMATE:
+    if group not in ("he", "she") or not is_open or kind_of(context, candidate) not in ANIMATE:
         return False
-    named = [c for c in context.pool if not c.mention and kind_of(context, c) in _ANIMATE]
+    named = [c for c in context.pool if not c.mention and kind_of(context, c) in ANIMATE]
     tokens = context.observed.document.tokens
     for token in tokens[candidate.tokens.stop : gap.position]:
         if token.lower not in ("he", "she"):
@@ -121,7 +120,7 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
             if not c.mention and c.shape in ("whole", "short") and c.type == "object"
         )
     owner = next((i for i in candidate.tokens if tokens[i].tag == "POS"), None)
-    if owner is None or owner == candidate.tokens.stop - 1 or kind_of(context, candidate) in _ANIMATE:
+    if owner is None or owner == candidate.tokens.stop - 1 or kind_of(context, candidate) in ANIMATE:
         return False
     return any(c.tokens == range(candidate.tokens.start, owner) for c in context.pool)
 
@@ -132,7 +131,7 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     whose it is ("if they call, bring *their coats*"). A boat or a doll may be "she"."""
     document, group = context.observed.document, GROUPS.get(gap.word, "")
     head = document.tokens[candidate.head]
-    if group not in _PERSONAL or kind_of(context, candidate) in _ANIMATE:
+    if group not in _PERSONAL or kind_of(context, candidate) in ANIMATE:
         return False
     if candidate.mention:
         return candidate.mention in ("unsaid", "one", "some") or GROUPS.get(candidate.mention) == "it"
@@ -229,7 +228,7 @@ def _instead(context: Context, gap: Gap) -> range:
     others = {
         c.owner
         for c in context.pool
-        if c.owner and kind_of(context, c) in _ANIMATE and c not in told and not is_of_other_gender(document, gap, c)
+        if c.owner and kind_of(context, c) in ANIMATE and c not in told and not is_of_other_gender(document, gap, c)
     }
     if len(told) != 1 or others or is_of_other_gender(document, gap, told[0]):
         return range(0)

@@ -13,7 +13,7 @@ from decomplex_bt.understanding.references.agreement import (
     is_possessed,
     meant,
 )
-from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
@@ -21,15 +21,12 @@ from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
-from decomplex_bt.understanding.references.roles import is_called_in, is_led, is_nobody, is_sought, is_within
+from decomplex_bt.understanding.references.roles import ELSEWHERE, is_called_in, is_led, is_nobody, is_sought, is_within
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
-_ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
-"""Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
 _SAYING = frozenset("say answer reply choose pick".split())
 _HANDLING = frozenset(("bringing", "taking", "placing"))
-_ANIMATE = frozenset(("person", "animal", "name"))
 _ACTS = (
     frozenset("turn switch start stop restart flick".split()),
     frozenset(("open", "close", "shut")),
@@ -109,7 +106,7 @@ def _identity(context: Context, gap: Gap) -> range:
     path = context.paths.get(gap.task.id, ())
     document = context.observed.document
     check = next((task for task in context.tasks if path and path[-1] == (task.id, "then")), None)
-    if check is None or gap.word not in _ELSEWHERE:
+    if check is None or gap.word not in ELSEWHERE:
         return range(0)
     said = {a.type: document.indices(a.span) for a in check.arguments if a.span}
     is_asked = "state" in said and [document.tokens[i].lower for i in said.get("object", ())] == ["it"]
@@ -125,7 +122,7 @@ def _identity(context: Context, gap: Gap) -> range:
 def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate may be who nobody is: somebody in general, or whom the same condition is about."""
     is_same = context.relation(candidate.owner, gap.task.id) in ("mention", "first")
-    return candidate.text.split()[0].lower() in ANYBODY or (is_same and kind_of(context, candidate) in _ANIMATE)
+    return candidate.text.split()[0].lower() in ANYBODY or (is_same and kind_of(context, candidate) in ANIMATE)
 
 
 def _fronted(context: Context, gap: Gap) -> range:
@@ -133,7 +130,7 @@ def _fronted(context: Context, gap: Gap) -> range:
     that takes them up ("..., close it"); else empty."""
     document = context.observed.document
     tokens, verb = document.tokens, document.indices(gap.task.span).start
-    if gap.word not in _ELSEWHERE - _SOMEBODY or gap.type != "object":
+    if gap.word not in ELSEWHERE - _SOMEBODY or gap.type != "object":
         return range(0)
     start = verb
     while start and (tokens[start - 1].text in MARKS or tokens[start - 1].lower in ("please", "just", "then")):
@@ -158,7 +155,7 @@ def _reasoned(context: Context, gap: Gap) -> range:
     if sum(token.tag in ("VBZ", "VBP", "VBD") for token in tokens[first:at]) != 1:
         return range(0)
     named = (c for c in context.pool if c.tokens.start == first and c.tokens.stop < at and not c.mention)
-    named = (c for c in named if kind_of(context, c) not in _ANIMATE)
+    named = (c for c in named if kind_of(context, c) not in ANIMATE)
     said = max(named, key=lambda c: c.tokens.stop, default=None)
     is_said = said is not None and tokens[said.tokens.stop].lower in _STATING and tokens[said.head].tag in tag
     return said.tokens if said is not None and is_said else range(0)
@@ -168,7 +165,7 @@ def _done_before(context: Context, gap: Gap) -> int:
     """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
     filter and *start it again*" is of the mower; 0 where none did."""
     document, verb = context.observed.document, context.lemmas[gap.task.id].split()[0]
-    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or gap.task.type in _HANDLING:
+    if gap.type != "object" or gap.word not in ELSEWHERE - _SOMEBODY or gap.task.type in _HANDLING:
         return 0
     behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
     end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
@@ -209,7 +206,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
     is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
     before somebody is told or given something ("bring her the cake and tell her ..."); and nobody is opened or shut."""
-    if gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and kind_of(context, candidate) in _ANIMATE:
+    if gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and kind_of(context, candidate) in ANIMATE:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
@@ -220,7 +217,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
         return True
-    if gap.word not in _ELSEWHERE:
+    if gap.word not in ELSEWHERE:
         return False
     if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
         return True
@@ -236,7 +233,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_ahead and gap.task.type == "check_state" and is_called_in(context, candidate):
         return True
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in _HANDLING
-    if (is_ahead or is_given) and kind_of(context, candidate) not in _ANIMATE:
+    if (is_ahead or is_given) and kind_of(context, candidate) not in ANIMATE:
         return True
     if any(is_not(context, gap, candidate) for is_not in (is_support, is_unfit, is_unwarmed, is_content, _is_feature)):
         return True
@@ -320,7 +317,7 @@ def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     kind = kind_of(context, candidate)
     is_who = gap.word == "it" and candidate.type == "object" and kind in ("person", "name") and verb in WISHING
-    return is_who or (gap.word in _SOMEBODY and candidate.type == "state" and kind not in _ANIMATE)
+    return is_who or (gap.word in _SOMEBODY and candidate.type == "state" and kind not in ANIMATE)
 
 
 def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -334,7 +331,7 @@ def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     gazetteer = context.observed.gazetteer
     is_known = bool(gazetteer.category(head)) and "aperture" not in gazetteer.changeable.get(head, ())
-    return kind_of(context, candidate) in _ANIMATE or (is_known and kind_of(context, candidate) != "room")
+    return kind_of(context, candidate) in ANIMATE or (is_known and kind_of(context, candidate) != "room")
 
 
 def _is_weather(context: Context, gap: Gap) -> bool:
@@ -394,7 +391,7 @@ def _is_other_named(context: Context, gap: Gap, candidate: Candidate) -> bool:
         and c.owner != gap.task.id
         and c.tokens.stop <= gap.position
         and tokens[c.head].lemma != tokens[candidate.head].lemma
-        and kind_of(context, c) not in _ANIMATE
+        and kind_of(context, c) not in ANIMATE
         and not _is_means(context, gap, c)
         for c in context.pool
     )
@@ -428,7 +425,7 @@ def _listed(context: Context, gap: Gap) -> int:
     """The check, by its number, that found out what there is none of, where that is put on a list ("if there are no
     filters left, write it on the list"); 0 where none did."""
     path = context.paths.get(gap.task.id, ())
-    if gap.type != "object" or gap.word not in _ELSEWHERE - _SOMEBODY or not path or path[-1][1] != "else":
+    if gap.type != "object" or gap.word not in ELSEWHERE - _SOMEBODY or not path or path[-1][1] != "else":
         return 0
     check = next((task for task in context.tasks if task.id == path[-1][0] < gap.task.id), None)
     is_lack = check is not None and says_there_is(context.observed.document, check) and _is_of_list(context, gap)

@@ -26,6 +26,8 @@ GROUPS = {
     "they": "they", "'em": "they", "em": "they", "those": "they", "these": "they", "there": "there",
 }  # fmt: skip
 """Pronouns to the one that stands for all of their kind."""
+ANIMATE = frozenset(("person", "animal", "name"))
+"""The kinds of who is, or may be, somebody; see `kind_of`."""
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 
 

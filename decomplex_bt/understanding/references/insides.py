@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, last_word
 from decomplex_bt.understanding.references.phrases import Candidate
 
 _PERSONAL = frozenset("he him she her they you somebody someone anybody anyone everybody everyone nobody".split())
-_ANIMATE = frozenset(("person", "animal", "name"))
 _UNCLOSING = frozenset(("open", "unlock", "unzip"))
 _WAYS_IN = frozenset("door window gate curtain blind shutter hatch lid flap skylight tap".split())
 """What is opened and has no inside of its own."""
@@ -30,7 +29,7 @@ def containers_of(context: Context, gap: Gap) -> list[Candidate]:
     if any(tokens[i].lower in _PERSONAL for words in said for i in words):
         return []
     own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object"]
-    if any(kind_of(context, candidate) in _ANIMATE for candidate in own):
+    if any(kind_of(context, candidate) in ANIMATE for candidate in own):
         return []
     able = [c for c in context.pool if c.owner and has_inside(context, c) and c.tokens != gap.tokens]
     near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]

@@ -4,7 +4,7 @@ fleece* is fine, just put *it* on the chair"), and what is filled where there is
 from __future__ import annotations
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import Candidate
 
@@ -17,7 +17,6 @@ _LINKING = frozenset(
     "quite all as very perfectly well then".split()
 )
 """What stands between what is offered and the word that says it will do, that word itself where it is a verb."""
-_ANIMATE = frozenset(("person", "animal", "name"))
 FILLING = frozenset(("fill", "fill up", "refill"))
 _PARTLY = frozenset("some any more enough no".split())
 """What stands before what there is an amount of."""
@@ -54,7 +53,7 @@ def _is_meant(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a phrase is a thing, or things, of the number that a pronoun tells, and no more than that."""
     tokens = context.observed.document.tokens
     is_whole = not candidate.shape.endswith(("list", "cut"))
-    return is_whole and tokens[candidate.head].tag in _NUMBERS[gap.word] and kind_of(context, candidate) not in _ANIMATE
+    return is_whole and tokens[candidate.head].tag in _NUMBERS[gap.word] and kind_of(context, candidate) not in ANIMATE
 
 
 def filled_meant(context: Context, gap: Gap) -> range:

@@ -46,6 +46,8 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
+ROOM = frozenset(("room", "space"))
+"""What there may be none of for something to be put."""
 TIME_UNITS = frozenset("second minute hour day week month".split())
 _DEFINITE = frozenset("the my your his her our their this that".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))

@@ -3,14 +3,14 @@ shown in, and nobody is the door that they are at."""
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import Candidate
 
-_ANIMATE = frozenset(("person", "animal", "name"))
 _HANDLING = frozenset(("bringing", "taking", "placing"))
-_PRONOUNS = frozenset("it them 'em em they that those this these him he she her".split())
+ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
+"""Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
 """What is done to rooms and things, and may have no object."""
 
@@ -18,7 +18,7 @@ _OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
 def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
     is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
-    is_living = kind_of(context, candidate) in _ANIMATE  # nor inside somebody who was spoken of before
+    is_living = kind_of(context, candidate) in ANIMATE  # nor inside somebody who was spoken of before
     return gap.word == "there" and (is_own != is_living if gap.preposition == "in" else is_own and not is_living)
 
 
@@ -36,10 +36,10 @@ def is_led(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is a thing, where somebody is shown the way: "take *their coats* and show *them* in"; nor is
     anybody mopped, where that is left unsaid."""
     is_thing = candidate.type == "object" and candidate.task_type in _HANDLING and not candidate.mention
-    if gap.task.type == "following" and gap.type == "object" and gap.word in _PRONOUNS:
-        return is_thing and kind_of(context, candidate) not in _ANIMATE
+    if gap.task.type == "following" and gap.type == "object" and gap.word in ELSEWHERE:
+        return is_thing and kind_of(context, candidate) not in ANIMATE
     is_cleaned = gap.type == "object" and not gap.word and context.lemmas[gap.task.id] in _OF_ROOMS
-    return is_cleaned and kind_of(context, candidate) in _ANIMATE
+    return is_cleaned and kind_of(context, candidate) in ANIMATE
 
 
 def is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -50,7 +50,7 @@ def is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     identity = identity_of(document, document.indices(gap.task.span).start)
     is_who = identity is not None and identity.is_pronoun(document) and identity.is_of_person(document)
-    return is_who and kind_of(context, candidate) not in _ANIMATE and candidate.type in ("object", "location", "goal")
+    return is_who and kind_of(context, candidate) not in ANIMATE and candidate.type in ("object", "location", "goal")
 
 
 def is_called_in(context: Context, candidate: Candidate) -> bool:

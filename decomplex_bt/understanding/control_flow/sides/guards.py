@@ -18,11 +18,11 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     goes_on,
     hangs_ahead,
 )
+from decomplex_bt.understanding.references.phrases import ROOM
 
 _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))
 _LISTING = frozenset(("and", "please"))
-_ROOM = frozenset(("room", "space"))
 _LIST = 3
 """From so many orders on they are a list."""
 
@@ -106,7 +106,7 @@ def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
         return
     taken, put, check, other = clauses[k - 2 : k + 2]
-    is_room = check.says_there_is and not _ROOM.isdisjoint(check.thing) and check.near[:1] == ("if",)
+    is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and check.near[:1] == ("if",)
     is_behind = check.boundary == "none" and taken.sentence == put.sentence == check.sentence
     is_put = put.task.type == "placing" and put.has_pronoun and not put.objects and put.near == ("and",)
     is_taken = taken.task.type in ("bringing", "motion") and any(kind == "goal" for kind, _ in taken.task.arguments)

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.failures import lacks_too
 from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, is_cleared
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on
+from decomplex_bt.understanding.references.phrases import ROOM
 
 _PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
@@ -17,7 +18,6 @@ _WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path w
 """What lies on the way to where something is carried."""
 _BROKEN = frozenset("broken out order".split())
 _VESSELS = frozenset("box container bag bowl tub jar dish basket tin carton crate sack".split())
-_ROOM = frozenset(("room", "space"))
 _MOVED = MOVING | {"change_state", "taking"}
 _SERVED = frozenset(("bringing", "placing"))
 _TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
@@ -149,7 +149,7 @@ def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
     are_moves = order.task.type == "bringing" and all(clauses[j].has_pronoun for j in (k + 1, *turned[:1]))
     if is_both and are_moves and check.boundary in _PARTING and order.sentence < check.sentence:
         sides[k - 1] = side
-    is_room = check.says_there_is and not _ROOM.isdisjoint(check.thing) and check.wording.is_negated
+    is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and check.wording.is_negated
     is_elsewhere = bool(check.places - AROUND) and not order.receivers.isdisjoint(_VESSELS - check.places)
     if is_room and is_elsewhere and check.boundary != "none" and order.task.type == "placing":
         sides[k - 1] = side
