@@ -29,7 +29,8 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what is asked to be there at all, where it is not: "look in the mailbox. If there's *a
     parcel*, bring it in; if not, lock *it*"."""
     document = context.observed.document
-    if gap.word not in _PRONOUNS or gap.task.type == "informing":
+    missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
+    if not missing or gap.word not in _PRONOUNS or gap.task.type == "informing":
         return False
     if any(
         document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)
@@ -39,7 +40,6 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
         candidate.mention and context.relation(candidate.owner, gap.task.id) != "exclusive"
     ):
         return False  # "if there's no clean towel, take *one* from the dryer and hand *it* to him"
-    missing = {check for check, side in context.paths.get(gap.task.id, ()) if side == "else"}
     checks = [task for task in context.tasks if task.id in missing and asks_there_is(document, task)]
     is_place = candidate.type == "location" and gap.type == "object" and not candidate.mention
     if is_place and gap.task.type in ("placing", "bringing"):

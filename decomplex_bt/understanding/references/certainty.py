@@ -65,6 +65,9 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     is_pointed = is_pointing_back(document, gap)
     one = _last_one(context, gap) if is_pointed else None
     settled = meant(context, gap)
+    if not settled and _is_weather(context, gap):
+        return []
+    order = 0 if settled else _guarded(context, gap)
     identity = settled or _identity(context, gap) or _fronted(context, gap) or _reasoned(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = containers_of(context, gap)
@@ -82,6 +85,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
             or (before and (candidate.owner, candidate.type) != (before, "object"))
             or candidate.owner == instrument > 0
             or (is_wiped_up and candidate.type in ("location", "source"))
+            or (order and not _is_of(context, order, candidate))
             or (not settled and _is_ruled_out(context, gap, candidate))
         )
 
@@ -215,7 +219,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
     if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody)):
         return True
-    if _is_weather(context, gap) or is_on_whole(context, gap, candidate):
+    if is_on_whole(context, gap, candidate):
         return True
     if gap.word not in ELSEWHERE:
         return False
@@ -240,8 +244,6 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_not_on_it(context, gap, candidate) or _is_turned(context, gap, candidate):
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
-        return True
-    if (order := _guarded(context, gap)) and not _is_of(context, order, candidate):
         return True
     if is_absent(context, gap, candidate) or is_of_other_case(context, gap, candidate):
         return True

@@ -168,6 +168,8 @@ def found_places(document: Document) -> Iterator[range]:
     """The words of every clause that tells of a place that something was found or taken there: "put it back on the desk
     *where you found it*"."""
     tokens = document.tokens
+    if "where" not in document.words:
+        return
     for i, token in enumerate(tokens[:-2]):
         is_led = token.lower == "where" and tokens[i + 1].lower in ("you", "i", "we")
         if not is_led or tokens[i + 2].lemma not in _FINDING or tokens[i + 2].tag not in ("VBD", "VBN"):

@@ -42,6 +42,8 @@ def is_answered(document: Document, verb: int) -> bool:
 def admissions(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
     """Every order to let somebody in that no task is of: "if it's Aunt May *let* her in"."""
     tokens = document.tokens
+    if "let" not in document.words:
+        return
     for i, token in enumerate(tokens[:-2]):
         is_denied = any(t.lower in _NOT_LET for t in tokens[max(0, i - 2) : i])
         if token.lower == "let" and i not in tasks and not is_denied and admitted(document, i):

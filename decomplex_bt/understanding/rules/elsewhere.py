@@ -19,6 +19,7 @@ _OPENING = frozenset(("if", "otherwise"))
 _BEFORE_CASES = frozenset("and but so or well then".split())
 _ONE_MORE = frozenset("another one more some spare extra others".split())
 _NAMED = frozenset(("DET", "ADJ", "NOUN", "NUM", "PROPN", "PRON"))
+_TURNING = frozenset(("otherwise", "else"))
 _WHERE = frozenset("in on under behind inside by near beside at".split())
 _TAKING_UP = frozenset("it them him her there that those one".split())
 
@@ -53,6 +54,8 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
     """Every further place behind an "otherwise" right after a search, which is searched where that fails: "look in the
     drawer, *otherwise on the desk*"; carried by its preposition. `tasks`: tokens with types."""
     tokens = document.tokens
+    if document.words.isdisjoint(_TURNING):
+        return
     for i, token in enumerate(tokens[:-2]):
         start = i + 1 + (token.lower == "or" and tokens[i + 1].lower == "else")
         if (token.lower != "otherwise" and start == i + 1) or i == 0 or tokens[i - 1].text not in MARKS:

@@ -37,8 +37,8 @@ def fronted(observed: Observed) -> Iterator[Fronted]:
     chunks = {chunk.start: chunk for chunk in noun_chunks(document)}
     for token in document.tokens[2:]:
         kind = next((kind for kind in observed.senses[token.i] if kind in _HANDLING), None)
-        subject_end = _end_before(observed, token.i)
-        if kind is None or token.lower != token.lemma or not subject_end or _has_object(observed, token.i):
+        subject_end = 0 if kind is None or token.lower != token.lemma else _end_before(observed, token.i)
+        if kind is None or not subject_end or _has_object(observed, token.i):
             continue
         thing = next((c for c in chunks.values() if c.stop == subject_end), range(0))
         place = range(0)

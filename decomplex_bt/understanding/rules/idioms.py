@@ -84,6 +84,8 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
 def _deeds(document: Document) -> Iterator[int]:
     """The "give" of every order to give something a wipe or the like: "*give* it a quick rinse"."""
     tokens = document.tokens
+    if "give" not in document.words:
+        return
     for phrase in (range(i, i + 2 + k) for k in (0, 1) for i in range(2, len(tokens) - 1 - k)):
         if is_deed(document, phrase):
             giving = next((j for j in range(phrase.start - 1, -1, -1) if tokens[j].lower == "give"), None)

@@ -131,7 +131,7 @@ def let_be(document: Document) -> frozenset[int]:
     window"."""
     found: set[int] = set()
     tokens = document.tokens
-    for verb in (token.i for token in tokens if token.lower == "leave"):
+    for verb in (token.i for token in tokens if token.lower == "leave") if "leave" in document.words else ():
         stop = next((t.i for t in tokens[verb + 1 :] if t.text in MARKS), len(tokens))
         words = tokens[verb + 1 : stop]
         is_thing = 0 < len(words) <= _LONGEST_NAMED and words[-1].pos in ("NOUN", "PROPN", "PRON")
