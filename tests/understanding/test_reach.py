@@ -67,6 +67,9 @@ from decomplex_bt.understanding.interpreter import Interpreter
             [1, {"if": [2, 3], "else": [4]}],
         ),
         ("Can you find the tape? If not, call Tom.", [{"if": 1, "else": [2]}]),
+        # what a need is kept from by, and a bare plural
+        ("The tub needs scrubbing, but if there is somebody in it leave it alone.", [{"if": 2, "else": [1]}]),
+        ("Give Ann a pear, but if there are no pears left, biscuits.", [{"if": 2, "then": [1], "else": [3]}]),
         # what tells where something was found
         ("Put the pliers back in the box where you found them, and turn the lamp off.", [1, 2]),
     ],
@@ -106,3 +109,8 @@ def test_the_particle_of_what_is_forbidden_goes_with_it(interpreter: Interpreter
 def test_what_is_put_out_or_away_goes_nowhere_that_was_named(interpreter: Interpreter) -> None:
     for text in ("Turn up the boiler and put out a fresh towel.", "Wash the hob and put the frying pan away."):
         assert interpreter.interpret(text).tasks[1].value("goal") is None
+
+
+def test_what_is_seen_to_work_is_one_check(interpreter: Interpreter) -> None:
+    (check,) = interpreter.interpret("See if the lamp in the corridor works.").tasks
+    assert (check.type, check.value("object")) == ("check_state", "the lamp")

@@ -276,7 +276,10 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
     first = document.tokens[body.start].lower
     if len(body) > 1:
         return True
-    return first in _POINTING or (first not in PARTICLES and _is_joined(document, parts, k))
+    is_lack = document.tokens[body.start].tag == "NNS" and any(
+        document.tokens[i].lower in _DENYING for i in parts[k - 1].body
+    )  # "if there are no apples left, *biscuits*"
+    return first in _POINTING or is_lack or (first not in PARTICLES and _is_joined(document, parts, k))
 
 
 def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[_Part]:

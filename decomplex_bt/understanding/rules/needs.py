@@ -4,7 +4,7 @@ watering")."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.verbs import lemmas
@@ -32,6 +32,8 @@ _PLACING = frozenset("in on at of from by under behind upstairs downstairs outsi
 _INSIDE = _PLACING | {"'s", "\u2019s"}
 _PERSONAL = frozenset("it its they them their he him his she her one ones some that those so".split())
 _VAGUE = frozenset(("do", "see", "be", "have"))
+_BUT_IF = frozenset((("but", "if"), ("but", "when")))
+_LEAVE_IT = frozenset((("leave", "it"), ("leave", "them"), ("leave", "that")))
 _LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
 _BELONGING = frozenset(("belong", "belongs"))
 _SHOULD = frozenset("should must ought has have".split())
@@ -214,6 +216,7 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
     besides = {
         i for one in so_does(document) for i in (*one.words, *one.other) if tokens[i].lower not in ("its", "their")
     }
+    besides.update(_left_alone(document, verb))
     near = [token for token in later if sentences[token.i] <= sentences[verb] + 1 and token.i not in besides]
     if any(token.lower in _LEADING_ON and sentences[token.i] == sentences[verb] for token in later):
         return True
@@ -222,6 +225,17 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
         near = [token for token in near if token.tag != "PRP$" or token.lower not in ("his", "her")]
     is_meant = any(token.lower in _PERSONAL and not _is_of_weather(document, token.i) for token in near)
     return is_meant or any(token.lemma in named for token in later) or _is_helped(tokens[verb], near)
+
+
+def _left_alone(document: Document, verb: int) -> range:
+    """The words from a "but if" behind a need to the end of its sentence, in which the thing is only left as it is:
+    "the bath needs cleaning, *but if there's someone in it, leave it alone*"."""
+    tokens, sentences = document.tokens, document.sentences
+    stop = next((t.i for t in tokens[verb:] if sentences[t.i] != sentences[verb]), len(tokens))
+    words = [token.lower for token in tokens[verb + 1 : stop]]
+    start = next((i for i, pair in enumerate(pairwise(words)) if pair in _BUT_IF), len(words))
+    is_left = any(pair in _LEAVE_IT for pair in pairwise(words[start:]))
+    return range(verb + 1 + start, stop) if is_left else range(0)
 
 
 def _is_helped(deed: Token, near: Sequence[Token]) -> bool:

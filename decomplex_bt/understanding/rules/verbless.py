@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.references.phrases import head_of
 from decomplex_bt.understanding.rules.fragments import Fragment
@@ -67,7 +68,8 @@ def _openings(document: Document) -> Iterator[int]:
         if token.lower == "in" and (first := _in_case(document, i)) is not None:
             yield first
         is_conceded = i > 0 and document.tokens[i - 1].lower == "even"
-        if token.lower in _OPENING and i + 1 < len(document) and not is_conceded:
+        is_asked = i > 0 and document.tokens[i - 1].lemma in ASKING_LEMMAS  # "see if the lamp in the corridor works"
+        if token.lower in _OPENING and i + 1 < len(document) and not (is_conceded or is_asked):
             yield i + 1
         elif token.lower == _ASKING and (i == 0 or document.tokens[i - 1].text in ENDS):
             yield i
