@@ -38,7 +38,9 @@ def telegraphed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
 
 def named(document: Document, verb: int) -> range:
     """What stands right behind such a verb, up to its noun; empty where more stands between, or nothing."""
-    clause = next(clause for clause in _clauses(document) if verb in clause)
+    clause = next((clause for clause in _clauses(document) if verb in clause), None)
+    if clause is None:  # what was taken for a verb is a mark, or what joins
+        return range(0)
     stop = verb + 1
     while stop < clause.stop and document.tokens[stop].pos in _PHRASE:
         stop += 1
