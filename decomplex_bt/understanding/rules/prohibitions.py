@@ -167,7 +167,10 @@ def lifts(document: Document, start: int) -> bool:
             parts.append([])
         elif token.lower not in _BESIDE_ALLOWING:
             parts[-1].append(token)
-    condition, *others = [part for part in parts if part]
+    said = [part for part in parts if part]
+    if not said:  # nothing is said behind the token but marks
+        return False
+    condition, *others = said
     if not others:
         return len(condition) > 2 and condition[-1].lower == "do" and condition[-2].pos in ("ADJ", "ADV", "VERB")
     is_all = not any(token.tag == "VB" for part in others[:-1] for token in part)
