@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.prohibitions import is_elided
+from decomplex_bt.understanding.rules.prohibitions import is_elided, lifts
 
 
 @pytest.fixture(scope="module")
@@ -178,3 +178,26 @@ def test_a_dont_may_say_no_verb(text: str, is_said: bool) -> None:
 )  # fmt: skip
 def test_what_stands_beside_a_mere_dont(text: str, flow: list[object]) -> None:
     assert Interpreter.load().interpret(text).flow.to_json() == flow
+
+
+@pytest.mark.parametrize(
+    ("text", "start", "wanted"),
+    [
+        ("Don't open the oven, but if it's hot, do.", "if", True),
+        ("Don't open the oven, but if it's hot, tell me.", "if", False),
+        ("Don't open the oven if -- then.", "then", False),  # nothing is said but what stands beside
+        ("Close the den. , !", ",", False),  # ... and nothing but marks
+    ],
+)
+def test_only_what_is_said_lifts_a_prohibition(text: str, start: str, wanted: bool) -> None:
+    document = Parser().parse(text)
+    at = max(token.i for token in document.tokens if token.lower == start)
+    assert lifts(document, at) is wanted
+
+
+def test_a_case_that_breaks_off_is_read() -> None:
+    text = (
+        "As long as the den. free, heat it up, unroll the bath beside the tub shutters my robe on the grab bar. If it's"
+        " occupied, come back the bathroom's"
+    )
+    assert Interpreter.load("household").interpret(text).text == text

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS
-from decomplex_bt.understanding.rules.prohibitions import is_behind_otherwise, lifts
+from decomplex_bt.understanding.rules.prohibitions import NEGATIONS, is_behind_otherwise, lifts
 
 ITS = frozenset("it them 'em em him her this that these those".split())
 STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
@@ -55,7 +55,6 @@ _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
 _AMOUNTS = (["how", "many"], ["how", "much"])
-_NEGATIONS = frozenset(("not", "n't", "n\u2019t", "nt", "never"))
 OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 
 
@@ -252,7 +251,7 @@ def is_past_forbidden(observed: Observed, previous: int, split: int, token: int)
     if not 0 <= split < token - 1 or tokens[split].text != "," or tokens[split + 1].lower != "and":
         return False
     start = next((i for i in range(split, -1, -1) if sentences[i] != sentences[token]), -1) + 1
-    denied = [i for i in range(start, split) if tokens[i].lower in _NEGATIONS and is_behind_otherwise(observed, i)]
+    denied = [i for i in range(start, split) if tokens[i].lower in NEGATIONS and is_behind_otherwise(observed, i)]
     if not denied or previous > denied[-1]:
         return False
     return all(t.text not in PUNCTUATION and t.tag != "CC" for t in tokens[denied[-1] : split])

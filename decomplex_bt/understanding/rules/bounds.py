@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.rules.prohibitions import NEGATIONS
 
-_DENIED = frozenset("not n't n\u2019t nt dont never".split())
 _RELATIVE = frozenset("that which who to where".split())
 
 
@@ -37,5 +37,5 @@ def is_of_forbidden(document: Document, argument: FoundArgument) -> bool:
     """Whether a state is the particle of a verb ahead that is forbidden: "don't turn *on* the radio, just close it"."""
     at = argument.tokens.start
     is_ahead = argument.type == "state" and len(argument.tokens) == 1 and 1 < at < argument.owner
-    is_denied = is_ahead and any(t.lower in _DENIED for t in document.tokens[max(0, at - 3) : at - 1])
+    is_denied = is_ahead and any(t.lower in NEGATIONS for t in document.tokens[max(0, at - 3) : at - 1])
     return is_denied and any(t.text in MARKS for t in document.tokens[at : argument.owner])

@@ -10,8 +10,8 @@ _GET_THE_DOOR = ("get", "the", "door")
 _NOT_LET = frozenset("not n't n\u2019t nt dont never to who will 'll".split())
 _BEHIND_IN = frozenset("and then but if unless when once please first or".split())
 _NAMED = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
-_PEOPLE = frozenset(("me", "us", "him", "her", "them"))
-_LONGEST_NAMED = 5
+PEOPLE = frozenset(("me", "us", "him", "her", "them"))
+LONGEST_NAMED = 5
 """The most words by which somebody is named."""
 
 
@@ -22,8 +22,8 @@ def admitted(document: Document, verb: int) -> range:
     stop = verb + 1
     while (
         stop < len(tokens)
-        and stop - verb <= _LONGEST_NAMED
-        and (tokens[stop].pos in _NAMED or tokens[stop].tag in ("PRP$", "POS") or tokens[stop].lower in _PEOPLE)
+        and stop - verb <= LONGEST_NAMED
+        and (tokens[stop].pos in _NAMED or tokens[stop].tag in ("PRP$", "POS") or tokens[stop].lower in PEOPLE)
     ):
         stop += 1
     behind = tokens[stop + 1] if stop + 1 < len(tokens) else None

@@ -21,13 +21,7 @@ from decomplex_bt.understanding.rules.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
-from decomplex_bt.understanding.rules.idioms import (
-    encountered,
-    for_somebody,
-    idiomatic,
-    is_light,
-    prospect_of,
-)
+from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import needed

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
 
 _REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
-_CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
+CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
 _ONTO = frozenset("in on into onto under behind by".split())
 
 
@@ -56,7 +56,7 @@ def put_out(document: Document, arguments: Sequence[FoundArgument], putting: int
     words = [token.lower for token in document.tokens[at : at + 2]]
     last = document.tokens[at - 1]
     is_put_outside = last.lemma in ANIMALS | PERSON_NOUNS | _REFUSE or last.lower in ("him", "her")
-    is_out = words[:1] == ["out"] and (len(words) == 1 or words[1] in _CLAUSE_ENDS)
+    is_out = words[:1] == ["out"] and (len(words) == 1 or words[1] in CLAUSE_ENDS)
     if not is_out or not is_put_outside or thing.tokens.start < putting:
         return list(arguments)
     return [*arguments, FoundArgument("goal", putting, range(at, at + 1), CERTAIN)]

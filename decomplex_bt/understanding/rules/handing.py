@@ -13,6 +13,7 @@ from decomplex_bt.understanding.references.phrases import (
     is_pronoun,
     noun_chunks,
 )
+from decomplex_bt.understanding.rules.goals import CLAUSE_ENDS
 
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
@@ -20,7 +21,6 @@ _HANDLING = frozenset(("bringing", "taking", "placing"))
 _ALONG = frozenset(("along", "together"))
 _OWNING = frozenset("baby child kid dad mum mom".split())
 """Persons by whom things are called: "bring the baby bottle"."""
-_CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
 _REGARDS = frozenset("compliment regard thanks thank love wish care hand finger apology smile".split())
 """What comes with a thing without being one."""
 _CARRIERS = frozenset("tray trolley cart basket bag wheelbarrow tongs glove lift elevator friend".split())
@@ -94,7 +94,7 @@ def _is_indefinite(document: Document, at: int) -> bool:
 
 
 def _clause_end(document: Document, verb: int) -> int:
-    ends = (token.i for token in document.tokens[verb + 1 :] if token.lower in _CLAUSE_ENDS)
+    ends = (token.i for token in document.tokens[verb + 1 :] if token.lower in CLAUSE_ENDS)
     return next(ends, len(document))
 
 

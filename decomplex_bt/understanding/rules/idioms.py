@@ -11,7 +11,7 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed
-from decomplex_bt.understanding.rules.doors import admissions
+from decomplex_bt.understanding.rules.doors import LONGEST_NAMED, PEOPLE, admissions
 from decomplex_bt.understanding.rules.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
 
@@ -28,9 +28,6 @@ _FAVOURS = frozenset("hand minute moment second help favour favor word".split())
 _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON"))
 _GETTING = frozenset(("get", "fetch", "grab", "pick"))
 _ONESELF = frozenset(("me", "us"))
-_PEOPLE = frozenset(("me", "us", "him", "her", "them"))
-_LONGEST_NAMED = 5
-"""The most words by which somebody is named."""
 _NO_STATES = frozenset("too already so not yet then".split())
 _OTHERS = frozenset("me him her us them they he she we i who".split())
 _AGAIN = frozenset(("again", "already", "still", "by", "now", "anyway"))
@@ -89,7 +86,7 @@ def _deeds(document: Document) -> Iterator[int]:
     for phrase in (range(i, i + 2 + k) for k in (0, 1) for i in range(2, len(tokens) - 1 - k)):
         if is_deed(document, phrase):
             giving = next((j for j in range(phrase.start - 1, -1, -1) if tokens[j].lower == "give"), None)
-            if giving is not None and phrase.start - giving <= _LONGEST_NAMED:
+            if giving is not None and phrase.start - giving <= LONGEST_NAMED:
                 yield giving
 
 
@@ -340,7 +337,7 @@ def for_somebody(document: Document, verb: int) -> range:
         noun = i + 1 + (tokens[i + 1].tag in ("PRP$", "DT"))
         if tokens[i + 1].lower in _ONESELF and tokens[verb].lemma not in ("get", "fetch"):
             return range(0)
-        if tokens[i + 1].lower in _PEOPLE:
+        if tokens[i + 1].lower in PEOPLE:
             return range(i, i + 2)
         if noun < len(tokens) and (tokens[noun].lemma in PERSON_NOUNS or tokens[noun].tag == "NNP"):
             return range(i, noun + 1)

@@ -11,7 +11,7 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.spared import spared
 
-_NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
+NEGATIONS = frozenset(("n't", "n’t", "nt", "not", "never"))
 _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even".split())
 OMITTING = frozenset("forget omit neglect fail hesitate".split())
@@ -48,7 +48,7 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     """
     document = observed.document
     tokens = document.tokens
-    negations = [i for i, token in enumerate(tokens) if token.lower in _NEGATIONS]
+    negations = [i for i, token in enumerate(tokens) if token.lower in NEGATIONS]
     needless, passed = _needless(document), [*_passed_over(document), *spared(observed)]
     if not negations and not needless:
         return tuple(sorted(passed))
@@ -95,7 +95,7 @@ def is_elided(document: Document, at: int) -> bool:
     """Whether the "do" of a "don't" forbids in a case what was ordered before, and says no verb: "if she's in there
     *don't*, ...", "if it's wet then *don't*"; not "if they *don't*, ..."."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[at].lower != "do" or at + 1 >= len(tokens) or tokens[at + 1].lower not in _NEGATIONS:
+    if tokens[at].lower != "do" or at + 1 >= len(tokens) or tokens[at + 1].lower not in NEGATIONS:
         return False
     behind = tokens[at + 2].lower if at + 2 < len(tokens) and sentences[at + 2] == sentences[at] else "."
     if behind not in _ENDS:
@@ -228,7 +228,7 @@ def _is_denied(document: Document, i: int) -> bool:
     for j in range(i - 1, -1, -1):
         if document.tokens[j].lower in _ENDS:
             return False
-        if document.tokens[j].lower in _NEGATIONS:
+        if document.tokens[j].lower in NEGATIONS:
             return True
     return False
 
@@ -274,7 +274,7 @@ def is_forbidden(document: Document, verb: int) -> bool:
         i -= 2
     while i >= 0 and (tokens[i].lower in _BETWEEN or tokens[i].lower == "you"):  # "don't you dare", "don't ever"
         i -= 1
-    is_negated = i >= 0 and tokens[i].lower in _NEGATIONS
+    is_negated = i >= 0 and tokens[i].lower in NEGATIONS
     is_order = is_negated and (tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in _AUXILIARIES))
     return is_order and _is_bare(document, verb) and not _has_subject(document, verb)
 

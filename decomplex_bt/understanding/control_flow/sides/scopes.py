@@ -270,7 +270,7 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     """Whether somebody wants something else as well is asked in any case ("if she's cold, bring her a shawl, *and if
     she's hungry*, ...")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or first == k - 1 or roles[first] not in CONDITION_ROLES or roles[k] != "condition":
+    if first is None or first == k - 1 or roles[k] != "condition":
         return
     clause, check = clauses[k], clauses[first]
     is_led = clause.near == ("and", "if") and check.near[-1:] == ("if",) and sides[k] in (HOLDS, FAILS)
