@@ -6,7 +6,6 @@ SI units; world frame with the origin bottom left; headings in radians, counter-
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from math import cos, pi, sin
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -217,8 +216,11 @@ class World:
     def __del__(self) -> None:
         if self._is_dismantled:
             return
-        with suppress(Exception):  # half made, or the interpreter is shutting down: pymunk looks what is still there
+        # no `suppress`: while the interpreter shuts down, this module's names may be gone
+        try:  # noqa: SIM105
             self.space.remove(*self.space.constraints, *self.space.shapes, *self.space.bodies)
+        except Exception:
+            pass  # half made, or pymunk's own names are gone
 
     # -- building -----------------------------------------------------------------------------------------------------
 

@@ -46,6 +46,14 @@ def printed_under_hash_seeds() -> Callable[[str], set[str]]:
     return run
 
 
+MOST_WORKERS = 4
+"""How many processes `-n auto` starts at most; each loads the language model and the networks (half a gigabyte)."""
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    return min(os.cpu_count() or 1, MOST_WORKERS)
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="also run the tests marked slow")
 

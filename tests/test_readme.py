@@ -61,4 +61,4 @@ def test_links_lead_somewhere() -> None:
 def test_readme_has_the_two_commands() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert "\ndecomplex-bt run " in text
-    assert "\npython -m pytest\n" in text
+    assert "\npython -m pytest -n auto\n" in text
