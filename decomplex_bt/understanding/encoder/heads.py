@@ -44,7 +44,8 @@ class Heads:
 
     def owners(self, typed: Array, starts: Sequence[int], places: Sequence[int]) -> Array:
         """(argument starts, tasks): how well each task owns the argument that starts there."""
-        offsets = np.array([[sum(p < i for p in places) - k for k in range(len(places))] for i in starts])
+        before = np.searchsorted(np.sort(places), starts)  # how many of the tasks
+        offsets = before[:, None] - np.arange(len(places))
         return self._biaffine("owner", typed[list(starts)], typed[list(places)], offsets)[..., 0]
 
     def references(self, typed: Array, gap: int, anchors: Sequence[int], places: Sequence[int]) -> Array:
