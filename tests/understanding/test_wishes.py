@@ -28,6 +28,9 @@ def served(parser: Parser, text: str) -> bool:
         "I would really love a clean towel, bring me a towel.",
         "we want a knife and a fork can you bring us them",
         "I want the red book, pick it up.",
+        "Anna would like a cup of tea. Please bring her one.",
+        "My son wants the map, take him the old one.",
+        "I'd love a towel. Bring me the big one.",
     ],
 )
 def test_a_wish_that_a_request_serves(parser: Parser, text: str) -> None:
@@ -47,6 +50,9 @@ def test_a_wish_that_a_request_serves(parser: Parser, text: str) -> None:
         "I'd like some tea if there is any, bring me some.",  # in a case
         "I'd like some tea and then bring it back.",  # one more order
         "I'd like some tea. It is cold. Bring me some.",  # too far away
+        "I'd like a coffee, bring her one.",
+        "Anna would like a coffee, bring me one.",
+        "I'd like a pen. Bring me another one for Tom.",
         "I'd like to sleep, get out.",  # nothing that could be brought
     ],
 )

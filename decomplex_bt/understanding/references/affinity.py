@@ -11,6 +11,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.agreement import meant, other_place, pair_meant
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.gapped import gapped_pair
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
@@ -51,10 +52,10 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
             of_side["after"].append(candidate)
-    pair = None
-    if gap.word in _TOGETHER:
+    pair = gapped_pair(context, gap)
+    if pair or gap.word in _TOGETHER:
         pairs = list(_together(document, of_side["before"]))
-        pair = pair_meant(context, gap, pairs)
+        pair = pair or pair_meant(context, gap, pairs)
         of_side = {"before": [pair], "after": []} if pair else {**of_side, "before": [*of_side["before"], *pairs]}
     of_side["before"].sort(key=lambda candidate: -candidate.tokens.stop)
     for side, candidates in of_side.items():

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.references.agreement import (
 )
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
+from decomplex_bt.understanding.references.gapped import is_torn
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
@@ -219,7 +220,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
     if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody)):
         return True
-    if is_on_whole(context, gap, candidate):
+    if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
         return True
     if gap.word not in ELSEWHERE:
         return False

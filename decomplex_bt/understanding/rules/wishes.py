@@ -12,6 +12,9 @@ _BEFORE_WISHES = frozenset("'d \u2019d would do really just rather could so".spl
 _CASES = frozenset("if unless otherwise or else when once whether then also after before".split())
 _OPENING_CASES = frozenset("if unless is are when should in".split())
 _SPEAKERS = frozenset(("me", "us"))
+_OTHERS = frozenset(("her", "him", "them"))
+_ONES = frozenset(("one", "ones"))
+_ELSE = frozenset("another no this these".split())
 _MORE = frozenset(("too", "also", "well", "another"))
 _PRONOUNS = frozenset("some one it them that those any".split())
 _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
@@ -27,6 +30,7 @@ _IDLE = tuple(
 )  # fmt: skip
 """What a wish begins with where it goes without its subject."""
 _FILLERS = frozenset("well oh so um uh hmm hey ok okay right really just robot ,".split())
+_BRINGING = frozenset(("bringing", "taking"))
 _FETCHING = frozenset(("bringing", "taking", "searching"))
 _NOT_ORDERING = frozenset("to i we you he she they it not n't n\u2019t".split())
 
@@ -76,15 +80,20 @@ def _beginning(document: Document, at: int) -> int:
 
 def is_served(document: Document, wish: int, request: int) -> bool:
     """Whether the verb at token `wish` only tells what the one at token `request`, the next task, is to bring: "I'd
-    like some tea, can you get me some?". Not what somebody else is to have, another thing, or a case."""
+    like some tea, can you get me some?", "Anna would like some. Bring her some". Not what somebody else than who wishes
+    is to have, another thing, or a case."""
     tokens, sentences = document.tokens, document.sentences
-    if tokens[wish].lemma not in _WISHING or sentences[request] > sentences[wish] + 1 or not _is_own(document, wish):
+    if tokens[wish].lemma not in _WISHING or sentences[request] > sentences[wish] + 1:
+        return False
+    is_given_to_others = request + 1 < len(tokens) and tokens[request + 1].lower in _OTHERS
+    if is_given_to_others is _is_own(document, wish):
         return False
     wished = tokens[wish + 1 : request]
     goes_on = any(one.lower == "and" and two.pos not in _PHRASE for one, two in pairwise(wished))
     if goes_on or any(token.lower in _CASES for token in wished):
         return False
-    asked = list(takewhile(lambda token: token.lower not in _CLAUSE_ENDS, tokens[request + 1 :]))
+    first = request + 1 + is_given_to_others
+    asked = list(takewhile(lambda token: token.lower not in _CLAUSE_ENDS, tokens[first:]))
     is_for_another = any(one.lower in ("to", "for") and two.lower not in _SPEAKERS for one, two in pairwise(asked))
     return not is_for_another and _MORE.isdisjoint(token.lower for token in asked) and _is_same(wished, asked)
 
@@ -97,23 +106,29 @@ def is_taken_up(document: Document, wish: int, tasks: Mapping[int, str]) -> bool
         return False
     said = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish]]
     behind = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish] + 1]
-    if behind and behind[-1].text == "?" and not any(tasks.get(t.i) in ("bringing", "taking") for t in behind):
+    if behind and behind[-1].text == "?" and not any(tasks.get(t.i) in _BRINGING for t in behind):
         # "I'd love a tea. Is there any milk? If not, bring it black"
         behind = [t for t in tokens[wish + 1 :] if sentences[t.i] == sentences[wish] + 2]
     ahead = [t for t in tokens[:wish] if sentences[t.i] == sentences[wish]]
     is_plain = all(t.i not in tasks and t.lower not in _CASES | {"and", "to"} for t in (*ahead, *said))
     if not is_plain or not behind or behind[0].lower not in _OPENING_CASES:
         return False
-    brought = [t.i for t in behind if tasks.get(t.i) in ("bringing", "taking") and t.i + 1 < len(tokens)]
+    brought = [t.i for t in behind if tasks.get(t.i) in _BRINGING and t.i + 1 < len(tokens)]
     return any(tokens[i + 1].lower in ("it", "them") for i in brought)
 
 
 def wishers(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
-    """The tokens up to the verb of every wish that is taken up: "*I* need my coat. If it's in the hall, bring it"."""
+    """The tokens up to the verb of every wish that is taken up: "*I* need my coat. If it's in the hall, bring it"; and
+    all up to the order that serves it: "*Anna would like a tea. Please* bring her one"."""
     found: set[int] = set()
     for token in document.tokens:
-        if token.lemma in _WISHING and token.i not in tasks and is_taken_up(document, token.i, tasks):
+        if token.lemma not in _WISHING or token.i in tasks:
+            continue
+        if is_taken_up(document, token.i, tasks):
             found.update(range(_beginning(document, token.i), token.i))
+        request = min((i for i in tasks if i > token.i), default=None)
+        if request is not None and tasks[request] in _BRINGING and is_served(document, token.i, request):
+            found.update(range(_beginning(document, token.i), request))
     return frozenset(found)
 
 
@@ -127,8 +142,11 @@ def _is_own(document: Document, wish: int) -> bool:
 
 
 def _is_same(wished: Sequence[Token], asked: Sequence[Token]) -> bool:
-    """Whether what is asked for is a pronoun, or names the same thing with no other adjective."""
+    """Whether what is asked for is a pronoun, "the blue one", or names the same thing with no other adjective."""
     asked = [token for token in asked if token.lower not in _SPEAKERS and token.tag != "RP"]
+    last = len(list(takewhile(lambda token: token.pos in ("DET", "ADJ"), asked)))
+    if 0 < last < len(asked) and asked[last].lower in _ONES:  # "the blue one"
+        return asked[0].lower not in _ELSE and (last + 1 == len(asked) or asked[last + 1].lower != "of")
     if asked and asked[0].lower in _PRONOUNS and (len(asked) == 1 or asked[1].pos not in _PHRASE):
         return len(asked) == 1 or asked[1].lower != "of"
     first, second = _phrase(wished), _phrase(asked)
