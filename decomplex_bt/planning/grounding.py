@@ -14,7 +14,7 @@ from decomplex_bt.errors import ImpossibleGoalError, InputError, UnknownWordErro
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.planning.abilities import bringable_values, states_of
 from decomplex_bt.planning.completion import Ask, Completion
-from decomplex_bt.planning.devices import steps_elsewhere
+from decomplex_bt.planning.devices import devices_named, steps_elsewhere, without_devices
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.exclusions import with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
@@ -241,8 +241,10 @@ class _Grounder:
         for referent, fit in zip(objects, fits, strict=True):
             if fit is None:
                 raise ImpossibleGoalError(f"nothing here makes {referent.phrase!r} {value}")
-        there = places + inner if self.referents.may_move(objects) else ()
         able = tuple(fit for fit in fits if fit is not None)
+        named = devices_named(task, able, value, self.domain)
+        sought = without_devices(places, able, named, self.domain)
+        there = sought + inner if self.referents.may_move(objects) else ()
         forbidden = steps_elsewhere(task, able, value, self.domain)
         forbidden += wrong_fillings(task, able, self.domain) if value == FULL else ()
         return replace(bare, objects=able, places=there, state=value, forbidden=forbidden)

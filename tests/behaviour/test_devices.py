@@ -78,3 +78,19 @@ def test_where_the_device_is_broken_no_other_will_do() -> None:
     assert "oven" in str(cause)
     status, info, cause = episode(text.format(""), **world)
     assert (info["is_success"], status, cause) == (True, Status.SUCCESS, None)
+
+
+@pytest.mark.parametrize(
+    ("text", "placement", "clean"),
+    [
+        ("[Wash](1:change_state) [the mugs](1:object) [in the sink](1:location)", ("counter", "kitchen_table"), True),
+        ("[Wash](1:change_state) [both mugs](1:object) [in the sink](1:location)", ("sink", "kitchen_table"), True),
+        ("[Wash](1:change_state) [everything](1:object) [in the sink](1:location)", ("sink", "kitchen_table"), False),
+    ],
+)
+def test_all_are_brought_to_the_device(text: str, placement: tuple[str, str], clean: bool) -> None:
+    mugs = dict(zip(("mug_1", "mug_2"), placement, strict=True))
+    status, info, cause = episode(text, placement=mugs, states=dict.fromkeys(mugs, "dirty"))
+    truth = ENV.unwrapped.truth()  # type: ignore[attr-defined]
+    assert (cause, info["is_success"], status) == (None, True, Status.SUCCESS)
+    assert (truth.state("mug_2", "cleanliness") == "clean") is clean
