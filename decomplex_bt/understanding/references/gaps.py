@@ -211,14 +211,18 @@ def asks_there_is(document: Document, task: Task) -> bool:
     return task.type == "check_state" and "there" in around
 
 
+_BEFORE_ORDERS = frozenset(("please", "then"))
+
+
 def is_bare_being(document: Document, verb: int) -> bool:
-    """Whether a pronoun is said to be, or not to be, and no more: "if it is", "if they aren't"."""
+    """Whether a pronoun is said to be, or not to be, and no more: "if it is", "if they aren't turn them on"."""
     tokens = document.tokens
     before = next((token for token in reversed(tokens[:verb]) if token.lower not in _YET), None)
     if tokens[verb].lemma not in ("be", "'s") or before is None or before.lower not in PRONOUNS - {"there"}:
         return False
     behind = next((token for token in tokens[verb + 1 :] if token.lower not in DENYING | _YET), None)
-    return behind is None or behind.text in MARKS
+    # what stands in its base form behind a "be" is an order
+    return behind is None or behind.text in MARKS or behind.tag == "VB" or behind.lower in _BEFORE_ORDERS
 
 
 def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:

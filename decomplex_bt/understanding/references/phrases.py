@@ -177,8 +177,12 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
 
 
 def is_deed(document: Document, phrase: range) -> bool:
-    """Whether a phrase is what is done to something, as it is given that: "give it *a wipe*"."""
+    """Whether a phrase is what is done to something, as it is given that: "give it *a wipe*"; not "give me *a clean*
+    cup"."""
     said = [document.tokens[i].lower for i in phrase]
+    behind = document.tokens[phrase.stop : phrase.stop + 1]
+    if any(token.pos in ("NOUN", "PROPN", "ADJ") or token.lower in _NO_NOUNS for token in behind):
+        return False
     before = [token.lower for token in document.tokens[max(0, phrase.start - _NEAR) : phrase.start]]
     is_ended = MARKS.isdisjoint(before[before.index("give") :]) if "give" in before else False
     return said[:1] == ["a"] and said[-1] in _DEEDS and len(said) > 1 and is_ended

@@ -14,7 +14,7 @@ _OPENING_CASES = frozenset("if unless is are when should in".split())
 _SPEAKERS = frozenset(("me", "us"))
 _OTHERS = frozenset(("her", "him", "them"))
 _ONES = frozenset(("one", "ones"))
-_ELSE = frozenset("another no this these".split())
+_ELSE = frozenset("another other no this these".split())
 _MORE = frozenset(("too", "also", "well", "another"))
 _PRONOUNS = frozenset("some one it them that those any".split())
 _PHRASE = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
@@ -146,7 +146,8 @@ def _is_same(wished: Sequence[Token], asked: Sequence[Token]) -> bool:
     asked = [token for token in asked if token.lower not in _SPEAKERS and token.tag != "RP"]
     last = len(list(takewhile(lambda token: token.pos in ("DET", "ADJ"), asked)))
     if 0 < last < len(asked) and asked[last].lower in _ONES:  # "the blue one"
-        return asked[0].lower not in _ELSE and (last + 1 == len(asked) or asked[last + 1].lower != "of")
+        is_same = _ELSE.isdisjoint(token.lower for token in asked[:last])
+        return is_same and (last + 1 == len(asked) or asked[last + 1].lower != "of")
     if asked and asked[0].lower in _PRONOUNS and (len(asked) == 1 or asked[1].pos not in _PHRASE):
         return len(asked) == 1 or asked[1].lower != "of"
     first, second = _phrase(wished), _phrase(asked)
