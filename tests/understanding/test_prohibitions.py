@@ -28,6 +28,13 @@ def interpreter() -> Interpreter:
         ("Even when it's dark, don't light the lamp. Bring me a pen.", "light", ["Bring"]),
         ("Don't empty the bin; if it's full, tell me.", "empty", ["'s", "tell"]),
         ("If the pie is done, take it out, otherwise don't open the oven.", "open", ["is", "take"]),
+        ("Could you please not open the gate, but do shut the window?", "open", ["shut"]),
+        ("Would you mind not opening the gate? Bring me a pen.", "opening", ["Bring"]),
+        ("Can you not open the gate but light the lamp?", "open", ["light"]),
+        ("You'd better not open the gate. Shut the window.", "open", ["Shut"]),
+        ("You had better not open the gate. Shut the window.", "open", ["Shut"]),
+        ("Let's not open the gate. Shut the window.", "open", ["Shut"]),
+        ("Try not to open the gate, please, and shut the window.", "open", ["shut"]),
         ("Don't give the dog any cake, but if he's hungry, you may bring him a biscuit.", "give", ["'s", "bring"]),
     ],
 )

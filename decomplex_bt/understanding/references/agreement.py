@@ -8,6 +8,7 @@ from itertools import pairwise
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.first_names import MEN, WOMEN
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
@@ -30,6 +31,7 @@ _MALE = frozenset(
     "husband father dad papa daddy son brother man guy boy grandpa grandad granddad grandfather uncle nephew boyfriend "
     "grandson gentleman waiter mr mr.".split()
 )
+_FEMALE_OR_NAMED, _MALE_OR_NAMED = _FEMALE | WOMEN, _MALE | MEN
 _TITLES = frozenset("mrs mrs. ms ms. miss mr mr.".split())
 _PLACES = frozenset(("goal", "location", "source"))
 _ANY = frozenset(("a", "an", "one"))
@@ -170,15 +172,16 @@ def _is_had(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _gender(document: Document, candidate: Candidate) -> str:
-    """The pronoun of a person as far as the noun, a title or "John and *his* wife" tells it."""
+    """The pronoun of a person as far as the noun, a name, a title or "John and *his* wife" tells it."""
     tokens = document.tokens
-    words = {tokens[candidate.head].lemma.lower()}
+    head = tokens[candidate.head]
+    words = {head.lemma.lower()} | ({head.lower} if head.pos == "PROPN" else frozenset())
     if not candidate.mention:
         words |= {tokens[candidate.tokens.start].lower} & _TITLES
         behind = [token.lower for token in tokens[candidate.tokens.stop : candidate.tokens.stop + 2]]
         if tokens[candidate.head].pos == "PROPN" and behind[:1] == ["and"] and behind[1:] in (["his"], ["her"]):
             return GROUPS[behind[1]]
-    return "she" if words & _FEMALE else "he" if words & _MALE else ""
+    return "she" if words & _FEMALE_OR_NAMED else "he" if words & _MALE_OR_NAMED else ""
 
 
 def _somebody(context: Context, gap: Gap) -> range:

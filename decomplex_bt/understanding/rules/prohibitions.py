@@ -16,6 +16,9 @@ _AUXILIARIES = frozenset("do must should shall need dare".split())
 _BETWEEN = frozenset("please ever even".split())
 OMITTING = frozenset("forget omit neglect fail hesitate".split())
 """What not to do is to see to it: "don't forget to lock up", "don't hesitate to wake me"."""
+_POLITELY = frozenset("please maybe kindly perhaps possibly".split())
+_REQUESTING = frozenset("could can would will".split())
+_LETS = (("let", "'s"), ("let", "\u2019s"), ("let", "us"))
 _LIMITS = frozenset("only just merely simply".split())
 """What is "not only" done is done as well."""
 _NO_NEED = frozenset((("no", "need"), ("no", "reason"), ("no", "use")))
@@ -60,11 +63,15 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     for i in negations:
         # of what an "otherwise" forbids only what stands behind may say more
         governing = [cue for cue in cues if cue > i] if is_behind_otherwise(observed, i) else cues
-        if any(_may_govern(document, cue, i) for cue in governing) or observed.question[i]:
+        is_asked = _is_asked_not_to(document, i)
+        if any(_may_govern(document, cue, i) for cue in governing) or (observed.question[i] and not is_asked):
             continue
-        if tokens[i].lower != "never" and (i == 0 or tokens[i - 1].lower not in _AUXILIARIES):
+        is_told = tokens[i].lower == "never" or (i > 0 and tokens[i - 1].lower in _AUXILIARIES)
+        if not is_told and not is_asked:
             continue
         verb = i + 1
+        if is_asked and verb < len(tokens) and tokens[verb].lower == "to":
+            verb += 1  # "try not to wake her"
         if verb < len(tokens) and tokens[verb].lower in _LIMITS:
             continue
         while verb < len(tokens) and (tokens[verb].tag == "RB" or tokens[verb].lower in _BETWEEN):
@@ -72,9 +79,27 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         if verb + 2 < len(tokens) and tokens[verb].lower in _NEEDING and tokens[verb + 1].lower == "to":
             verb += 2  # "you don't need to wash it"
         is_named = verb < len(tokens) and tokens[verb].lemma not in OMITTING
-        if is_named and _is_bare(document, verb) and not _has_subject(document, verb):
+        is_verb = is_named and (_is_bare(document, verb) or (is_asked and tokens[verb].tag == "VBG"))
+        if is_verb and (is_asked or not _has_subject(document, verb)):
             found += [verb, *_joined(document, verb)]
     return tuple(sorted(set(found)))
+
+
+def _is_asked_not_to(document: Document, negation: int) -> bool:
+    """Whether a "not" is of a request not to do something: "could you please *not* open it", "would you mind *not*
+    opening it", "you'd better *not*", "let's *not*", "try *not* to"; no "couldn't you", which asks to do it."""
+    tokens = document.tokens
+    if tokens[negation].lower != "not":
+        return False
+    last = negation - 1
+    while last >= 0 and tokens[last].lower in _POLITELY:
+        last -= 1
+    ahead = tuple(token.lower for token in tokens[max(0, last - 2) : last + 1])
+    if ahead[-1:] == ("mind",):
+        ahead = ahead[:-1]
+    is_of_you = ahead[-1:] == ("you",) and ahead[-2:-1] and ahead[-2] in _REQUESTING
+    is_advice = ahead[-1:] == ("better",) and (ahead[:-1] in (("had",), ("you", "had")) or ahead[0] == "you")
+    return is_of_you or is_advice or ahead[-2:] in _LETS or ahead[-1:] == ("try",)
 
 
 def is_behind_otherwise(observed: Observed, negation: int) -> bool:
@@ -201,7 +226,8 @@ def is_needless(document: Document, verb: int) -> bool:
     """Whether a verb of `forbidden` is only not needed ("you don't need to wash it", "no use to wash it"), or something
     else is done in its place ("rather than wash it"), or it is an order to leave something as it is."""
     is_left = document.tokens[verb].lower == "leave" and not is_forbidden(document, verb)
-    return is_left or document.tokens[verb - 1].lower in ("to", "than", "of")
+    is_tried = verb > 1 and document.tokens[verb - 2].lower == "not"  # "try not to"
+    return is_left or (document.tokens[verb - 1].lower in ("to", "than", "of") and not is_tried)
 
 
 def _passed_over(document: Document) -> list[int]:
