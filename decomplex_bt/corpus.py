@@ -136,6 +136,8 @@ def read_markup(
     Raises `InputError` where a mark, a label, a task number or the flow is wrong.
     """
     text, marks = _strip_marks(marked)
+    if not text.strip():
+        raise InputError("the text is empty; expected an instruction")
     tasks: dict[int, Task] = {}
     arguments: dict[int, list[Argument]] = defaultdict(list)
     for number, label, referent, span in marks:

@@ -81,9 +81,12 @@ class Flow:
         With `task_count`, every number from 1 to it must occur exactly once, besides repeats (`{"same": [N]}`).
         Raises `InputError` where the form or the numbers are wrong, naming the entry.
         """
-        flow = cls(_read_sequence(value))
-        flow._check_numbers(task_count)
-        return cls(in_reading_order(flow.nodes))
+        try:
+            flow = cls(_read_sequence(value))
+            flow._check_numbers(task_count)
+            return cls(in_reading_order(flow.nodes))
+        except RecursionError:
+            raise InputError("flow: lists and branches lie in each other too deep to be read") from None
 
     def to_json(self) -> list[Any]:
         """The JSON form in normal form: one number under "if" is a number, empty branches are left out."""

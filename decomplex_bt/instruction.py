@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from decomplex_bt.errors import InputError
 from decomplex_bt.flow import Flow
 
 
@@ -198,3 +199,28 @@ def escaped(text: str) -> str:
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
+
+
+def check_instruction(instruction: Instruction) -> Instruction:
+    """The instruction, whoever made it. Raises `InputError` where its parts do not fit each other: tasks that are not
+    numbered from 1, each once, words outside its text, a flow without one of the tasks or with others."""
+    if not isinstance(instruction.text, str) or not isinstance(instruction.flow, Flow):
+        raise InputError(
+            f"no instruction: text {instruction.text!r}, flow {instruction.flow!r}; expected a str, a Flow"
+        )
+    numbers = [task.id for task in instruction.tasks]
+    if sorted(numbers) != list(range(1, len(numbers) + 1)):
+        raise InputError(f"the tasks have the numbers {numbers}; expected each from 1 to {len(numbers)} once")
+    for task in instruction.tasks:
+        for span in (task.span, *(argument.span for argument in task.arguments if argument.span is not None)):
+            if not 0 <= span.start < span.end <= len(instruction.text):
+                raise InputError(
+                    f"task {task.id}: no words of the text at {span.start} to {span.end}; it has "
+                    f"{len(instruction.text)} characters"
+                )
+        if task.repeats and task.repeats not in numbers:
+            raise InputError(f"task {task.id} repeats the verb of task {task.repeats}, which there is not")
+    if any(not node.tasks for node, _ in instruction.flow.walk()):
+        raise InputError("flow: a node without a task; expected one or more task numbers")
+    Flow.from_json(instruction.flow.to_json(), task_count=len(numbers))
+    return instruction

@@ -18,7 +18,7 @@ from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.values import choice, flag, known, number, several, whole
 from decomplex_bt.errors import InputError, among
-from decomplex_bt.instruction import Instruction
+from decomplex_bt.instruction import Instruction, check_instruction
 
 MAX_CHARACTERS = 2000
 """The longest instruction, in code points."""
@@ -231,12 +231,14 @@ def _set_state(draw: Draw, row: int, value: str) -> None:
 
 
 def _reading(key: str, value: Any) -> Instruction | None:
-    if value is None or isinstance(value, Instruction):
-        return value
+    if value is None:
+        return None
+    if isinstance(value, Instruction):
+        return check_instruction(value)
     if isinstance(value, Example):
-        return value.instruction
+        return check_instruction(value.instruction)
     if isinstance(value, Mapping):
-        return _from_mapping(key, value)
+        return check_instruction(_from_mapping(key, value))
     text = "a text, " if key == "instruction" else ""
     raise InputError(f"{key} is a {type(value).__name__}; expected {text}an Instruction or a corpus Example")
 

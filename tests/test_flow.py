@@ -74,3 +74,11 @@ def test_mentions_are_numbers_that_are_executed_nowhere() -> None:
 def test_neighbours_are_done_one_right_after_the_other():
     flow = Flow.from_json([1, {"if": [2, 3], "then": [4, 5], "else": [6]}, 7, 8])
     assert list(flow.neighbours()) == [(1, 2), (2, 4), (4, 5), (7, 8)]
+
+
+def test_what_is_nested_too_deep_is_refused() -> None:
+    flow: list[object] = [1]
+    for _ in range(5000):
+        flow = [{"if": 1, "then": flow}]
+    with pytest.raises(InputError, match="too deep"):
+        Flow.from_json(flow)

@@ -22,7 +22,7 @@ from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
 from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Instruction, Task
+from decomplex_bt.instruction import Instruction, Task, check_instruction
 from decomplex_bt.phrases import spoken
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.distribution import distributed
@@ -215,10 +215,11 @@ def _check(ask: Any, threshold: Any, planner: Any) -> None:
 
 
 def _annotated(flow: Any) -> Instruction | None:
-    if isinstance(flow, Example):
-        return flow.instruction
-    if flow is None or isinstance(flow, Instruction):
-        return flow
+    if flow is None:
+        return None
+    instruction = flow.instruction if isinstance(flow, Example) else flow
+    if isinstance(instruction, Instruction):
+        return check_instruction(instruction)
     raise InputError(f"flow is a {type(flow).__name__}; expected an annotated Instruction or a corpus Example")
 
 

@@ -48,6 +48,10 @@ def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) 
     Raises `UnknownWordError`, `ImpossibleGoalError`, or `MissingArgumentError` where `ask` is None or has no answer;
     all are `InputError`s that carry the task's number. A later mention of a task is not executed, and raises nothing.
     """
+    for task in instruction.tasks:
+        if task.type not in domain.ontology.task_types:
+            known = ", ".join(domain.ontology.task_types)
+            raise InputError(f"task {task.id} has the type {task.type!r}; expected one of {known}")
     instruction = passed_on(distributed(instruction))
     grounder = _Grounder(instruction, domain, ask)
     mentions = instruction.flow.mentions()

@@ -11,9 +11,11 @@ from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Task
 from decomplex_bt.planning.exclusions import excluded_phrase
 from decomplex_bt.planning.ground_task import FINDING_OUT, GroundTask, Referent
+from decomplex_bt.planning.modifiers import DEFINITE
 from decomplex_bt.planning.noun_phrase import NounPhrase
 from decomplex_bt.planning.others import too_few
 from decomplex_bt.planning.phrases import read_phrases
+from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.referents import Referents
 from decomplex_bt.planning.several import Several
 
@@ -41,6 +43,7 @@ class Objects:
                 continue
             for phrase in self._referents.phrases(argument):
                 self._refuse_anything(task, phrase)
+                phrase = self._sought(phrase) if task.type == "searching" else phrase
                 one = self._referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False)
                 every, places = self._several.read(phrase, one, task)
                 objects.append(every)
@@ -50,6 +53,12 @@ class Objects:
         objects = self._joined(objects)
         self._refuse_everything(task, objects, inner)
         return tuple(objects), tuple(inner)
+
+    def _sought(self, phrase: NounPhrase) -> NounPhrase:
+        """What is looked for: of "cups", unlike "the cups", any will do."""
+        is_plural = bool(phrase.plurals) and not (phrase.entities or phrase.is_all or phrase.is_pronoun)
+        words = split_preposition(phrase.text, self._domain)[1].split()
+        return replace(phrase, is_definite=False) if is_plural and words[0] not in DEFINITE else phrase
 
     def _joined(self, objects: list[Referent]) -> list[Referent]:
         """The objects of one task where one is other than another of them: "a pen and one more" are two pens."""

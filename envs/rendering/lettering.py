@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -87,10 +88,10 @@ def shorten(text: str, size: int, width: int) -> str:
     """The text, cut to `width` pixels with "..." at its end where it is longer."""
     if text_size(text, size)[0] <= width:
         return text
-    kept = text.removesuffix("...").rstrip()
-    while kept and text_size(f"{kept}...", size)[0] > width:
-        kept = kept[:-1]
-    return f"{kept.rstrip()}..."
+    kept, face = text.removesuffix("...").rstrip(), font(size)
+    # measured by halves: a word may be as long as an instruction
+    length = bisect_right(range(1, len(kept) + 1), width, key=lambda stop: round(face.getlength(f"{kept[:stop]}...")))
+    return f"{kept[:length].rstrip()}..."
 
 
 @dataclass(frozen=True, slots=True)

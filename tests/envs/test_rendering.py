@@ -201,3 +201,10 @@ def test_frames_are_quick(geometry: Geometry, scene: Scene) -> None:
     for _ in range(10):
         renderer.frame(scene)
     assert (time.perf_counter() - start) / 10 < 0.05
+
+
+@pytest.mark.parametrize("text", ["x" * 1900, "Bring me the cup, " * 60, "short"])
+def test_what_is_too_long_is_cut_to_the_width(text: str) -> None:
+    cut = shorten(text, 14, 300)
+    assert text_size(cut, 14)[0] <= 300
+    assert cut == text or (cut.endswith("...") and text_size(f"{text[: len(cut)]}...", 14)[0] > 300)

@@ -161,3 +161,12 @@ def test_everybody_else_is_all_but_those_named_before() -> None:
     for words in ("everyone else", "somebody else"):
         assert "anna" not in grounded(text.format(words), 2).tasks[1].recipients[0].candidates
     assert "anna" in grounded(text.format("everyone"), 2).tasks[1].recipients[0].candidates
+
+
+@pytest.mark.parametrize(("phrase", "all_meant"), [("cups", False), ("the cups", True), ("all cups", True)])
+def test_of_a_bare_plural_that_is_sought_any_will_do(phrase: str, all_meant: bool) -> None:
+    text = f"[Look](1:searching) [on the counter](1:location) for [{phrase}](1:object)"
+    (sought,) = grounded(text).tasks[0].objects
+    assert (sought.is_all, sought.is_any) == (all_meant, not all_meant)
+    (handled,) = grounded(f"[Wash](1:change_state) [{phrase}](1:object)").tasks[0].objects
+    assert handled.is_all
