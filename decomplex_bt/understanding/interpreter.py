@@ -27,7 +27,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
-from decomplex_bt.understanding.references.effects import with_effects, with_tries
+from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
 from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
@@ -203,7 +203,7 @@ class Interpreter:
     def _settled(self, document: Document, tasks: Sequence[Task], flow: Flow) -> tuple[Task, ...]:
         """The tasks, their values as English settles them once it is known what words refer to."""
         tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
-        tasks = with_effects(document, tasks, self.domain.lexicon)
+        tasks = without_outcomes(document, with_effects(document, tasks, self.domain.lexicon), self.domain.lexicon)
         tasks = with_tries(document, tasks, flow, self.domain.lexicon)
         return with_messages(document, tasks, flow)
 

@@ -44,3 +44,17 @@ def test_what_is_tried_where_a_change_fails_is_changed_likewise(
 def test_where_something_is_looked_for_instead_nothing_is_changed(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Bring me the keys from the desk. If they aren't there, try the shelf.")
     assert (found.tasks[-1].type, found.tasks[-1].value("location")) == ("searching", "the shelf")
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("Bring me a clean jug. If there is none, wash one and bring it to me.", ["a clean jug", "a jug", "a jug"]),
+        ("If there is no clean spoon, rinse one.", ["a spoon"]),
+        ("Bring me a red jug. If there is none, wash one.", ["a red jug", "a red jug"]),
+        ("Take the clean jug, wash it and bring it to me.", ["the clean jug", "the clean jug", "the clean jug"]),
+    ],
+)
+def test_one_is_brought_into_a_state_that_it_is_not_in(interpreter: Interpreter, text: str, values: list[str]) -> None:
+    tasks = interpreter.interpret(text).tasks
+    assert [task.value("object") for task in tasks if task.type != "check_state"] == values

@@ -1,5 +1,5 @@
 """Effects: the state that an order ends in, which a bare "if it isn't already" behind it asks, and which is tried on
-another thing where it fails ("turn the tv on; if it won't, try the radio")."""
+another thing where it fails ("turn the tv on; if it won't, try the radio"), and in which nothing is before."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.gaps import DENYING, is_bare_being
 
 _OPENING = frozenset(("if", "unless"))
+_ANY_ONE = frozenset("one ones some".split())
+_TAKEN_UP = frozenset("it that this them those".split())
 _ANSWERED = frozenset(("state", "location"))
 
 
@@ -49,6 +51,31 @@ def with_tries(document: Document, tasks: Sequence[Task], flow: Flow, lexicon: L
                 told = (Argument("state", state, None, task.confidence), replace(named, type="object"))
                 found[task.id] = replace(task, type="change_state", arguments=told)
     return tuple(found[task.id] for task in tasks)
+
+
+def without_outcomes(document: Document, tasks: Sequence[Task], lexicon: Lexicon) -> tuple[Task, ...]:
+    """The tasks; what "one" is brought into a state is none that is in it: where there is no clean cup, "wash *one*" is
+    of a cup, as is the "it" that is then brought."""
+    meant: dict[str, str] = {}
+    found: list[Task] = []
+    for task in tasks:
+        arguments = []
+        for argument in task.arguments:
+            said = "" if argument.span is None else argument.span.of(document.text).lower()
+            value = argument.value.lower()
+            if task.type == "change_state" and said in _ANY_ONE and argument.type == "object":
+                state = _end(document, task, lexicon)
+                words = argument.value.split()
+                if state is not None and state in value.split()[:-1]:
+                    rest = [word for word in words if word.lower() != state]
+                    is_bare = said == "one" and len(rest) == 1  # of "no clean spoon"
+                    meant[value] = f"{'an' if rest[0][0] in 'aeiou' else 'a'} {rest[0]}" if is_bare else " ".join(rest)
+                    argument = replace(argument, value=meant[value])
+            elif value in meant and (not said or said in _TAKEN_UP):
+                argument = replace(argument, value=meant[value])
+            arguments.append(argument)
+        found.append(replace(task, arguments=tuple(arguments)))
+    return tuple(found)
 
 
 def _tried(document: Document, task: Task) -> Argument | None:
