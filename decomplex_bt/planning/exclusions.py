@@ -13,7 +13,7 @@ _EXCEPT = re.compile(
     r"[\s,]*\b(?:(?:all )?(?:except(?:ing)?(?: for)?|excluding|apart from|aside from|other than|save for|but for)|"
     r"(?P<but>(?:all )?but(?= (?:the|my|our|your|his|her|that|those)\b))|"
     r"but not(?! (?:if|when|before|after|until|unless|yet|while)\b)|"
-    r"(?P<aside>(?:and )?not(?= (?:the|a|an|any|my|that|those)\b))|"
+    r"(?P<aside>(?:(?:and )?not|(?:but|just) leave)(?= (?:the|a|an|any|my|that|those)\b))|"
     r"(?P<clause>(?:that|which)(?: (?:is|are)(?:n['\u2019]t| not)|['\u2019](?:s|re) not)(?: yet)?))\s+",
     re.IGNORECASE,
 )
@@ -29,6 +29,8 @@ _BEING = re.compile(
     r"\s+((?:switched |turned |plugged )?\w+)\b",
     re.IGNORECASE,
 )
+_WHERE_IT_IS = re.compile(r"\s+(?:where|as)\s.*$", re.IGNORECASE | re.DOTALL)
+"""Behind "but leave the remote"."""
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
 _JOINT = re.compile(r"\b(?:and|but|then|so)[\s,]*$", re.IGNORECASE)
 _ENDS_IN_ONE = re.compile(r"\bones?\s*$", re.IGNORECASE)
@@ -73,7 +75,7 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
             kept.append(argument)
             end = min(end, span.start)
     words = text[match.end() : end]
-    words = words[: _END.search(words).start()].strip()  # type: ignore[union-attr]  # it finds the end at the latest
+    words = _WHERE_IT_IS.sub("", words)[: _END.search(words).start()].strip()  # type: ignore[union-attr]  # it finds the end at the latest
     if match["clause"] and len(words.split()) == 1:
         words = f"the {words} one"  # "that is not red"
     return replace(task, arguments=tuple(kept)), Exclusion(words, bool(match["aside"])) if words else None

@@ -38,13 +38,18 @@ class Objects:
         """The referents of the object arguments that fit, and of the places inside their phrases."""
         objects: list[Referent] = []
         inner: list[Referent] = []
+        said = frozenset(rooms)
         for argument in task.arguments:
             if argument.type != "object":
                 continue
-            for phrase in self._referents.phrases(argument):
+            phrases = self._referents.phrases(argument)
+            for phrase in phrases:
                 self._refuse_anything(task, phrase)
+                # "turn off *the tv* and the light in the bedroom" with the tv elsewhere: the place is the light's
+                is_placed = phrase is phrases[-1] or self._referents.may_be_in(phrase, said)
                 phrase = self._sought(phrase) if task.type == "searching" else phrase
-                one = self._referents.referent(phrase, fits, ability, rooms=frozenset(rooms), is_place=False)
+                where = said if is_placed else frozenset()
+                one = self._referents.referent(phrase, fits, ability, rooms=where, is_place=False)
                 every, places = self._several.read(phrase, one, task)
                 objects.append(every)
                 inner.extend(places)

@@ -203,6 +203,11 @@ class Referents:
         first = self._mentioned.setdefault(_key(referent), referent)
         return first if (first.is_all, first.count) == (referent.is_all, referent.count) else referent
 
+    def may_be_in(self, phrase: NounPhrase, rooms: frozenset[str]) -> bool:
+        """Whether something that a phrase names may be in one of some rooms."""
+        names = (*phrase.entities, *phrase.plurals)
+        return any(not self.is_fixed(name) or rooms & {*self._rooms(name)} for name in names)
+
     def _in_rooms(self, names: tuple[str, ...], rooms: frozenset[str], words: str) -> tuple[str, ...]:
         """Of fixed candidates those in the rooms that are said."""
         there = tuple(name for name in names if not self.is_fixed(name) or rooms & {*self._rooms(name)})

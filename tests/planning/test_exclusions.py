@@ -25,6 +25,8 @@ def candidates(text: str, count: int = 1) -> set[str]:
         (CLOSE + "[all the windows except the one](1:object) [in the bedroom](1:location).", {"bedroom_window"}),
         (CLOSE + "[every window](1:object) but not the kitchen window.", {"kitchen_window"}),
         (CLOSE + "[every window but the one in the kitchen](1:object).", {"kitchen_window"}),
+        (CLOSE + "[all the windows](1:object), but leave the kitchen window.", {"kitchen_window"}),
+        (CLOSE + "[all the windows](1:object) but leave the kitchen window as it is.", {"kitchen_window"}),
         (CLOSE + "[the windows](1:object), all but the bedroom window.", {"bedroom_window"}),
         (CLOSE + "[every window](1:object) except [in the kitchen](1:location).", {"kitchen_window"}),
         (CLOSE + "[every window](1:object) except for the kitchen.", {"kitchen_window"}),

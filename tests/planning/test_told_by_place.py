@@ -81,3 +81,25 @@ def test_what_tells_no_place_from_another_changes_nothing(text: str, count: int)
     bare = first(text.split("(1:goal)")[0] + "(1:goal)")
     assert first(text, count).goal == bare.goal
     first("[Tell](1:informing) [Anna](1:recipient) [where the keys are](1:message)")
+
+
+@pytest.mark.parametrize(
+    ("order", "meant"),
+    [
+        ("[Turn](1:change_state) [off](1:state) [the tv and the light](1:object) [in the bedroom](1:location).", "tv"),
+        (
+            "[Close](1:change_state) [the front door and the window](1:object) [in the bedroom](1:location).",
+            "front_door",
+        ),
+        ("[Close](1:change_state) [the curtains and the window](1:object) [in the bedroom](1:location).", "bedroom_"),
+    ],
+)
+def test_a_place_is_of_what_can_be_there(order: str, meant: str) -> None:
+    one, other = first(order).objects
+    assert all(name.startswith(meant) for name in one.candidates)
+    assert all(name.startswith("bedroom_") for name in other.candidates)
+
+
+def test_the_last_of_several_has_to_be_there() -> None:
+    with pytest.raises(ImpossibleGoalError, match="the tv"):
+        first("[Turn](1:change_state) [off](1:state) [the light and the tv](1:object) [in the bedroom](1:location).")
