@@ -13,6 +13,10 @@ from decomplex_bt.envs.navigation import steer_turn, wrap
 
 LOOK_STEPS = 12
 """[control steps] How long one look at a place from one spot may take."""
+LONG, LONGEST = 10.0, 20.0
+"""[m] From which length on a room is driven along in one go, and from which that takes longer than is remembered."""
+FROM_END = 3.5
+"""[m] How far from the ends of a long room it is looked round."""
 MAX_SPOTS = 8
 """From how many spots a place is looked at before it counts as impossible to inspect."""
 
@@ -25,7 +29,9 @@ def inspect(body: HouseholdEmbodiment, place: str) -> Script:
             return
         yield action
     if place not in senses.inspected:
-        raise SkillError(f"{say_name(place)} could not be looked at from anywhere")
+        is_long = place.endswith("_floor") and max(_sides(body, place)) > LONGEST
+        why = "is too long to be seen whole" if is_long else "could not be looked at from anywhere"
+        raise SkillError(f"{say_name(place)} {why}")
 
 
 def sense(body: HouseholdEmbodiment, fact: str, thing: str, place: str) -> Script:
@@ -104,6 +110,11 @@ def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
     room = floor.removesuffix("_floor")
     plan, senses = body.floorplan, body.senses
     yield from turn_round(body)
+    length = max(_sides(body, floor))
+    if length > LONG:
+        yield from _sweep(body, room)
+    if length > LONGEST:
+        return  # who or what is there was seen on the way
     left, bottom, right, top = body.house.rooms[room].rect
     count = max(1, round((right - left) / 2.5)), max(1, round((top - bottom) / 2.5))
     spots = [
@@ -117,6 +128,28 @@ def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
         cells = plan.cells_around(x, y, nearest=0.0, farthest=0.6, room=room)
         if cells.size:
             with suppress(SkillError):  # people may stand in its way, and what is behind them be seen past them
+                yield from drive_to(body, cells, lambda: False, towards=say_name(room))
+            yield from turn_round(body)
+
+
+def _sides(body: HouseholdEmbodiment, floor: str) -> tuple[float, float]:
+    left, bottom, right, top = body.house.rooms[floor.removesuffix("_floor")].rect
+    return right - left, top - bottom
+
+
+def _sweep(body: HouseholdEmbodiment, room: str) -> Iterator[Action]:
+    """Looks back near one end of a long room and drives to the other at once: spot by spot the first would be seen
+    longer ago than is remembered."""
+    left, bottom, right, top = body.house.rooms[room].rect
+    x, y = (left + right) / 2, (bottom + top) / 2
+    is_wide = right - left > top - bottom
+    ends = [(left + FROM_END, y), (right - FROM_END, y)] if is_wide else [(x, bottom + FROM_END), (x, top - FROM_END)]
+    pose = body.senses.pose
+    ends.sort(key=lambda end: math.hypot(end[0] - pose.x, end[1] - pose.y))
+    for end in ends:
+        cells = body.floorplan.cells_around(*end, nearest=0.0, farthest=0.6, room=room)
+        if cells.size:
+            with suppress(SkillError):
                 yield from drive_to(body, cells, lambda: False, towards=say_name(room))
             yield from turn_round(body)
 

@@ -15,7 +15,7 @@ LOOKS = 2
 """Looks in a row that must agree before a thing that was not seen counts as not there: one look may miss it."""
 MAX_ATTEMPTS = 4
 """Failures of one step after which it is not tried again."""
-FINAL_REASONS = ("broken", "not possible")
+FINAL_REASONS = ("broken", "not possible", "too long to be seen")
 """Words in a step's reason of failure that make trying it again pointless."""
 GONE_REASONS = ("not there any more", "have lost")
 """Words in a step's reason of failure that say that whoever it is about is not where they were."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+import yaml
 
 from decomplex_bt.behaviour.embodiment import SkillStatus
 from decomplex_bt.corpus import read_markup
@@ -12,6 +13,7 @@ from decomplex_bt.envs.following import _look_for
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.looking import turn_round
+from decomplex_bt.planning.belief import FINAL_REASONS
 from decomplex_bt.planning.pddl import GroundAction
 
 DOMAIN = load_domain("household")
@@ -22,8 +24,8 @@ NEVER = read_markup("[Turn](1:change_state) [on](1:state) [the fan](1:object).",
 class Try:
     """An episode without chance in which skills are carried out one after the other."""
 
-    def __init__(self, **options):
-        self.env = HouseholdEnv(NEVER)
+    def __init__(self, *, house=None, **options):
+        self.env = HouseholdEnv(NEVER, house=house)
         self.body = self.env.embodiment()
         self.observation, _ = self.env.reset(seed=1, options={"chance": False, **options})
         self.body.reset(self.observation)
@@ -258,3 +260,15 @@ def test_who_is_asked_to_lead_on_is_the_one_who_was_followed(goal):
             observation, *_, info = env.step(oracle.act(observation))
         assert info["is_success"], seed
         assert info["seconds"] < 100, seed
+
+
+@pytest.mark.parametrize(("length", "status", "most"), [(16, SkillStatus.SUCCESS, 400), (30, SkillStatus.FAILURE, 600)])
+def test_a_long_hall_is_driven_along_once(tmp_path, length, status, most):
+    data = yaml.safe_load((DOMAIN.folder / "house.yaml").read_text())
+    data["rooms"]["hallway"]["rect"][2] = length
+    data["robot_start"] = {"hallway": 1}
+    path = tmp_path / "house.yaml"
+    path.write_text(yaml.safe_dump(data, sort_keys=False))
+    tick = attempt(house=path).do("inspect hallway_floor", max_steps=most)
+    assert tick.status is status
+    assert status is SkillStatus.SUCCESS or any(final in tick.reason for final in FINAL_REASONS)
