@@ -35,8 +35,10 @@ def gapped_pair(context: Context, gap: Gap) -> Candidate | None:
 def is_torn(context: Context, candidate: Candidate) -> bool:
     """Whether a list is none, since its parts lie in two halves of a gapped order: "*the tea and Dad*" of "bring Mum
     the tea and Dad the coffee"."""
+    if candidate.shape != "in.across.list":
+        return False
     owner = next((task for task in context.tasks if task.id == candidate.owner), None)
-    return candidate.shape == "in.across.list" and owner is not None and len(_several(owner)) > 1
+    return owner is not None and len(_several(owner)) > 1
 
 
 def _rows(context: Context, gap: Gap) -> dict[str, list[Candidate]]:
