@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import json
+import shlex
 import subprocess
 import sys
 from dataclasses import replace
@@ -425,6 +426,13 @@ def test_help_loads_nothing_heavy() -> None:
 def test_the_package_runs_without_its_console_script(module: str) -> None:
     done = subprocess.run([sys.executable, "-m", module, "--version"], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == decomplex_bt.__version__
+
+
+@pytest.mark.parametrize("command", ['tree "Turn on the tv."', 'run "Turn on the tv." --seed 1', "corpus --help"])
+def test_output_that_was_closed_from_the_start_is_no_error(command: str) -> None:
+    shell = f"{shlex.quote(sys.executable)} -m decomplex_bt.cli {command} >&-"
+    done = subprocess.run(["sh", "-c", shell], stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_reader_that_stops_is_no_error() -> None:

@@ -63,6 +63,8 @@ def _options(
 def main(argv: Sequence[str] | None = None) -> int:
     """Runs the command line on `argv` (default: the process' arguments); returns the exit status, never raises."""
     arguments = list(sys.argv[1:] if argv is None else argv)
+    if sys.stdout is None:  # closed before the start ("run ... --record film.gif >&-"): what is printed goes nowhere
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - until the process ends
     try:
         result = typer.main.get_command(app).main(arguments, prog_name="decomplex-bt", standalone_mode=False)
         if result == INTERRUPTED:  # typer has caught what `except` is for below

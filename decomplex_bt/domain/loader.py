@@ -96,7 +96,9 @@ def load_domain(domain: str | Path = "household") -> Domain:
 
 
 def is_folder(domain: str | Path) -> bool:
-    """Whether a domain is said by its folder, not by the name of a shipped one."""
+    """Whether a domain is said by its folder, not by the name of a shipped one. Raises `InputError` for neither."""
+    if not isinstance(domain, str | Path):
+        raise InputError(f"domain is {domain!r}; expected the name of a shipped one, a folder or a Domain")
     return isinstance(domain, Path) or Path(domain).name != domain
 
 

@@ -102,3 +102,9 @@ def test_a_folder_may_be_a_text_with_a_slash(tmp_path: Path) -> None:
         load_domain(f"{tmp_path}/")
     folder = load_domain("household").folder
     assert load_domain(str(folder)).folder == folder
+
+
+@pytest.mark.parametrize("domain", [3, [], b"household"])
+def test_what_is_no_domain_is_refused(domain: object) -> None:
+    with pytest.raises(InputError, match="domain is"):
+        load_domain(domain)  # type: ignore[arg-type]
