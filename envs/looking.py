@@ -15,6 +15,8 @@ LOOK_STEPS = 12
 """[control steps] How long one look at a place from one spot may take."""
 LONG, LONGEST = 10.0, 20.0
 """[m] From which length on a room is driven along in one go, and from which that takes longer than is remembered."""
+BROAD = 8.0
+"""[m] From which breadth on a room is not seen from wall to wall by driving along it."""
 FROM_END = 3.5
 """[m] How far from the ends of a long room it is looked round."""
 MAX_SPOTS = 8
@@ -110,10 +112,10 @@ def _look_over_floor(body: HouseholdEmbodiment, floor: str) -> Iterator[Action]:
     room = floor.removesuffix("_floor")
     plan, senses = body.floorplan, body.senses
     yield from turn_round(body)
-    length = max(_sides(body, floor))
+    breadth, length = sorted(_sides(body, floor))
     if length > LONG:
         yield from _sweep(body, room)
-    if length > LONGEST:
+    if length > LONGEST and breadth < BROAD:
         return  # who or what is there was seen on the way
     left, bottom, right, top = body.house.rooms[room].rect
     count = max(1, round((right - left) / 2.5)), max(1, round((top - bottom) / 2.5))

@@ -30,7 +30,7 @@ _BEING = re.compile(
     re.IGNORECASE,
 )
 _WHERE_IT_IS = re.compile(r"\s+(?:where|as)\s.*$", re.IGNORECASE | re.DOTALL)
-"""Behind "but leave the remote"."""
+"""Behind "but leave the remote" alone: "except the one where Tom is" tells which."""
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
 _JOINT = re.compile(r"\b(?:and|but|then|so)[\s,]*$", re.IGNORECASE)
 _ENDS_IN_ONE = re.compile(r"\bones?\s*$", re.IGNORECASE)
@@ -75,7 +75,9 @@ def without_exclusion(instruction: Instruction, task: Task) -> tuple[Task, Exclu
             kept.append(argument)
             end = min(end, span.start)
     words = text[match.end() : end]
-    words = _WHERE_IT_IS.sub("", words)[: _END.search(words).start()].strip()  # type: ignore[union-attr]  # it finds the end at the latest
+    words = words[: _END.search(words).start()].strip()  # type: ignore[union-attr]  # it finds the end at the latest
+    if match[0].split()[-1].lower() == "leave":
+        words = _WHERE_IT_IS.sub("", words)
     if match["clause"] and len(words.split()) == 1:
         words = f"the {words} one"  # "that is not red"
     return replace(task, arguments=tuple(kept)), Exclusion(words, bool(match["aside"])) if words else None

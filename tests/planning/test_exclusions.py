@@ -44,6 +44,12 @@ def test_what_is_left_out_is_not_meant(text: str, left_out: set[str]) -> None:
     assert candidates(text) == WINDOWS - left_out
 
 
+def test_a_clause_that_tells_which_one_is_left_out_is_not_lost() -> None:
+    order = "[Turn](1:change_state) [off](1:state) [all the lights](1:object) "
+    with pytest.raises(ImpossibleGoalError, match="'the one where the bed is'"):
+        candidates(f"{order}except the one where the bed is.")
+
+
 def test_what_comes_after_an_exclusion_is_still_said() -> None:
     text = (
         "[Bring](1:bringing) [all the pens except the red one](1:object) [to Anna](1:recipient) and "
