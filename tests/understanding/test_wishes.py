@@ -31,6 +31,8 @@ def served(parser: Parser, text: str) -> bool:
         "Anna would like a cup of tea. Please bring her one.",
         "My son wants the map, take him the old one.",
         "I'd love a towel. Bring me the big one.",
+        "I want the plates, bring them.",
+        "I'd like the pens. Bring them here, please.",
     ],
 )
 def test_a_wish_that_a_request_serves(parser: Parser, text: str) -> None:

@@ -66,8 +66,8 @@ def without_outcomes(document: Document, tasks: Sequence[Task], lexicon: Lexicon
             if task.type == "change_state" and said in _ANY_ONE and argument.type == "object":
                 state = _end(document, task, lexicon)
                 words = argument.value.split()
-                if state is not None and state in value.split()[:-1]:
-                    rest = [word for word in words if word.lower() != state]
+                rest = [word for word in words if word.lower() != state]
+                if rest and state is not None and state in value.split()[:-1]:
                     is_bare = said == "one" and len(rest) == 1  # of "no clean spoon"
                     meant[value] = f"{'an' if rest[0][0] in 'aeiou' else 'a'} {rest[0]}" if is_bare else " ".join(rest)
                     argument = replace(argument, value=meant[value])

@@ -85,7 +85,9 @@ def is_served(document: Document, wish: int, request: int) -> bool:
     tokens, sentences = document.tokens, document.sentences
     if tokens[wish].lemma not in _WISHING or sentences[request] > sentences[wish] + 1:
         return False
-    is_given_to_others = request + 1 < len(tokens) and tokens[request + 1].lower in _OTHERS
+    behind = tokens[request + 1 : request + 3]  # "bring *them some*", not "bring *them* here"
+    is_given_to_others = len(behind) > 1 and behind[0].lower in _OTHERS
+    is_given_to_others = is_given_to_others and (behind[1].pos in _PHRASE or behind[1].lower in _PRONOUNS)
     if is_given_to_others is _is_own(document, wish):
         return False
     wished = tokens[wish + 1 : request]
