@@ -1,7 +1,7 @@
 """Dialects: the plain word for one that only some people say or type ("fae", "owt", "oot").
 
 Only words that are none in plain English, and of which the training corpus has few ("u" and "pls" it knows). What is
-meant is read; spans and values keep what was said.
+meant is read; spans and values keep what was said. A "plus" that lists things is read as the "and" that it stands for.
 """
 
 from __future__ import annotations
@@ -77,6 +77,8 @@ _STEMS |= {
 """What a Scottish "not" is joined to, and the plain word for it."""
 _NOTS = frozenset(("nae", "na", "ny", "nay"))
 _ENGLISH = frozenset(("arena", "canny"))
+_ENDING = frozenset(". ! ? ; :".split())
+_DETERMINERS = frozenset("a an the some any my our your his her their this that these those another".split())
 _JOINING = frozenset(", . ; : ! ? - and but so then right okay ok".split())
 
 
@@ -105,4 +107,13 @@ def _plain_word(words: Sequence[str], i: int) -> str | None:
         return _STEMS[word] if is_joined and _STEMS[word] != word else _PLAIN.get(word)
     if word == "gonnae":  # "gonnae shut it" asks, "she's gonnae come" says what will be
         return "please" if i == 0 or words[i - 1].lower() in _JOINING else None
+    if word == "plus" and _lists_on(words, i):
+        return "and"
     return _PLAIN.get(word)
+
+
+def _lists_on(words: Sequence[str], i: int) -> bool:
+    """Whether a "plus" adds one more thing to those named, and no order: "a plate, *plus* a fork", not ". Plus, the
+    light is on"."""
+    behind = words[i + 1].lower() if i + 1 < len(words) else ""
+    return i > 1 and words[i - 1] not in _ENDING and behind in _DETERMINERS

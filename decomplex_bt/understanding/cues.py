@@ -30,7 +30,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "so": (
             "if so", "if yes", "if yeah", "if that is the case", "in that case", "in which case", "if true", "if possible", "if you can",
             "if that works", "if it works", "if it does", "if you do", "if you succeed", "if successful", "if that is so", "if positive", "if you manage",
-            "if any", "in the positive case", "in the affirmative case", "on success", "if affirmative", "in that event", "in which event", "if that is fine", "if that is ok", "if that goes well",
+            "if any", "in this case", "in such a case", "in the latter case", "in the second case", "in the positive case", "in the affirmative case", "on success", "if affirmative", "in that event", "in which event", "if that is fine", "if that is ok", "if that goes well",
         ),
         "else": (
             "otherwise", "or else", "else", "elsewise", "alternatively", "as an alternative", "if not", "or if not", "and if not", "if no",
@@ -206,10 +206,12 @@ def _counts(document: Document, instead: int) -> bool:
 
 def _goes_on(document: Document, words: Sequence[str], position: int, end: int) -> bool:
     """Whether words that may stand for a whole condition only begin one: "if no cup is clean"; where nothing was said
-    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"; and "if none comes" says itself what does not."""
+    before, that they could mean, also "if none of the cups is clean" and "if you are unable to open it"; and "if none
+    comes" and "if none of them is open" say themselves what does not, or what none is."""
     is_first = not any(token.pos == "VERB" for token in document.tokens[:position])
     comes = document.tokens[end] if end < len(words) else None
     is_of_none = words[end - 1] == "none" and comes is not None and comes.pos == "VERB" and comes.tag in ("VBZ", "VBP")
+    is_of_none = is_of_none or _denies_some(words, end)
     is_known = words[position] == "if" and (is_first or words[end - 1] == "no" or is_of_none)
     if words[position] != "if" or not (is_known or _denies_named(document, words, end)):
         return False
@@ -226,9 +228,15 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
     ) or words[end : end + 1] in (["one"], ["body"])
 
 
+def _denies_some(words: Sequence[str], end: int) -> bool:
+    """Whether a "none" or "neither" says of those spoken of how, or where, none is: "if none of them *is open*"."""
+    rest = words[end + 2 :] if words[end : end + 1] == ["of"] else words[end:]
+    return words[end - 1] in ("none", "neither") and rest[:1] in (["is"], ["are"], ["was"], ["were"])
+
+
 def _denies_named(document: Document, words: Sequence[str], end: int) -> bool:
     """Whether a "none", "neither" or "nothing" says of which things: "none of the windows", "neither lamp", "nothing is
-    in the box"; not "none of that", "neither is there"."""
+    in the box"; not "none of that"."""
     rest = document.tokens[end : next((t.i for t in document.tokens[end:] if t.text in MARKS), len(document))]
     denied = words[end - 1]
     if denied == "none" and words[end : end + 1] == ["of"]:

@@ -34,6 +34,8 @@ BOTH = "="
 """Ends an attachment of what is done on the other side as well."""
 _DESERTED = frozenset("free empty vacant unoccupied available deserted clear".split())
 """Says of a place that nobody is there."""
+_AT_WORK = frozenset("working running going functioning operating operational lit live powered".split())
+"""Says of what is switched on that it does what it should."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +72,8 @@ class Wording:
     def contradicts(self, first: Wording) -> bool:
         """Whether a mention, its negation aside, says the opposite of what it mentions: another state of the same
         thing (else why say it), or that it failed."""
-        if self.state is not None and first.state is not None and self.state != first.state:
+        is_at_work = first.state == "on" and self.state in _AT_WORK  # "turn on the fan; if it isn't working, ..."
+        if self.state is not None and first.state is not None and self.state != first.state and not is_at_work:
             return True
         if first.is_of_anybody and self.state in _DESERTED:
             return True  # "see if anyone is in there. If it's free, ..."

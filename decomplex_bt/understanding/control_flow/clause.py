@@ -161,6 +161,12 @@ class Clause:
     """Whether it says not to forget it: "*don't forget to* lock up"."""
     is_had: bool = False
     """Whether it waits until something is in hand: "once *you have it*, ..."."""
+    case: str = ""
+    """Whether words ahead say that it is done in the "same" case as the task before, or in the "other" one: "*in that
+    case*, also ...", "*in the former case*"."""
+    of_both: str = ""
+    """Whether an "if" is of "neither" or "either" of what was asked before: "*if neither*, ...", "if it's *in
+    either*"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
 
@@ -254,6 +260,11 @@ class Clause:
         """Whether it asks who or what something is: "if it's the plumber"."""
         is_named = self.verb in ("be", "'s", "\u2019s") and bool(self.objects) and not self.says_there_is
         return self.is_check and (bool(self.identified) or (is_named and not self.said_state and not self.places))
+
+    @property
+    def is_finding_out(self) -> bool:
+        """Whether it is an order to find something out, or a question."""
+        return (self.task.type == "searching" or self.is_asked) and not self.is_forbidden
 
     @property
     def is_wish(self) -> bool:

@@ -31,6 +31,14 @@ def lacks_too(clause: Clause, before: Clause) -> bool:
     return is_named and "either" in clause.behind and before.task.type in FINDING and "if" in clause.near
 
 
+def lacks_kind(clause: Clause, before: Clause) -> bool:
+    """Whether it says that none of what the order before names is as that calls them: "close the *open* windows, and if
+    none of them *is open*, ..."."""
+    is_none = clause.is_check and clause.wording.is_negated and set(clause.objects) <= {"none"} and "if" in clause.near
+    is_change = before.task.type in ("change_state", "taking", "bringing", "placing") and before.number != "one"
+    return is_none and is_change and bool(before.objects) and clause.wording.state in before.thing
+
+
 def is_failure_of(clause: Clause, before: Clause, named: Clause) -> bool:
     """Whether it says no more than that the change before it failed: "unlock it, and if it won't open, ..." or "if
     the trunk won't open"; `named`: the clause up to there that last names a thing, which may be put in what is

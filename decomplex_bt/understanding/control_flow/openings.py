@@ -52,6 +52,8 @@ _PARTING = PUNCTUATION | frozenset("and but then so or first before please just"
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
+_CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | dict.fromkeys(("former", "first"), "other")
+"""Which case is meant by what stands before "case", behind what is done in one."""
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
 _AMOUNTS = (["how", "many"], ["how", "much"])
@@ -94,6 +96,32 @@ def turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ..
         elif cue.name == "else" and not is_adverb(document, cue.first):
             found.append("otherwise")
     return tuple(found)
+
+
+def takes_up_case(document: Document, previous: int, token: int) -> str:
+    """ "same" where the words ahead of a verb, up to the task before, say that it is done in the case of that ("*in
+    that case*, also ..."), "other" where in the other one ("*in the former case*"); else ""."""
+    words = [normal_form(t.lower) for t in document.tokens[previous + 1 : token]]
+    for i, word in enumerate(words):
+        if word == "case" and "in" in words[max(0, i - 3) : i]:
+            return _CASES.get(words[i - 1], "")
+    return ""
+
+
+def of_both(document: Document, previous: int, token: int, last: int) -> str:
+    """ "neither" or "either", where an "if" ahead of a verb is of none, or any, of what was asked before: "*if
+    neither*, ...", "*if it isn't in either*, ...", "*if either* is, ..."; else ""."""
+    words = [normal_form(t.lower) for t in document.tokens[previous + 1 : max(token, last) + 1]]
+    if "if" not in words[: token - previous]:
+        return ""
+    words = words[words.index("if") :]
+    if not {"neither", "none"}.isdisjoint(words):
+        return "neither"
+    if "either" not in words[:-1] and words[-1:] != ["either"] or words[-2:] == ["there", "either"]:
+        return ""
+    is_case = words[1] == "either" and words[2:3] != ["way"]
+    is_place = words[words.index("either") - 1] in ("in", "of", "on", "at")
+    return ("neither" if "not" in words else "either") if is_case or is_place else ""
 
 
 def calls_off(document: Document, previous: int, token: int, following: int, leading: Sequence[str]) -> bool:

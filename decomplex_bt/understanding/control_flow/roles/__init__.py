@@ -49,6 +49,7 @@ _RULES = (
     orders.ask_of_order,
     parts.wish,
     parts.lack_one,
+    parts.find_neither,
     parts.tell_of_both,
     parts.miss_anywhere,
 )

@@ -241,6 +241,20 @@ def lack_one(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1 : k + 1] = "task", "condition"
 
 
+def find_neither(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Of two things to be found out one does where it is said in which case neither holds, or either ("is it in the
+    hall? Is it in the shed? *If neither*, ...")."""
+    if are_asked_of_both(clauses, k) and roles[k - 1] in CONDITION_ROLES:
+        roles[k] = "or"
+
+
+def are_asked_of_both(clauses: Sequence[Clause], k: int) -> bool:
+    """Whether clause `k` and the one before say what is to be found out, and the one behind is for where neither holds,
+    or either."""
+    is_of_both = k + 1 < len(clauses) and bool(clauses[k + 1].of_both)
+    return is_of_both and clauses[k - 1].is_finding_out and (clauses[k].is_finding_out or clauses[k].is_check)
+
+
 def tell_of_both(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of two things that are to be checked somebody is told whatever they are ("check whether the door is shut and the
     stove is off, *and tell me*")."""

@@ -13,6 +13,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     is_absence_of,
     is_failure_of,
     is_not_to_be_found,
+    lacks_kind,
     lacks_too,
     tries_out,
 )
@@ -83,7 +84,7 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
     is_own = before.task.type == "searching" or not is_found or not clause.places.isdisjoint(before.places)
     is_failure = is_failure_of(clause, before, last_named(clauses, k))
-    is_outcome = (finds_out(before, clause) and is_own) or is_failure
+    is_outcome = (finds_out(before, clause) and is_own) or is_failure or lacks_kind(clause, before)
     is_lacking = roles[k] == "mention" and lacks_too(clause, before)
     if (is_outcome and not clause.is_trailing) or is_lacking:
         return k - 1

@@ -12,9 +12,14 @@ from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than,
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
 from decomplex_bt.understanding.control_flow.outcomes import is_answer_behind, is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
-from decomplex_bt.understanding.control_flow.roles.parts import is_told_of_both, missed_anywhere, taken_up
+from decomplex_bt.understanding.control_flow.roles.parts import (
+    are_asked_of_both,
+    is_told_of_both,
+    missed_anywhere,
+    taken_up,
+)
 from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to, sought_twice
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, goes_on
 from decomplex_bt.understanding.cues import are_apart
 
 
@@ -44,6 +49,23 @@ def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     if is_behind and is_answer_behind(clauses[k], clauses[k - 1], clauses[k - 2]):
         sides[k] = sides[k - 2] if sides[k - 2] in ("top", HOLDS, FAILS) else sides[k]
         sides[k - 1] = ">1-" if clauses[k].wording.is_negated else ">1+"
+
+
+def find_neither(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if neither", or "if either", of two things that were to be found out is done on its side of both."""
+    if roles[k] != "or" or not are_asked_of_both(clauses, k):
+        return
+    sides[k] = side = HOLDS
+    for j in range(k + 1, len(clauses)):
+        if roles[j] != "task" or sides[j] not in (HOLDS, FAILS):
+            return
+        if clauses[j].of_both:
+            side = FAILS if clauses[j].of_both == "neither" else HOLDS
+        elif clauses[j].is_otherwise:
+            side = FAILS if side == HOLDS else HOLDS
+        elif clauses[j].sentence != clauses[j - 1].sentence or not goes_on(clauses, roles, sides, j, clauses[j].sentence):
+            return
+        sides[j] = side
 
 
 def name(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -54,6 +54,21 @@ def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k] = HOLDS
 
 
+def take_up_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "in that case", in a sentence behind what is done in one, is done in the same ("if it's hot, bring
+    it. If not, fill it. *In that case* also ..."), and what is done "in the former case" in the other one."""
+    clause, before = clauses[k], clauses[k - 1]
+    is_behind = (roles[k - 1], roles[k]) == ("task", "task") and clause.sentence == before.sentence + 1
+    if not (is_behind and clause.case and sides[k - 1] in (HOLDS, FAILS)):
+        return
+    other = FAILS if sides[k - 1] == HOLDS else HOLDS
+    side, was = sides[k - 1] if clause.case == "same" else other, sides[k]
+    for j in range(k, len(clauses)):
+        if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j] != was:
+            return
+        sides[j] = side
+
+
 def report(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if so" or "if not" behind what is to be told hangs on that."""
     if (roles[k - 1], roles[k]) == ("condition", "task") and (case := turns_on_report(clauses[k], clauses[k - 1])):
