@@ -74,6 +74,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "before you do any of this", "before doing any of that", "before doing any of this", "before either of those", "before you do either", "ahead of all that", "ahead of all this",
             "ahead of both", "before both", "prior to both", "prior to all that", "prior to any of that", "prior to all of which", "before all of which",
             "ahead of everything", "ahead of everything else", "ahead of any of that", "ahead of any of this", "ahead of all of that", "ahead of all of this", "ahead of anything", "ahead of anything else",
+            *(f"before {start} {all_of}" for start in ("you start", "you start on", "you begin", "you begin on", "starting", "starting on", "you get to", "you get started on") for all_of in ("any of that", "any of this", "any of it", "all that", "all this", "all of that", "all of this")),
             "before everything", "before anything at all", "earlier than all that", "earlier than all this", "earlier than any of that", "earlier than any of this", "even before all that", "even before any of that",
         ),
         "after": ("after", "once", "as soon as", "soon as", "so soon as", "directly", "now that", "having", "upon", "immediately after", "right after"),

@@ -29,6 +29,7 @@ def stated_orders(
         _come_between(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
+        _come_first_of_all(clauses, roles, sides, stated, k)
         _surround(clauses, roles, sides, stated, k)
     return tuple(stated)
 
@@ -195,6 +196,16 @@ def _come_first(
     for j in range(k):  # the "first" is not theirs
         if roles[j] != "task" and orders[j] in ("before", "first") and not clauses[j].wording.orders:
             orders[j] = "keep"
+
+
+def _come_first_of_all(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What is to be done, or asked, "before any of that" goes ahead of all that was told before."""
+    clause = clauses[k]
+    is_said = "before_all" in (*clause.far, *clause.near, *clause.behind)
+    if is_said and roles[k] in ("task", "condition") and sides[k] == "top" and orders[k] in ("keep", "before"):
+        orders[k] = "first"
 
 
 def _surround(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:

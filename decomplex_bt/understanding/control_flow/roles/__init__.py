@@ -42,6 +42,7 @@ _RULES = (
     parts.count,
     parts.look_over,
     parts.name_other,
+    parts.find_instead,
     parts.ask_of_person,
     parts.lack,
     parts.hold,

@@ -124,6 +124,20 @@ def lack(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "condition"
 
 
+def find_instead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """In what state is what was taken in a case is no mention of the look for another one ("if you find a towel, bring
+    it; if not, take one from the dryer, and *if it's still damp*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
+    if first is None or (roles[k - 1], roles[k]) != ("task", "mention") or first == k - 1:
+        return
+    clause, order, search = clauses[k], clauses[k - 1], clauses[first]
+    is_of_state = clause.is_check and bool(clause.said_state) and clause.wording.state not in PRESENT
+    is_of_state = is_of_state and clause.near[:2] == ("and", "if") and clause.is_of_it and not clause.wording.is_contrary
+    is_taken = order.task.type in ("taking", "bringing") and bool(order.places) and clause.sentence == order.sentence
+    if is_of_state and is_taken and search.task.type == "searching" and order.places.isdisjoint(search.places):
+        roles[k] = "condition"
+
+
 def ask_of_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What somebody does not do, right behind an order about it, is no mention of what something else does not do ("if
     the alarm doesn't ring, wake Tom, and call me *if he doesn't get up*")."""

@@ -229,6 +229,20 @@ def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = "top"
 
 
+def have_found(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence of its own does with what was looked for in one place and then in another, in a case that it
+    tells, is done wherever it was found ("if it's not there, look in the car. *Bring it to me, unless it's wet*")."""
+    search, order = clauses[k - 2 : k] if k > 1 else (clauses[0], clauses[0])
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None) if k > 1 else None
+    if first is None or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition") or sides[k] not in (HOLDS, FAILS):
+        return
+    is_sought = clauses[first].task.type == search.task.type == "searching" and sides[k - 2] in (HOLDS, FAILS)
+    is_next = order.sentence == search.sentence + 1 == clauses[k].sentence and not (order.near or order.far)
+    is_of_it = order.is_of_it and not order.objects and order.task.type in (*_CARRYING, "change_state")
+    if is_sought and is_next and is_of_it and sides[k - 1][:2] == ">1":
+        sides[k] = beside(sides[first])
+
+
 def have_at_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "once you have it" is done wherever it was found ("if it's not there, look in the car, *and once you
     have it*, hang it up")."""

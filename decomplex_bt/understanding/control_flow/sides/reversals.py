@@ -90,7 +90,8 @@ def turn_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if" or "only if" what was asked before proves true, said behind it at the end of a sentence, is
-    done where it does ("..., failing that, ask Tom. Bring it to me if you find it")."""
+    done where it does ("..., failing that, ask Tom. Bring it to me if you find it", "see if it's locked, and unlock it
+    *if it is*")."""
     clause, task = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
@@ -99,7 +100,8 @@ def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_taken_up = clause.wording.is_echo or clause.task.type == "searching"
     is_end = clause.ends_sentence or clauses[k + 1].is_otherwise
     is_trailing = is_taken_up and clause.sentence == task.sentence and clause.boundary == "none" and is_end
-    is_leading = k > 1 and clauses[k - 2].sentence != task.sentence
+    is_leading = clauses[k - 2].sentence != task.sentence
+    is_leading = is_leading or (first == k - 2 and clauses[first].is_asked and clause.wording.is_echo)
     is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
     if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (HOLDS, FAILS):

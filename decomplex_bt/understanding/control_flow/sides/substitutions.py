@@ -132,6 +132,22 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = "top"
 
 
+def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched is fetched where both of two opposite cases, told in a sentence of their own, say what is then
+    done with it ("bring in some logs. *If they're wet*, leave them here; *if they're dry*, put them in the basket")."""
+    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1] != ">1-":
+        return
+    order, check = clauses[k - 1 : k + 1]
+    second = next((j for j in range(k + 1, len(clauses)) if roles[j] != "task"), k + 1)
+    if second + 1 >= len(clauses) or roles[second] != "mention" or check.boundary not in _PARTING:
+        return
+    are_cases = check.near == ("if",) and clauses[second].near[-1:] == ("if",) and roles[second + 1] == "task"
+    is_of_it = check.takes_up(order) or check.names_same(order)
+    are_done = all(c.has_pronoun and not c.objects and c.task.type in _MOVED for c in (clauses[k + 1], clauses[second + 1]))
+    if are_cases and is_of_it and are_done and order.task.type in _CARRYING and not order.is_forbidden:
+        sides[k - 1] = "top"
+
+
 def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is ordered in a sentence of its own is in place of neither of two cases that each say what is done then
     ("bring the towels to the cellar. If the dryer is free, *put them in; if not, hang them up*"), nor of what is asked
