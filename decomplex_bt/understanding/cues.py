@@ -342,10 +342,17 @@ _AFTER_BEFORE = frozenset(
 )
 
 
+_SHORT = 2
+"""Behind how many more words than the first a "this" or "that" hardly tells of a noun: "before any of this"."""
+
+
 def _opens_clause(document: Document, first: int, last: int) -> bool:
-    """Whether a "before that" or "before both" goes on: "before that meeting", "before all that noise starts"."""
+    """Whether a "before that" or "before both" goes on: "before that meeting", "before all that noise starts"; an
+    order that is taken for a noun is no such thing ("before any of this *check the oven*")."""
     for token in document.tokens[first + 1 : last + 1]:
         head = document.tokens[token.head]
+        if token.dep == "det" and last - first > _SHORT and head.dep not in ("nsubj", "nsubjpass"):
+            continue
         if last < token.head and (
             token.dep in ("det", "predet") or (token.dep in ("nsubj", "nsubjpass") and head.tag in ("VBZ", "VBD", "MD"))
         ):

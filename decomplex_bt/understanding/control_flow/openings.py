@@ -26,6 +26,8 @@ _LEAVING = tuple(
 )  # fmt: skip
 """What says that something is not to be done, in the normal form of cues."""
 _TURNING_TO = frozenset("now anyway finally lastly meanwhile besides".split())
+_COUNTING = frozenset("second secondly third thirdly fourth fourthly fifth fifthly".split())
+"""What tells of the next of several matters, set off by a mark: "*third*, close the frame"."""
 _LEADING_IN = frozenset("and but so right okay ok well oh , please".split())
 _OTHER = frozenset("another other different separate unrelated".split())
 _MATTERS = frozenset("note matter subject topic".split())
@@ -101,7 +103,9 @@ def turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ..
 def takes_up_case(document: Document, previous: int, token: int) -> str:
     """ "same" where the words ahead of a verb, up to the task before, say that it is done in the case of that ("*in
     that case*, also ..."), "other" where in the other one ("*in the former case*"); else ""."""
-    words = [normal_form(t.lower) for t in document.tokens[previous + 1 : token]]
+    sentence = document.sentences[token]
+    ahead = document.tokens[previous + 1 : token]
+    words = [normal_form(t.lower) for t in ahead if document.sentences[t.i] == sentence]
     for i, word in enumerate(words):
         if word == "case" and "in" in words[max(0, i - 3) : i]:
             return _CASES.get(words[i - 1], "")
@@ -115,13 +119,13 @@ def of_both(document: Document, previous: int, token: int, last: int) -> str:
     if "if" not in words[: token - previous]:
         return ""
     words = words[words.index("if") :]
-    if not {"neither", "none"}.isdisjoint(words):
+    if words[1] in ("neither", "none") or "neither" in words:
         return "neither"
-    if "either" not in words[:-1] and words[-1:] != ["either"] or words[-2:] == ["there", "either"]:
+    if "either" not in words or words[1:3] == ["either", "way"]:
         return ""
-    is_case = words[1] == "either" and words[2:3] != ["way"]
     is_place = words[words.index("either") - 1] in ("in", "of", "on", "at")
-    return ("neither" if "not" in words else "either") if is_case or is_place else ""
+    is_denied = not {"not", "none", "no"}.isdisjoint(words)
+    return ("neither" if is_denied else "either") if words[1] == "either" or is_place else ""
 
 
 def calls_off(document: Document, previous: int, token: int, following: int, leading: Sequence[str]) -> bool:
@@ -202,6 +206,9 @@ def opens_matter(document: Document, token: int) -> bool:
     first = document.sentences.index(document.sentences[token])
     while first < token and document.tokens[first].lower in _LEADING_IN:
         first += 1
+    is_counted = document.tokens[first].lower in _COUNTING and document.tokens[first + 1].text in (",", ":")
+    if is_counted:  # not "second, *if that went well*, ..."
+        return first + 2 == token
     return document.tokens[first].lower in _TURNING_TO
 
 

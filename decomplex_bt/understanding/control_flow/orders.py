@@ -203,7 +203,8 @@ def _come_first_of_all(
 ) -> None:
     """What is to be done, or asked, "before any of that" goes ahead of all that was told before."""
     clause = clauses[k]
-    is_said = "before_all" in (*clause.far, *clause.near, *clause.behind)
+    is_ahead = "before_all" in clause.near and clause.boundary != "none"
+    is_said = is_ahead or (clause.ends_sentence and "before_all" in clause.behind)
     if is_said and roles[k] in ("task", "condition") and sides[k] == "top" and orders[k] in ("keep", "before"):
         orders[k] = "first"
 

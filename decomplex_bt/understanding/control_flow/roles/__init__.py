@@ -17,6 +17,7 @@ _RULES = (
     parts.part,
     orders.ask_of_other_order,
     orders.ask_ahead_of_other,
+    orders.ask_of_its_person,
     orders.ask_ahead,
     replies.try_out,
     replies.look_over,

@@ -51,6 +51,18 @@ def ask_ahead_of_other(clauses: Sequence[Clause], roles: list[str], k: int) -> N
         roles[k] = "mention" if is_opposite_of(clause, check) else "condition"
 
 
+def ask_of_its_person(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """How the one is whom an order names is no part of the case of that order ("if the baby cries, tell my wife, *or if
+    she's asleep*, tell me")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "or", "task"):
+        return
+    order, clause, other = clauses[k - 1 : k + 2]
+    is_led = clause.boundary == "," and clause.near == ("or", "if") and other.boundary == "," and not other.near
+    is_of_order = (clause.is_of_person and bool(order.receivers)) or clause.takes_up(order)
+    if is_led and is_of_order and order.task.type == other.task.type:
+        roles[k] = "condition"
+
+
 def repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
     all orders before, or names another thing, says none of them again."""

@@ -191,7 +191,13 @@ def taken_up(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | N
     first = second - 1
     if first < 0 or roles[first] != "condition" or roles[second] not in ("condition", "and") or roles[k] != "mention":
         return None
-    if not clause.has_pronoun or clause.objects or clauses[second].wording.joins != "and":
+    if clauses[second].wording.joins != "and":
+        return None
+    if clause.objects:  # "if *the blinds* are open, ..."
+        named = [j for j in (first, second) if clause.names_same(clauses[j])]
+        is_one = len(named) == 1 and _are_of_one_state(clauses[named[0]].wording, clause.wording)
+        return named[0] if is_one and clause.wording.state is not None else None
+    if not clause.has_pronoun:
         return None
     if clause.wording.state is not None:
         fitting = [j for j in (first, second) if _are_of_one_state(clauses[j].wording, clause.wording)]

@@ -175,6 +175,10 @@ def go_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a sentence with a "now" or the like opens hangs on no condition before ("if Ann asks, I'm out. *Now bring me
     the tea*"), nor is it asked in one ("*separately*, if it's dry, ...")."""
+    if clauses[k].is_new_matter and sides[k][:2] == ">1":  # "third, close it *unless it's closed already*"
+        asked = next((j for j in range(k + 1, len(clauses)) if roles[j] == "condition"), k)
+        is_own = asked > k and clauses[asked].sentence == clauses[k].sentence
+        sides[asked] = "top" if is_own and sides[asked] in (HOLDS, FAILS) else sides[asked]
     if not clauses[k].is_new_matter or sides[k] not in (HOLDS, FAILS):
         return
     if roles[k] == "condition":
@@ -282,6 +286,20 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     head = next((j for j in range(first, -1, -1) if roles[j] == "condition"), first)
     if is_led and is_same and said & _WANTING and other & _WANTING and not said & other:
         sides[k] = beside(sides[head])
+
+
+def do_too(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "too" in a further case is so whether the case before held or not ("if the bike is there, bring it,
+    if the scooter is there, bring that *too*")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or k + 1 >= len(clauses) or (roles[k], roles[k + 1]) != ("condition", "task"):
+        return
+    clause, order = clauses[k], clauses[k + 1]
+    is_plain = {"and", "if"}.issuperset(clause.near) and "if" in clause.near and not {*clause.far} & TURNING
+    is_too = "also" in (*order.near, *order.behind) and order.sentence == clause.sentence == clauses[k - 1].sentence
+    is_other = bool(clause.objects) and clause.thing != clauses[first].thing
+    if is_plain and is_too and is_other and sides[k] == FAILS:
+        sides[k] = beside(sides[first])
 
 
 def be_too_much(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -57,6 +57,22 @@ def override(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k + 1] = HOLDS
 
 
+def find_no_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put elsewhere where there is no room, or no hook, for it is not put where that was ordered ("hang it in
+    the hall. *If there isn't a free hook*, lay it on the chair")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_lacking = check.says_there_is and check.wording.is_negated and check.boundary in _PARTING
+    is_lacking = is_lacking and check.near[:1] == ("if",) and not check.names_same(order)
+    is_elsewhere = order.task.type == other.task.type == "placing" and other.is_of_it and not other.objects
+    is_elsewhere = is_elsewhere and bool(other.receivers) and order.receivers.isdisjoint(other.receivers)
+    is_one = not (order.number and other.number) or order.number == other.number
+    is_whole = is_elsewhere and is_one and other.sentence == check.sentence and not {*other.near} & TURNING
+    if is_lacking and is_whole and sides[k + 1] == HOLDS and sides[k - 1] == sides[k] in ("top", HOLDS, FAILS):
+        sides[k - 1] = ">1-"
+
+
 def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
     put it on the shelf"), and that is asked where it would have been put."""
@@ -285,6 +301,34 @@ def _is_emptied(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool
     is_led = check.boundary in _PARTING and check.near[:1] == ("if",) and order.task.type in MOVING
     is_removed = other.task.type in _CARRYING and other.is_of_it and other.number in ("", check.number)
     return is_in_way and is_led and is_removed and "instead" not in (*other.near, *other.behind)
+
+
+def see_to_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is checked first, and put right where it is not so, is for the order ahead, which is carried out in any case
+    ("put the pie in the oven, but first see if it's hot, *and if it's not, turn it on*")."""
+    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
+        return
+    check, echo, order = clauses[k : k + 3]
+    is_first = check.is_asked and bool({"before", "first"} & set(check.wording.orders)) and "before" not in check.near
+    is_first = is_first and check.task.type == "check_state"
+    is_mended = order.task.type == "change_state" and order.is_of_it and not order.objects
+    is_case = "if" in echo.near and echo.sentence == order.sentence and not {*order.near} & TURNING
+    if is_first and is_mended and is_case and sides[k - 1][:2] == ">1" and sides[k] == "top" and not check.is_forbidden:
+        sides[k - 1] = "top"
+
+
+def choose_by_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "or if" opens behind an order, with an order of its own, is done in place of that ("tell my wife, *or if
+    she's asleep, tell me*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_or = check.near == ("or", "if") and not check.far and check.boundary == "," and check.is_check
+    is_one = order.sentence == check.sentence == other.sentence and other.boundary == "," and not other.near
+    is_alike = order.task.type == other.task.type and not (order.is_forbidden or other.is_forbidden)
+    if is_or and is_one and is_alike and sides[k + 1] == HOLDS and sides[k - 1] in ("top", HOLDS, FAILS):
+        if sides[k] in (HOLDS, FAILS, "top"):
+            sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
