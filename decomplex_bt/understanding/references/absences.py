@@ -10,6 +10,10 @@ _ENDED = frozenset(("off", "down", "shut", "closed"))
 _SOME = frozenset("a an any some another".split())
 _PRONOUNS = frozenset("it them they 'em em him her".split())
 _ONES = frozenset(("one", "ones"))
+_SPENT = frozenset("dead flat blown used gone missing broken faulty worn".split())
+_WITHIN = frozenset("battery bulb fuse bait seed cartridge filter refill toner ink candle bag lightbulb".split())
+"""What is put into something else, where it is used up."""
+_BLEMISHES = frozenset("stain mark spot smudge scratch crack hole tear leak dent chip smell stink mould rust".split())
 _WRITTEN = frozenset(("list", "note"))
 
 
@@ -50,6 +54,29 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
         for check in checks
         for c in context.pool
     )
+
+
+def is_used_up(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is gone, dead or used up where another is put in: "if *the bait*'s gone, put some
+    cheese in it", "if the battery is dead, put a new one in it"."""
+    check = candidate.owner
+    if gap.type != "goal" or gap.word not in ("it", "them") or gap.preposition not in ("in", "into", "on", "inside"):
+        return False
+    if candidate.type != "object" or not context.relation(check, gap.task.id).startswith("condition.then"):
+        return False
+    task = next(task for task in context.tasks if task.id == check)
+    words = {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
+    is_over = context.lemmas[check].split() in (["run", "out"], ["go"], ["die"]) or "gone" in words
+    noun = context.observed.document.tokens[candidate.head].lemma
+    return is_over or (noun in _WITHIN and not words.isdisjoint(_SPENT))
+
+
+def is_blemish(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what nobody asks for another of: "if *the stain* doesn't come off, bring me another
+    one"."""
+    tokens = context.observed.document.tokens
+    is_another = gap.type == "object" and any(tokens[i].lower == "another" for i in gap.tokens[:1])
+    return is_another and tokens[candidate.head].lemma in _BLEMISHES
 
 
 def _is_some(context: Context, candidate: Candidate) -> bool:

@@ -244,10 +244,13 @@ def _is_within(tokens: range, spans: Sequence[range]) -> bool:
 
 
 def _own(context: Context, gap: Gap) -> range:
-    """What a word refers to in its own order: "take *Dana*'s phone from *her*", "*the box* and the pens in *it*"."""
+    """What a word refers to in its own order: "take *Dana*'s phone from *her*", "take *my sister*'s coat to *her*",
+    where nobody else was named before, "*the box* and the pens in *it*"."""
     document = context.observed.document
     own = [c for c in context.pool if c.owner == gap.task.id and c.type == "object" and c.tokens.stop < gap.position]
-    if gap.type == "source" and gap.preposition == "from" and GROUPS.get(gap.word) in ("he", "she", "they"):
+    is_from_owner = gap.type == "source" and gap.preposition == "from"
+    is_to_owner = gap.type == "recipient" and not _is_called(context, gap)
+    if (is_from_owner or is_to_owner) and GROUPS.get(gap.word) in ("he", "she", "they"):
         behind = (c for c in own if document.tokens[c.tokens.stop].tag == "POS" and not c.mention)
         return next((c.tokens for c in behind if not is_of_other_gender(document, gap, c)), range(0))
     whole = next((c.tokens for c in own if c.tokens.stop == gap.position - 1), range(0))
@@ -255,6 +258,14 @@ def _own(context: Context, gap: Gap) -> range:
         return range(0)
     first = range(whole.start, next((i for i in whole if document.tokens[i].lower == "and"), whole.start))
     return first if any(c.tokens == first for c in own) else range(0)
+
+
+def _is_called(context: Context, gap: Gap) -> bool:
+    """Whether somebody whom "her" may be of was named before the order that it stands in."""
+    document = context.observed.document
+    verb = document.indices(gap.task.span).start
+    named = (c for c in context.pool if c.tokens.stop <= verb and kind_of(context, c) in ANIMATE)
+    return any(not is_of_other_gender(document, gap, c) for c in named)
 
 
 def other_place(context: Context, gap: Gap) -> range:

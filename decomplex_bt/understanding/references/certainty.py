@@ -5,7 +5,7 @@ from __future__ import annotations
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.absences import is_absent, is_of_other_case
+from decomplex_bt.understanding.references.absences import is_absent, is_blemish, is_of_other_case, is_used_up
 from decomplex_bt.understanding.references.agreement import (
     is_called_otherwise,
     is_no_person,
@@ -174,11 +174,26 @@ def _done_before(context: Context, gap: Gap) -> int:
         return 0
     behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
     end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
+    if otherwise := _done_otherwise(context, gap, verb):
+        return otherwise
     if "again" not in behind[:end] and not (behind[:1] == ["back"] and gap.task.type == "change_state"):
         return 0
     earlier = (task.id for task in reversed(context.tasks) if task.id < gap.task.id)
     last = next((n for n in earlier if _is_of_one_act(context.lemmas[n].split()[0], verb)), 0)
     return last if any((c.owner, c.type) == (last, "object") for c in context.pool) else 0
+
+
+def _done_otherwise(context: Context, gap: Gap, verb: str) -> int:
+    """The order, by its number, that is to be carried out in another place in the case of another thing: "fill the can.
+    If the tap is frozen, *fill it at the sink*" is of the can; 0 where there is none."""
+    path = context.paths.get(gap.task.id, ())
+    places = {a.type for a in gap.task.arguments} & {"location", "source", "goal"}
+    order = gap.task.id - 2
+    if not path or path[-1][0] != gap.task.id - 1 or not places or context.types.get(order) != gap.task.type:
+        return 0
+    is_same = context.lemmas[order].split()[0] == verb and context.types.get(gap.task.id - 1) == "check_state"
+    named = any((c.owner, c.type) == (order, "object") and not c.mention for c in context.pool)
+    return order if is_same and named else 0
 
 
 def _is_of_one_act(one: str, other: str) -> bool:
@@ -218,7 +233,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_later = candidate.tokens.start > gap.position and candidate.type == "location"
     if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
-    if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody)):
+    if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody, is_blemish)):
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
         return True
@@ -246,7 +261,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
-    if is_absent(context, gap, candidate) or is_of_other_case(context, gap, candidate):
+    if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
 

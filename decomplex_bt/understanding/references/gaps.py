@@ -36,6 +36,11 @@ _LEADING = frozenset(
 _DEMONSTRATIVES = frozenset("this that these those".split())
 _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
+_AMOUNTS = frozenset(
+    "glass cup mug bowl plate jug bottle pan pot spoonful bit piece slice drop bucket bag box tin packet pinch splash "
+    "portion helping".split()
+)
+"""What there is so much of something in."""
 _AND = frozenset(("and", "&"))
 _CLAUSE_ENDS = frozenset("and but or then if unless when before after until please".split())
 DENYING = frozenset(("not", "n't", "n\u2019t"))
@@ -84,7 +89,14 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     preposition = document.tokens[before].lower if before >= tokens.start else ""
     head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_of(document, inner)]
     word = "'s" if form == "own" and head.lower not in _OWN else head.lower
-    return Gap(task, argument.type, inner.start, word, form, preposition, inner)
+    is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
+    return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_of_it)
+
+
+def _is_amount(document: Document, tokens: range) -> bool:
+    """Whether words name so much of something: "a glass of it", not "the left of it"."""
+    first, vessel = (document.tokens[i] for i in tokens[:2])
+    return first.lower in ("a", "an", "one", "some") and len(tokens) == 4 and vessel.lower in _AMOUNTS
 
 
 def _joined(document: Document, tokens: range) -> int | None:

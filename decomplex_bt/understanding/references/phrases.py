@@ -301,6 +301,8 @@ def stripped(document: Document, tokens: range) -> range:
     ):
         if document.tokens[start].lower in PRONOUNS:
             break
+        if document.tokens[start].lower == "next" and document.tokens[start + 1].lower != "to":
+            break  # "next door's bin"
         start += 1
     return range(start, tokens.stop)
 

@@ -183,6 +183,18 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[j] = beside(sides[k - 1])
 
 
+def undo(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" puts back, or does again, right behind the order of a case that undid it belongs to that case ("if
+    the light is red, unplug the router, *then plug it back in*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = (roles[k - 1], roles[k], sides[k]) == ("task", "task", "top") and sides[k - 1] in (HOLDS, FAILS)
+    is_next = is_behind and clause.sentence == order.sentence and "then" in clause.near
+    is_again = not clause.ways.isdisjoint(("back", "again")) and clause.is_of_it and not clause.objects
+    is_undone = clause.task.type == order.task.type and (clause.verb != order.verb or "again" in clause.ways)
+    if is_next and is_again and is_undone and {"and", "then"}.issuperset(clause.near):
+        sides[k] = sides[k - 1]
+
+
 def report_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What was found out is told whatever that is, where "and tell me" says no more and nothing in its sentence but a
     case goes by the answer ("see if it's raining *and tell me*", "check for bread *and let me know*. If there isn't

@@ -35,6 +35,7 @@ _USELESS = frozenset(
 _FAILING = frozenset("broken order service use locked shut closed empty stuck down".split())
 """What nothing can be taken from, or done with."""
 _FILLED = frozenset("full packed crammed overflowing".split())
+_SLEEPING = frozenset("asleep sleeping napping dozing resting".split())
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
 
 
@@ -146,6 +147,21 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
     elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
         sides[k - 1] = "top"
+
+
+def leave_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Who is asleep is neither brought what is then left somewhere nor told what was to be told with it ("bring Ann the
+    letter and tell her to sign it. *If she's asleep, leave it on her desk*")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    brought, told, check, other = clauses[k - 2 : k + 2]
+    is_told = told.task.type == "informing" and told.near == ("and",) and told.has_pronoun
+    is_brought = brought.task.type in MOVING and bool(brought.receivers) and bool(brought.objects)
+    is_asleep = check.is_of_person and check.wording.state in _SLEEPING and not check.wording.is_negated
+    is_left = other.task.type == "placing" and other.verb in _LEAVING and other.is_of_it and not other.objects
+    is_led = check.boundary in _PARTING and check.near == ("if",) and other.sentence == check.sentence
+    if is_told and is_brought and is_asleep and is_left and is_led and sides[k - 2 : k + 1] == ["top"] * 3:
+        sides[k - 2 : k] = ">1-", ">1-"
 
 
 def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
