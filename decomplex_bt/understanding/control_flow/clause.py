@@ -164,6 +164,8 @@ class Clause:
     case: str = ""
     """Whether words ahead say that it is done in the "same" case as the task before, or in the "other" one: "*in that
     case*, also ...", "*in the former case*"."""
+    is_on_arrival: bool = False
+    """Whether words ahead say that it is done once the listener has got somewhere: "*once you're there*"."""
     of_both: str = ""
     """Whether an "if" is of "neither" or "either" of what was asked before: "*if neither*, ...", "if it's *in
     either*"."""

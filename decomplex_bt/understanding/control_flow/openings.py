@@ -54,7 +54,10 @@ _PARTING = PUNCTUATION | frozenset("and but then so or first before please just"
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
-_CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | dict.fromkeys(("former", "first"), "other")
+_ARRIVING = (["you", "is", "there"], ["you", "get", "there"], ["you", "'re", "there"], ["you", "are", "there"])
+_CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | dict.fromkeys(
+    ("former", "first"), "other"
+)
 """Which case is meant by what stands before "case", behind what is done in one."""
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
@@ -98,6 +101,13 @@ def turns(document: Document, ahead: Sequence[Cue], token: int) -> tuple[str, ..
         elif cue.name == "else" and not is_adverb(document, cue.first):
             found.append("otherwise")
     return tuple(found)
+
+
+def is_on_arrival(document: Document, previous: int, token: int) -> bool:
+    """Whether the words ahead of a verb, up to the task before, say that it is done there: "*once you're there*"."""
+    words = [normal_form(t.lower) for t in document.tokens[previous + 1 : token]]
+    openings = (i for i, word in enumerate(words) if word in ("once", "when"))
+    return any(words[i + 1 : i + 4] in _ARRIVING for i in openings)
 
 
 def takes_up_case(document: Document, previous: int, token: int) -> str:

@@ -30,6 +30,7 @@ def stated_orders(
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
         _come_first_of_all(clauses, roles, sides, stated, k)
+        _arrive(clauses, roles, sides, stated, k)
         _surround(clauses, roles, sides, stated, k)
     return tuple(stated)
 
@@ -207,6 +208,23 @@ def _come_first_of_all(
     is_said = is_ahead or (clause.ends_sentence and "before_all" in clause.behind)
     if is_said and roles[k] in ("task", "condition") and sides[k] == "top" and orders[k] in ("keep", "before"):
         orders[k] = "first"
+
+
+def _arrive(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
+    """What is done before somebody goes somewhere comes ahead of that, and behind it what is done once they are there
+    ("before you go out, shut the door, *and once you're there*, roll up the hose")."""
+    clause = clauses[k]
+    is_there = clause.is_on_arrival or (k > 0 and roles[k - 1] == "again" and clauses[k - 1].task.type == "motion")
+    first = next((j for j in range(k - 1, -1, -1) if "before" in clauses[j].near), None)
+    if first is None or not is_there or clauses[first].task.type != "motion" or roles[k] != "task":
+        return
+    between = [j for j in range(first + 1, k) if roles[j] != "again"]
+    is_one = clauses[first].sentence == clause.sentence and all(sides[j] == sides[first] for j in (*between, k))
+    if between and is_one and all(roles[j] == "task" for j in between):
+        orders[first] = "keep"
+        for j in between:
+            orders[j] = "before"
+        orders[k] = "keep"
 
 
 def _surround(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:

@@ -36,7 +36,7 @@ _LOCKABLE = frozenset(
     "basement hut studio library building truck".split()
 )
 _READY_TO_COOK = frozenset(("preheated", "heated"))
-_VESSELS = frozenset(
+VESSELS = frozenset(
     "bottle can tin cup mug glass jug jar carton pot pan kettle teapot thermos flask tank bucket pail vase bowl "
     "basket box bag bin case sack purse wallet packet pack tube tray basin tub canister cartridge dispenser feeder "
     "barrel crate chest trunk drawer cupboard cabinet wardrobe closet fridge freezer hamper toolbox letterbox mailbox "
@@ -117,7 +117,7 @@ def is_content(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_container(context: Context, candidate: Candidate) -> bool:
     noun = context.observed.document.tokens[candidate.head].lemma
     return (
-        noun in _VESSELS
+        noun in VESSELS
         or "fill" in context.observed.gazetteer.changeable.get(noun, ())
         or has_inside(context, candidate)
     )

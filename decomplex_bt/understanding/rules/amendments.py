@@ -136,7 +136,7 @@ def amended(
     wishes = {wish.check: wish for wish in preferences(document, tasks)}
     for token, kind in tasks.items():
         if kind == "placing":
-            kept = put_out(document, put_in(document, with_loaded(observed, kept, token), token), token)
+            kept = put_out(document, put_in(observed, with_loaded(observed, kept, token), token), token)
             kept = put_inside(document, gone_to(document, kept, token), token)
         if kind == "bringing":
             kept = divided(document, kept, token)

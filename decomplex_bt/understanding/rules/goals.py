@@ -7,19 +7,29 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.fitness import VESSELS
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, head_of, noun_chunks
 
 _REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
+_KEEPING = frozenset("keep leave stack store stow stash pile file".split())
+"""What is done to things somewhere, and to no thing "in"."""
 CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
 _ONTO = frozenset("in on into onto under behind by".split())
 
 
-def put_in(document: Document, arguments: Sequence[FoundArgument], put: int) -> list[FoundArgument]:
-    """The arguments with what is put in, where nothing else is, as what is put: "put in *the pasta*"."""
+def put_in(observed: Observed, arguments: Sequence[FoundArgument], put: int) -> list[FoundArgument]:
+    """The arguments with what is put in, where nothing else is, as what is put: "put in *the pasta*"; not what things
+    are put in themselves ("wash the pot and put *in the cabinet*"), nor what is kept or stacked somewhere."""
+    document = observed.document
     own = {a.type: a for a in arguments if a.owner == put}
     goal = own.get("goal")
     is_particle = goal is not None and goal.tokens.start == put + 1 and document.tokens[put + 1].lower == "in"
     if goal is None or not is_particle or "object" in own or len(goal.tokens) < 2:
+        return list(arguments)
+    noun = document.tokens[head_of(document, range(put + 2, goal.tokens.stop))].lemma
+    holds = noun in VESSELS or observed.gazetteer.category(noun) in ("furniture", "room")
+    if holds or document.tokens[put].lemma in _KEEPING:
         return list(arguments)
     kept = [a for a in arguments if a is not goal]
     return [*kept, replace(goal, type="object", tokens=range(put + 2, goal.tokens.stop))]

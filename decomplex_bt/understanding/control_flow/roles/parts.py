@@ -132,7 +132,9 @@ def find_instead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     clause, order, search = clauses[k], clauses[k - 1], clauses[first]
     is_of_state = clause.is_check and bool(clause.said_state) and clause.wording.state not in PRESENT
-    is_of_state = is_of_state and clause.near[:2] == ("and", "if") and clause.is_of_it and not clause.wording.is_contrary
+    is_of_state = (
+        is_of_state and clause.near[:2] == ("and", "if") and clause.is_of_it and not clause.wording.is_contrary
+    )
     is_taken = order.task.type in ("taking", "bringing") and bool(order.places) and clause.sentence == order.sentence
     if is_of_state and is_taken and search.task.type == "searching" and order.places.isdisjoint(search.places):
         roles[k] = "condition"

@@ -52,7 +52,7 @@ def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 
 def find_neither(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done "if neither", or "if either", of two things that were to be found out is done on its side of both."""
+    """What is done "if neither", or "if either", of two things to be found out is done on its side of both."""
     if roles[k] != "or" or not are_asked_of_both(clauses, k):
         return
     sides[k] = side = HOLDS
@@ -63,7 +63,9 @@ def find_neither(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
             side = FAILS if clauses[j].of_both == "neither" else HOLDS
         elif clauses[j].is_otherwise:
             side = FAILS if side == HOLDS else HOLDS
-        elif clauses[j].sentence != clauses[j - 1].sentence or not goes_on(clauses, roles, sides, j, clauses[j].sentence):
+        elif clauses[j].sentence != clauses[j - 1].sentence or not goes_on(
+            clauses, roles, sides, j, clauses[j].sentence
+        ):
             return
         sides[j] = side
 

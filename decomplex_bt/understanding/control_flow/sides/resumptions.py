@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
 
 _CARRYING = frozenset(("placing", "bringing", "taking"))
+_ANEW = frozenset(("back", "again"))
 _COMING = frozenset(("come", "arrive"))
 _TELLING = frozenset(("informing", "check_state"))
 _WHETHER = frozenset(("whether", "if"))
@@ -189,8 +190,8 @@ def undo(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     clause, order = clauses[k], clauses[k - 1]
     is_behind = (roles[k - 1], roles[k], sides[k]) == ("task", "task", "top") and sides[k - 1] in (HOLDS, FAILS)
     is_next = is_behind and clause.sentence == order.sentence and "then" in clause.near
-    is_again = not clause.ways.isdisjoint(("back", "again")) and clause.is_of_it and not clause.objects
-    is_undone = clause.task.type == order.task.type and (clause.verb != order.verb or "again" in clause.ways)
+    is_again = not clause.ways.isdisjoint(_ANEW) and clause.is_of_it and not clause.objects
+    is_undone = clause.task.type == order.task.type
     if is_next and is_again and is_undone and {"and", "then"}.issuperset(clause.near):
         sides[k] = sides[k - 1]
 

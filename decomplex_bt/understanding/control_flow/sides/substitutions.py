@@ -175,7 +175,9 @@ def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: 
         return
     are_cases = check.near == ("if",) and clauses[second].near[-1:] == ("if",) and roles[second + 1] == "task"
     is_of_it = check.takes_up(order) or check.names_same(order)
-    are_done = all(c.has_pronoun and not c.objects and c.task.type in _MOVED for c in (clauses[k + 1], clauses[second + 1]))
+    are_done = all(
+        c.has_pronoun and not c.objects and c.task.type in _MOVED for c in (clauses[k + 1], clauses[second + 1])
+    )
     if are_cases and is_of_it and are_done and order.task.type in _CARRYING and not order.is_forbidden:
         sides[k - 1] = "top"
 
@@ -342,9 +344,9 @@ def choose_by_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
     is_or = check.near == ("or", "if") and not check.far and check.boundary == "," and check.is_check
     is_one = order.sentence == check.sentence == other.sentence and other.boundary == "," and not other.near
     is_alike = order.task.type == other.task.type and not (order.is_forbidden or other.is_forbidden)
-    if is_or and is_one and is_alike and sides[k + 1] == HOLDS and sides[k - 1] in ("top", HOLDS, FAILS):
-        if sides[k] in (HOLDS, FAILS, "top"):
-            sides[k - 1], sides[k] = ">1-", sides[k - 1]
+    is_open = sides[k + 1] == HOLDS and {sides[k - 1], sides[k]} <= {"top", HOLDS, FAILS}
+    if is_or and is_one and is_alike and is_open:
+        sides[k - 1], sides[k] = ">1-", sides[k - 1]
 
 
 def check_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
