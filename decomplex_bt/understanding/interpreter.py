@@ -31,9 +31,9 @@ from decomplex_bt.understanding.references.effects import with_effects, with_tri
 from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
-from decomplex_bt.understanding.rules.amendments import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.assurances import with_denied
 from decomplex_bt.understanding.rules.checks import naming
+from decomplex_bt.understanding.rules.completion import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.likewise import CARRIERS
 from decomplex_bt.understanding.rules.pro_verbs import with_doings
 from decomplex_bt.understanding.rules.relatives import without_stated

@@ -10,8 +10,9 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.amendments import amended, answered, completed, reported, retracted
+from decomplex_bt.understanding.rules.amendments import amended
 from decomplex_bt.understanding.rules.checks import naming
+from decomplex_bt.understanding.rules.completion import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.withdrawals import withdrawals_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())

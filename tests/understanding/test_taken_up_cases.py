@@ -186,7 +186,7 @@ def test_the_next_of_several_matters_hangs_on_none_before(interpreter: Interpret
             [{"if": [2, 3], "then": [4]}, 1],
         ),
         (
-            "Look in the shed, and if it's not there, try the attic. Oh, and shut the gate before you start any of that.",
+            "Look in the shed; if it is not there, try the attic. Oh, and shut the gate before you start any of that.",
             [4, {"if": [1, 2], "else": [3]}],
         ),
         ("Before you go to the attic, close the hatch, and once you're there, turn on the lantern.", [2, 1, 3]),
