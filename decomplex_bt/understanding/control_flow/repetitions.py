@@ -33,6 +33,8 @@ def may_repeat(clause: Clause, before: Clause) -> bool:
     verbs = {clause.verb, before.verb}
     is_other = len(verbs) == 2 and "do" not in verbs and clause.effects != before.effects
     is_of_thing = clause.has_pronoun or bool(clause.objects)
+    if clause.receivers and before.receivers and clause.receivers.isdisjoint(before.receivers):
+        return False  # "put the peelings in it" and "putting it back under the sink"
     # "load it, but don't start it until ...", not "don't start until ..."
     is_other_change = clause.task.type == "change_state" and is_other and is_of_thing
     return clause.task.type == before.task.type and is_same and not is_other_change

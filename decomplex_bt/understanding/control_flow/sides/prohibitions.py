@@ -85,7 +85,8 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         if (later.sentence != clause.sentence and not is_instead) or roles[j] != "task":
             return
         turning = {*later.far, *later.near} & TURNING
-        turning -= {"but"} if j == k + 1 and not later.has_pronoun else set()  # "don't vacuum *but* sweep"
+        is_beside = j == k + 1 and (not later.has_pronoun or bool(later.objects))
+        turning -= {"but"} if is_beside else set()  # "don't vacuum *but* sweep"
         if turning == {"else"} and sides[j] == HOLDS:
             sides[j] = FAILS
         if later.is_forbidden or turning:
@@ -122,6 +123,17 @@ def forbid_again(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     is_ordered = is_behind and roles[order] == "task" and sides[order] in ("top", HOLDS, FAILS)
     if is_ordered and forbids_same(again, clauses[order]):
         sides[order], sides[k - 1], sides[k] = ">1-", ">1-", sides[order]
+
+
+def await_outcome(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is not to be done until something is so is done only where that is found to be so, where a later sentence
+    tells what to do if it is not ("don't open the gate until you have found the dog. *If you can't find her*, ...")."""
+    order, awaited = clauses[k - 1 : k + 1]
+    is_awaited = order.is_forbidden and "until" in awaited.near and awaited.sentence == order.sentence
+    if not is_awaited or (roles[k - 1], roles[k]) != ("task", "condition") or k + 1 >= len(clauses):
+        return
+    if roles[k + 1] == "mention" and clauses[k + 1].sentence > awaited.sentence and sides[k - 1] in ("top", ">1-", ">1+"):
+        sides[k - 1] = ">1+"
 
 
 def permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

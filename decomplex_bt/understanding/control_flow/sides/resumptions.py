@@ -62,6 +62,18 @@ def add_also(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k] = f"<1{sides[k - 2][2:]}"
 
 
+def use_sought(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "then" leads on to behind a look for something is not done where that fails, by what a later sentence says
+    ("find the dog, *then open the gate*. If you can't find her, ...")."""
+    if k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("condition", "task", "mention"):
+        return
+    search, clause, missed = clauses[k - 1 : k + 2]
+    is_next = clause.near in (("then",), ("and", "then")) and clause.sentence == search.sentence < missed.sentence
+    is_missed = missed.task.type == "searching" and missed.wording.is_negated and "if" in missed.near
+    if is_next and is_missed and search.task.type == "searching" and sides[k] == "top":
+        sides[k] = HOLDS
+
+
 def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "then" leads on to behind an order to check, about another thing, is done whatever that finds where a
     later sentence goes by it ("see whether the gate is shut, *then feed the hens*. If it was open, ...")."""

@@ -430,6 +430,47 @@ def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1] = "top"
 
 
+def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done to another thing "too" or "as well" in a case keeps nobody from the order ahead of it ("take the
+    trash out. If the bin is full, *take that out too*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_too = "also" in (*check.far, *check.near, *other.near, *other.behind) and other.sentence == check.sentence
+    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    is_other = bool(check.objects) and not check.names_same(order) and not other.names_same(order)
+    if is_too and is_led and is_other and not order.is_forbidden and "instead" not in other.behind:
+        sides[k - 1] = "top"
+
+
+def fetch_for_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched and then put in one place in a case, and "otherwise" in another, is fetched for either ("get the
+    boots from the car and put them by the fire if they're wet; *otherwise put them in the hall*")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    fetched, order, check, other = clauses[k - 2 : k + 2]
+    is_fetched = fetched.task.type in ("taking", "bringing") and bool(fetched.objects) and order.near == ("and",)
+    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
+    is_trailing = check.near == ("if",) and check.boundary == "none" and other.is_otherwise
+    is_put = order.task.type == "placing" and other.task.type in _MOVED and fetched.sentence == check.sentence
+    are_sides = sides[k - 2 : k] == [">1+", ">1+"] and sides[k + 1] == FAILS and sides[k] in ("top", HOLDS, FAILS)
+    if is_fetched and are_of_it and is_trailing and is_put and are_sides and order.boundary == "none":
+        sides[k - 2] = sides[k]
+
+
+def spare_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with one of several things in a case keeps nobody from what is ordered of them all ("put the glasses
+    in the rack, but *if one of them is chipped*, throw it away")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_part = check.is_of_some or (check.is_check and check.is_of_any and "one" in check.thing)
+    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    is_of_all = order.number == "many" or order.thing <= {"they", "them"}
+    if is_part and is_led and is_of_all and other.has_pronoun and other.number != "many":
+        sides[k - 1] = "top"
+
+
 def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put back in a case was taken before that was asked, and what is taken away again was given or put there
     ("take the book from the shelf, but if it's the wrong one, *put it back*", "give her a biscuit, but if she leaves
