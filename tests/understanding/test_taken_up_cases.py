@@ -226,3 +226,53 @@ def test_an_order_beside_a_remark_that_leaves_the_choice(interpreter: Interprete
 )
 def test_what_the_last_order_is_of(interpreter: Interpreter, text: str, kind: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value(kind) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Take the ash out. If the crate is full, take that out too.", [1, {"if": 2, "then": [3]}]),
+        ("Bring me the map. If the globe is on the bench, bring me that as well.", [1, {"if": 2, "then": [3]}]),
+        (
+            "Get the scarf from the car and put it on the rack if it's dry; otherwise put it in the dryer.",
+            [1, {"if": 3, "then": [2], "else": [4]}],
+        ),
+        (
+            "Dry the jars and put them in the chest, but if one of them is chipped, set it aside.",
+            [1, 2, {"if": 3, "then": [4]}],
+        ),
+        (
+            "Don't open the gate until you have found the dog. If you can't find her, tell Lea.",
+            [{"if": [2, 3], "then": [1], "else": [4]}],
+        ),
+        (
+            "If the milk is sour, don't give it to Lea, but give her juice instead.",
+            [{"if": 1, "then": [3], "else": [2]}],
+        ),
+        (
+            "If the lantern is off, turn it on; if it is on, dust it before taking it to Lea.",
+            [{"if": [1, 3], "then": [2], "else": [4, 5]}],
+        ),
+    ],
+)
+def test_what_a_case_keeps_from_and_what_not(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the gate is open, and it usually is, close it.",
+        "If the stew is burning, which it will do if you look away, take it off the hob.",
+        "If the door is stuck, for the hinges are old, tell Lea.",
+        "If the jug, which is on the bench, is dirty, wash it.",
+        "If the blue jug that is on the bench is clean, bring it.",
+    ],
+)
+def test_what_is_said_in_passing_is_no_case(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "then": [2]}]
+
+
+def test_what_is_put_right_is_what_the_case_is_of(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Wash the pan. If the sink is full, empty it.")
+    assert found.tasks[-1].value("object") == "the sink"

@@ -10,6 +10,7 @@ def repeats(clause: Clause, before: Clause) -> bool:
     bring it", "when you've brought it"."""
     is_same = clause.verb == before.verb and clause.task.type == before.task.type
     is_of_it = clause.is_of_it or (bool(clause.objects) and clause.names_same(before))
+    is_of_it = is_of_it and not _are_elsewhere(clause, before)
     return is_same and is_of_it and ("before" in clause.near or clause.is_had_done)
 
 
@@ -33,8 +34,8 @@ def may_repeat(clause: Clause, before: Clause) -> bool:
     verbs = {clause.verb, before.verb}
     is_other = len(verbs) == 2 and "do" not in verbs and clause.effects != before.effects
     is_of_thing = clause.has_pronoun or bool(clause.objects)
-    if clause.receivers and before.receivers and clause.receivers.isdisjoint(before.receivers):
-        return False  # "put the peelings in it" and "putting it back under the sink"
+    if _are_elsewhere(clause, before):
+        return False
     # "load it, but don't start it until ...", not "don't start until ..."
     is_other_change = clause.task.type == "change_state" and is_other and is_of_thing
     return clause.task.type == before.task.type and is_same and not is_other_change
@@ -47,3 +48,10 @@ def is_choice_beside(clause: Clause, before: Clause) -> bool:
     is_joined = clause.near == ("or",) and not clause.far and clause.boundary in ("none", ",")
     is_free = not {*before.far, *before.near, *before.behind, *clause.behind} & CHOOSING
     return are_orders and is_joined and is_free and not (clause.is_forbidden or before.is_forbidden)
+
+
+def _are_elsewhere(clause: Clause, before: Clause) -> bool:
+    """Whether both put things somewhere, and not in one place: "put the peelings *in it*", "put it back *under the
+    sink*"."""
+    is_placed = clause.task.type == before.task.type == "placing" and bool(clause.receivers)
+    return is_placed and clause.receivers.isdisjoint(before.receivers)

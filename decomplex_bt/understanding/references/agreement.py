@@ -21,6 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
     Candidate,
 )
 from decomplex_bt.understanding.references.places import place_meant
+from decomplex_bt.understanding.references.undoing import undone
 from decomplex_bt.understanding.references.wholes import whole_meant
 
 _FEMALE = frozenset(
@@ -73,6 +74,7 @@ def meant(context: Context, gap: Gap) -> range:
         or filled_meant(context, gap)
         or _somebody(context, gap)
         or _instead(context, gap)
+        or undone(context, gap)
     )
 
 

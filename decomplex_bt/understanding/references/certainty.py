@@ -20,7 +20,7 @@ from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
-from decomplex_bt.understanding.references.phrases import ANYBODY, Candidate, nobody
+from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
 from decomplex_bt.understanding.references.roles import ELSEWHERE, is_called_in, is_led, is_nobody, is_sought, is_within
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
@@ -243,6 +243,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
+    if gap.type == "object" and len(candidate.tokens) == 1 and _is_adverb(context.observed.document, candidate):
+        return True
     if _is_one_of_a_choice(context, candidate):
         return True
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
@@ -264,6 +266,12 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
+
+
+def _is_adverb(document: Document, candidate: Candidate) -> bool:
+    """Whether a candidate only tells a way or a place, and names none: "carry it *inside*"."""
+    token = document.tokens[candidate.head]
+    return token.pos in ("ADV", "ADP") and token.lower in PLACE_ADVERBS
 
 
 def _is_turned(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -31,7 +31,8 @@ PERSON_NOUNS = frozenset(
     "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
     "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
     "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
-    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister".split()
+    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister "
+    "lad lass lassie mate pal buddy bloke fella fellow chap toddler teenager twin sibling granddad nephew niece".split()
 )
 """Nouns for people."""
 ANYBODY = frozenset("anyone anybody someone somebody whoever".split())

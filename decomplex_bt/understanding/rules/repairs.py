@@ -20,23 +20,13 @@ from decomplex_bt.understanding.rules.edits import (
     Said,
     is_order_at,
 )
+from decomplex_bt.understanding.rules.remarks import described, remarks
 from decomplex_bt.understanding.rules.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.restarts import said_over
 
 _TAGGING = frozenset("is are was were do does did has have had ai".split())
 _NOTS = frozenset(("n't", "nt"))
 _TAGGED = frozenset("it he she they there we you i that".split())
-_REMARKS = frozenset(
-    tuple(remark.split())
-    for remark in (
-        "i 'm not fussy", "i 'm not fussed", "i 'm not bothered", "i 'm not picky", "i 'm not choosy", "i 'm easy",
-        "i do n't mind", "i do n't care", "i do n't mind which", "i do n't mind either way", "no rush", "no hurry",
-        "there 's no rush", "there 's no hurry", "it 's up to you", "up to you", "your choice", "not fussy",
-        "not fussed", "not bothered", "whichever", "whatever",
-    )
-)  # fmt: skip
-"""What is said to leave a choice or time."""
-_REMARKING = frozenset(remark[0] for remark in _REMARKS)
 _OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 
 
@@ -53,7 +43,8 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(i for sound in _hesitations(said) for i in sound)
     cut.update(i for tag in _tags(said) for i in tag)
     cut.update(i for opener in _additions(said) for i in opener)
-    cut.update(i for remark in _remarks(said) for i in remark)
+    cut.update(i for remark in remarks(said) for i in remark)
+    cut.update(described(said))
     for run in said.runs:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
@@ -86,16 +77,6 @@ def _additions(said: Said) -> Iterator[range]:
         is_first = i == 0 or sentences[i - 1] != sentences[i]
         if is_first and words[i : i + 3] == ["oh", ",", "and"]:
             yield range(i, i + 2)
-
-
-def _remarks(said: Said) -> Iterator[range]:
-    """Every remark between a comma and another mark that it makes no difference or has time ("..., *I'm not fussy*",
-    "..., *no rush*"), with the comma."""
-    words = said.words
-    for i in (i for i in range(1, len(words) - 1) if words[i] == "," and words[i + 1] in _REMARKING):
-        stop = next((j for j in range(i + 1, len(words)) if words[j] in MARKS | ENDS), len(words))
-        if tuple(words[i + 1 : stop]) in _REMARKS:
-            yield range(i, stop)
 
 
 def _hesitations(said: Said) -> Iterator[range]:

@@ -100,6 +100,19 @@ def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
         sides[k + 1] = HOLDS if roles[k + 1] == "task" else sides[k + 1]
 
 
+def guard_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Two orders in a row with one thing, in a case, both hang on the "unless ..., in which case ..." behind them ("if
+    it's there, carry it in and put it on the bench, *unless it's too heavy, in which case* tell me")."""
+    if k < 3 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    carried, order, check, other = clauses[k - 2 : k + 2]
+    is_restricted = check.near == ("unless",) and check.boundary == "," and other.near[:1] == ("so",)
+    is_one = carried.sentence == order.sentence == check.sentence == other.sentence and order.near == ("and",)
+    are_of_it = all(c.is_of_it and not c.objects for c in (carried, order, check))
+    if is_restricted and is_one and are_of_it and sides[k - 2] in (HOLDS, FAILS) and sides[k - 1][:2] == ">1":
+        sides[k - 2] = sides[k - 1]
+
+
 def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether there is room is asked of the last order alone that puts things somewhere, which were taken on the way to
     it ("take the books to the study and put them on the shelf *if there's room*, otherwise ...")."""

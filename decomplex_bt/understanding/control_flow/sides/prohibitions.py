@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
-from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, Clause
 from decomplex_bt.understanding.control_flow.failures import is_case_against
 from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same
@@ -75,7 +75,9 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     clause = clauses[k]
     is_task = roles[k] == "task" and roles[k - 1] in CONDITION_ROLES
     is_beside = roles[k - 1] == "condition" and clause.boundary == "," and clause.sentence == clauses[k - 1].sentence
-    is_beside = is_beside and sides[k] == "top" and "if" in clauses[k - 1].near  # "if they're asleep, don't vacuum"
+    # "if they're asleep, don't vacuum", be it taken for the order of a later case, which there is none
+    is_free = sides[k] == "top" or (sides[k][:1] == ">" and CONDITION_ROLES.isdisjoint(roles[k:]))
+    is_beside = is_beside and is_free and "if" in clauses[k - 1].near
     if not (is_task and clause.is_forbidden and (sides[k] in (HOLDS, FAILS) or is_beside)):
         return
     sides[k] = FAILS
@@ -130,10 +132,11 @@ def await_outcome(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
     tells what to do if it is not ("don't open the gate until you have found the dog. *If you can't find her*, ...")."""
     order, awaited = clauses[k - 1 : k + 1]
     is_awaited = order.is_forbidden and "until" in awaited.near and awaited.sentence == order.sentence
+    is_awaited = is_awaited and awaited.task.type in FINDING_OUT
     if not is_awaited or (roles[k - 1], roles[k]) != ("task", "condition") or k + 1 >= len(clauses):
         return
-    if roles[k + 1] == "mention" and clauses[k + 1].sentence > awaited.sentence and sides[k - 1] in ("top", ">1-", ">1+"):
-        sides[k - 1] = ">1+"
+    is_told = roles[k + 1] == "mention" and clauses[k + 1].sentence > awaited.sentence
+    sides[k - 1] = ">1+" if is_told and sides[k - 1] in ("top", ">1-", ">1+") else sides[k - 1]
 
 
 def permit(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

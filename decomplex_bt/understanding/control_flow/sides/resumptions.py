@@ -62,21 +62,10 @@ def add_also(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k] = f"<1{sides[k - 2][2:]}"
 
 
-def use_sought(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What a "then" leads on to behind a look for something is not done where that fails, by what a later sentence says
-    ("find the dog, *then open the gate*. If you can't find her, ...")."""
-    if k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("condition", "task", "mention"):
-        return
-    search, clause, missed = clauses[k - 1 : k + 2]
-    is_next = clause.near in (("then",), ("and", "then")) and clause.sentence == search.sentence < missed.sentence
-    is_missed = missed.task.type == "searching" and missed.wording.is_negated and "if" in missed.near
-    if is_next and is_missed and search.task.type == "searching" and sides[k] == "top":
-        sides[k] = HOLDS
-
-
 def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "then" leads on to behind an order to check, about another thing, is done whatever that finds where a
-    later sentence goes by it ("see whether the gate is shut, *then feed the hens*. If it was open, ...")."""
+    later sentence goes by it ("see whether the gate is shut, *then feed the hens*. If it was open, ..."), and does not
+    say that it was looked for in vain ("find the dog, then open the gate. If you can't find her, ...")."""
     check, clause = clauses[k - 1], clauses[k]
     is_led_on = clause.near in (("then",), ("and", "then")) and _WHETHER.issuperset(clause.far)
     if (roles[k - 1], roles[k]) != ("condition", "task") or not is_led_on:
@@ -87,7 +76,8 @@ def go_between(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     while stop < len(clauses) and roles[stop] == "task" and clauses[stop].sentence == clause.sentence:
         stop += 1
     goes_by = stop < len(clauses) and roles[stop] == "mention" and clauses[stop].sentence > clause.sentence
-    if is_next and is_other and goes_by and all(sides[j] == HOLDS for j in range(k, stop)):
+    is_missed = goes_by and clauses[stop].task.type == "searching" and clauses[stop].wording.is_negated
+    if is_next and is_other and goes_by and not is_missed and all(sides[j] == HOLDS for j in range(k, stop)):
         for j in range(k, stop):
             sides[j] = beside(sides[k - 1])
 
@@ -194,6 +184,18 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j][:2] != "<1":
             return
         sides[j] = beside(sides[k - 1])
+
+
+def end_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done last with a thing in the second of two cases belongs to that ("if it's off, turn it on; if it's on,
+    dust it *before taking it to Ann*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = (roles[k - 1], roles[k], sides[k]) == ("task", "task", "top") and sides[k - 1] in (HOLDS, FAILS)
+    is_last = "before" in clause.near and clause.boundary == "none" and clause.sentence == order.sentence
+    last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), 0)
+    is_second = roles[last] == "mention" and roles[last - 1] == "task" and not clauses[last].is_trailing
+    if is_behind and is_last and is_second and clause.is_of_it and order.is_of_it:
+        sides[k] = sides[k - 1]
 
 
 def undo(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
