@@ -25,7 +25,7 @@ from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import check_language, check_models
+from decomplex_bt.understanding.manifest import check_encoder, check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
 from decomplex_bt.understanding.references.messages import with_messages
@@ -71,6 +71,7 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
+            check_encoder(models, folder)
             self._stages = load_encoder(folder, FlowModel(models), domain)
         else:
             self._stages = load_stages(models)
