@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 if TYPE_CHECKING:
     from decomplex_bt.instruction import Missing
@@ -35,6 +36,17 @@ def _listed(names: Sequence[str]) -> str:
 
 def _plainly(name: str) -> str:
     return name.casefold().replace("_", " ").replace("-", " ").strip()
+
+
+def check_jobs(jobs: object, name: str = "jobs") -> None:
+    """Raises `InputError` for what is no number of processes: 1 or more, or -1 for one a core."""
+    if not is_whole(jobs) or (jobs != -1 and jobs < 1):
+        raise InputError(f"{name} is {jobs!r}; expected at least one process, or -1 for one a core")
+
+
+def is_whole(value: object) -> TypeGuard[Integral]:
+    """Whether a value is a whole number, of numpy's as well; True is none."""
+    return isinstance(value, Integral) and not isinstance(value, bool)
 
 
 class DecomplexError(Exception):
