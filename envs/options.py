@@ -11,7 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.nouns import Nouns
-from decomplex_bt.envs.chance import APERTURE, POWER, Draw
+from decomplex_bt.envs.chance import POWER, Draw
 from decomplex_bt.envs.config import REWARDS
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
@@ -227,7 +227,6 @@ def _set_state(draw: Draw, row: int, value: str) -> None:
     draw.start.states[row, column] = int(kinds.state_pairs[pair].values[0] == value)
     if column == POWER and draw.start.states[row, POWER]:
         draw.start.broken[row] = False
-    assert column != APERTURE or row < draw.geometry.place_count
 
 
 def _reading(key: str, value: Any) -> Instruction | None:
