@@ -239,6 +239,7 @@ def test_no_input_and_no_room_for_output_are_no_program_errors(
     monkeypatch.setattr("sys.stdin", None)
     assert main(["parse"]) == 2
     assert "standard input is closed" in capsys.readouterr().err
+    assert main(["plan", "Go to the kitchen."]) == 0
 
     def full(*_: object, **__: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
@@ -469,6 +470,61 @@ def test_standard_input_that_cannot_be_read_is_named(tmp_path: Path) -> None:
         done = subprocess.run(command, stdin=written_only, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "<stdin>: cannot be read" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [
+        ('run "xyzzy" --json 2>&-', 2),
+        ("parse --json 2>&- <&-", 2),
+        ("corpus check /nowhere.yaml >&- 2>&-", 2),
+    ],
+)
+def test_streams_that_are_closed_from_the_start_are_no_error(command: str, expected: int) -> None:
+    shell = f"{shlex.quote(sys.executable)} -m decomplex_bt.cli {command}"
+    done = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
+    assert done.returncode == expected
+    assert "internal error" not in done.stderr
+    assert all(line.startswith("{") for line in done.stdout.splitlines()), "data alone goes to standard output"
+
+
+def test_reader_that_stops_hears_nothing_of_processes_that_were_at_work(tmp_path: Path) -> None:
+    source = tmp_path / "lines.txt"
+    source.write_text("Turn on the tv.\n" * 800, encoding="utf-8")
+    command = [sys.executable, "-m", "decomplex_bt.cli", "parse", "--json", "--jobs", "2", str(source)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert process.stdout.readline()
+    process.stdout.close()
+    assert process.stderr.read() == b""
+    assert process.wait(timeout=60) == 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["evaluate", "{}.yaml"],
+        ["evaluate", str(INSTRUCTIONS), "--output", "{}"],
+        ["corpus", "check", "{}"],
+        ["corpus", "convert", "{}.yaml", "out.jsonl", "--to", "jsonl"],
+        ["corpus", "convert", str(INSTRUCTIONS), "{}.jsonl", "--to", "jsonl"],
+        ["corpus", "score", str(INSTRUCTIONS), "--models", "{}"],
+        ["run", "Go to the kitchen.", "--json", "--record", "{}.gif"],
+        ["parse", "{}"],
+        ["plan", "Go to the kitchen.", "--domain", "./{}"],
+        ["train", "--corpus", "{}"],
+    ],
+)
+def test_path_that_no_disk_takes_is_named_in_one_line(
+    arguments: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main([argument.format("n" * 300) for argument in arguments]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "n" * 300 in line
+    assert "File name too long" in line
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("held_out", [{}, {"ann": (3, 4), "bob": (1, 5)}])

@@ -39,7 +39,7 @@ def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | Non
 
     loaded = load_domain(domain)
     instruction = understood(text, loaded)
-    if may_ask and sys.stdin.isatty():
+    if may_ask and sys.stdin is not None and sys.stdin.isatty():
         ask = partial(_answer, instruction)
         instruction = settle(instruction, ask, domain=loaded, threshold=THRESHOLD if threshold is None else threshold)
     grounded = ground(instruction, loaded)

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
 from typing import TypeVar
+from warnings import catch_warnings
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
@@ -124,8 +125,13 @@ class Interpreter:
         waiting = iter(list(usable))
         chunks = iter(lambda: tuple(islice(waiting, CHUNK)), ())
         read = delayed(partial(_interpret_chunk, self.domain.folder, self._models, self._has_encoder))
-        for instructions in Parallel(n_jobs=jobs, return_as="generator")(map(read, chunks)):
-            yield from instructions
+        found = Parallel(n_jobs=jobs, return_as="generator")(map(read, chunks))
+        try:
+            for instructions in found:
+                yield from instructions
+        finally:
+            with catch_warnings(action="ignore"):  # joblib's, of what is cancelled where the caller has seen enough
+                found.close()
 
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand; every span of a reading begins and ends with one."""
