@@ -379,6 +379,19 @@ def test_corpus_stats_count_structures(tmp_path: Path, capsys: pytest.CaptureFix
     assert "with a condition" in capsys.readouterr().out
 
 
+def test_corpus_stats_fit_a_terminal_and_tell_voices_when_asked(
+    household_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    corpus = str(household_folder / "corpus")
+    assert main(["corpus", "stats", corpus]) == 0
+    splits = capsys.readouterr().out.splitlines()
+    assert splits[0].split() == ["all", "train", "development", "test"]
+    assert main(["corpus", "stats", corpus, "--voices"]) == 0
+    voices = capsys.readouterr().out.splitlines()
+    assert [line.split()[:2] for line in voices if line.startswith("hana ")] == [["hana", "110"]]
+    assert max(map(len, splits + voices)) <= 80
+
+
 def test_evaluate_writes_rows_and_summary(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     corpus = tmp_path / "voice.yaml"
     text = "[Turn](1:change_state) on [the tv](1:object)."

@@ -69,9 +69,13 @@ def check(
 
 @app.command()
 def stats(
-    path: PathArgument, format: FormatOption = None, json: JsonOption = False, domain: DomainOption = "household"
+    path: PathArgument,
+    voices: Annotated[bool, typer.Option("--voices", help="A line for each voice instead of the splits.")] = False,
+    format: FormatOption = None,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
 ) -> int:
-    """Count a corpus: instructions, tasks, types, structures; for all, by split and by voice."""
+    """Count a corpus: instructions, tasks, types, structures; for all and by split. JSON has the voices, too."""
     use_utf8()
     is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus_statistics import corpus_statistics
@@ -81,7 +85,7 @@ def stats(
     if is_json:
         print_json(statistics.to_json())
     else:
-        print(statistics)
+        print(statistics.voice_table() if voices else statistics)
     return 0
 
 
