@@ -44,7 +44,12 @@ def check_jobs(jobs: object, name: str = "jobs") -> None:
         raise InputError(f"{name} is {jobs!r}; expected at least one process, or -1 for one a core")
 
 
-def is_whole(value: object) -> TypeGuard[Integral]:
+def quoted(text: str, most: int = 100) -> str:
+    """A text as an error quotes it: of a long one so many characters."""
+    return repr(text if len(text) <= most else f"{text[: most - 3]}...")
+
+
+def is_whole(value: object) -> TypeGuard[int]:
     """Whether a value is a whole number, of numpy's as well; True is none."""
     return isinstance(value, Integral) and not isinstance(value, bool)
 
@@ -88,7 +93,7 @@ class UnknownWordError(InputError):
         self.choices = tuple(choices)
         self.task = task
         hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else _listed(tuple(known))
-        super().__init__(f"{phrase!r} names nothing in this house (expected {expected}){hint}")
+        super().__init__(f"{quoted(phrase)} names nothing in this house (expected {expected}){hint}")
 
 
 class ImpossibleGoalError(InputError):

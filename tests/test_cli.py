@@ -233,6 +233,44 @@ def test_a_folder_is_no_film(ending: str, tmp_path: Path, capsys: pytest.Capture
     assert "this is a folder" in capsys.readouterr().err
 
 
+class Terminal(io.StringIO):
+    """Somebody types."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(
+    ("typed", "asked", "status"),
+    [
+        ("on the moon\nthe pen\nOn The Bed\n", 3, 0),
+        ("on the moon\n\n", 2, 2),
+        ("on the moon\n", 2, 2),
+        ("\n", 1, 2),
+    ],
+)
+def test_an_answer_that_cannot_be_used_is_asked_for_again(typed, asked, status, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal(typed))
+    assert main(["plan", "Put the cup."]) == status
+    err = capsys.readouterr().err
+    assert err.splitlines()[0].startswith("Where should I put it? ")
+    assert err.count("Where should I put it? ") - err.count("lacks its goal") == asked
+    assert err.count("answer otherwise, or just press Enter") == asked - 1
+
+
+def test_what_the_text_itself_gets_wrong_is_not_asked_for_again(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal("on the bed\n" * 3))
+    assert main(["plan", "Put the dragon."]) == 2
+    assert "'the dragon' names nothing" in capsys.readouterr().err
+
+
+def test_long_texts_are_not_quoted_as_a_whole(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["plan", "Good morning. " * 140]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "...' holds no task" in line
+    assert len(line) < 400
+
+
 def test_no_input_and_no_room_for_output_are_no_program_errors(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -290,6 +328,7 @@ BAD = {
     "no such file": ["parse", "/nowhere/at/all"],
     "no such corpus": ["corpus", "check", "/nowhere/at/all"],
     "unknown domain": ["parse", "-", "--domain", "spaceship"],
+    "no domain": ["plan", "Go to the kitchen.", "--domain", ""],
     "no argument": ["run"],
     "slips above one": ["evaluate", "x.yaml", "--slips", "3"],
     "slips no number": ["evaluate", "x.yaml", "--slips", "nan"],

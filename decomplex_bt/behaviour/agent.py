@@ -17,7 +17,7 @@ from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.session import Session
-from decomplex_bt.behaviour.settling import Ask, check_threshold, settle, understood, with_tasks
+from decomplex_bt.behaviour.settling import Ask, check_ask, check_threshold, settle, understood, with_tasks
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
@@ -247,8 +247,8 @@ def _body_of(env: Any) -> Embodiment:
 
 
 def _check(ask: Any, threshold: Any, planner: Any) -> None:
-    if ask is not None and not callable(ask):
-        raise InputError(f"ask is {ask!r}; expected a function that answers a question, or None")
+    if ask is not None:
+        check_ask(ask)
     if planner is not None and not callable(getattr(planner, "solve", None)):
         raise InputError(f"planner is {planner!r}; expected something with a method solve(problem), or None")
     check_threshold(threshold)

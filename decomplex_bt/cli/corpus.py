@@ -172,7 +172,7 @@ def agreement(
     is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus import SECOND_ANNOTATION, read_corpus
     from decomplex_bt.domain.loader import load_domain
-    from decomplex_bt.errors import InputError
+    from decomplex_bt.errors import DataFileError, InputError
     from decomplex_bt.evaluation import agreement as measures
 
     if first is not None and second is None:
@@ -181,6 +181,8 @@ def agreement(
     first = first or loaded.folder / "corpus"
     second = second or loaded.folder / "corpus" / SECOND_ANNOTATION
     both = measures.matched(read_corpus(first, loaded.ontology), read_corpus(second, loaded.ontology))
+    if not both:
+        raise DataFileError(second, "there is no instruction in it to be held against another annotation")
     groups: dict[str, list[measures.Pair]] = {}
     for one, other in both:
         groups.setdefault(one.voice, []).append((one.instruction, other.instruction))

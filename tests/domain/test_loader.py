@@ -74,6 +74,7 @@ def test_every_kind_of_the_house_is_known_and_every_thing_has_a_place() -> None:
         ("house.yaml", "things:\n", "things:\n  relic: {kind: pen, absent: 2}\n", r"relic\.absent"),
         ("house.yaml", "format: 1", "format: 2", r"house\.yaml: format"),
         ("kinds.yaml", "format: 1", "format: 2", r"kinds\.yaml: format"),
+        ("house.yaml", "user: {kind: user", "user: {home: 0.5, kind: user", r"people\.user\.home: .* always at home"),
         ("kinds.yaml", "words: [pen,", "words: ['', pen,", r"kinds\.yaml: kinds\.pen\.words\.0: a word is blank"),
         ("kinds.yaml", "words: [pen,", "words: ['  ', pen,", r"kinds\.yaml: kinds\.pen\.words\.0: a word is blank"),
         ("house.yaml", "words: [anna]", "words: ['']", r"house\.yaml: people\.anna\.words\.0: a word is blank"),

@@ -278,3 +278,29 @@ def test_the_advice_is_to_train_where_the_model_is(path, command, tmp_path):
     assert f"gone; run `{command.format(tmp_path)}`" in str(ModelError(tmp_path / path, "gone"))
     shipped = load_domain("household").folder / "models" / "tasks.crf"
     assert "run `decomplex-bt train --domain household`" in str(ModelError(shipped, "gone"))
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"models": 3}, "models is 3; expected a folder of trained models"),
+        ({"encoder": "x"}, "encoder is 'x'; expected True, False, or None"),
+        ({"models": "nowhere"}, r"nowhere/manifest\.json: cannot be read"),
+    ],
+)
+def test_what_no_interpreter_can_be_loaded_with_is_refused(options, says):
+    with pytest.raises(InputError, match=says):
+        Interpreter.load("household", **options)
+
+
+def test_what_is_no_text_or_no_batch_is_refused_at_once(interpreter):
+    with pytest.raises(InputError, match="the instruction is None; expected a text"):
+        interpreter.interpret(None)
+    with pytest.raises(InputError, match=r"texts is 'Close the door\.'; expected several texts"):
+        interpreter.interpret_batch("Close the door.")
+    with pytest.raises(InputError, match="texts is None; expected several texts"):
+        interpreter.interpret_batch(None)
+    with pytest.raises(InputError, match="jobs is 0; expected at least one process"):
+        interpreter.interpret_batch(["Close the door."], jobs=0)
+    with pytest.raises(InputError, match="the instruction is 3; expected a text"):
+        list(interpreter.interpret_batch(["Close the door.", 3]))
