@@ -191,7 +191,11 @@ class TreeAgent:
 
     @property
     def done(self) -> bool:
-        """Whether the agent has sent its last action, or the episode has ended before it did."""
+        """Whether the agent has sent its last action, or the episode has ended before it did.
+
+        Where it has, the first look at this, `status`, `failures` or `branches()` ticks the tree with what was last
+        observed, which nobody hands to `act` any more; further looks change nothing.
+        """
         self._conclude()
         return self._has_finished or self._has_concluded
 
