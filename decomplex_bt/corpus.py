@@ -63,11 +63,14 @@ class _RawVoices(Record):
     voices: dict[str, _RawVoice]
 
 
-def read_corpus(path: Path, ontology: Ontology) -> tuple[Example, ...]:
+def read_corpus(path: str | Path, ontology: Ontology) -> tuple[Example, ...]:
     """All examples of a corpus file, or of every `*.yaml` in a folder (sorted by name, `voices.yaml` left out).
 
-    Raises `DataFileError` at the first fault, naming file, line and example.
+    Raises `DataFileError` at the first fault, naming file, line and example, and `InputError` for what is no path.
     """
+    if not isinstance(path, str | Path):
+        raise InputError(f"path is {path!r}; expected a corpus file, or a folder of them")
+    path = Path(path)
     if path.is_dir():
         files = sorted(file for file in path.glob("*.yaml") if file.name != VOICES_FILE)
         if not files:
@@ -85,6 +88,8 @@ def read_corpus(path: Path, ontology: Ontology) -> tuple[Example, ...]:
 def parse_corpus(text: str, ontology: Ontology, *, path: str | Path = "<text>") -> tuple[Example, ...]:
     """As `read_corpus` for one file's text; `path` serves for messages and, by its stem, as the voice."""
     items = load_yaml(text, path)
+    if items is None:
+        raise DataFileError(path, "the file is empty; expected a list of examples, each with id, text and flow")
     if not isinstance(items, list):
         raise DataFileError(path, f"expected a list of examples, got {type(items).__name__}")
     examples: dict[str, Example] = {}

@@ -88,8 +88,20 @@ class CorpusStatistics:
             "voices": {name: counts.to_json() for name, counts in self.voices.items()},
         }
 
+    def voice_table(self) -> str:
+        """A line for each voice, for all in the end: instructions, those of two or more tasks, tasks, their mean, and
+        the shares of phrases and nouns not in the house."""
+        lines = [f"{'voice':<14}{'instructions':>13}{'complex':>9}{'tasks':>8}{'each':>7}{'phrases':>9}{'nouns':>8}"]
+        for name, counts in {**self.voices, "all": self.whole}.items():
+            complex_ones = sum(number for tasks, number in counts.lengths.items() if tasks > 1)
+            lines.append(
+                f"{name:<14}{counts.instructions:>13}{complex_ones:>9}{counts.tasks:>8}{counts.tasks_mean:>7.2f}"
+                f"{counts.out_of_house:>9.0%}{counts.unknown_nouns:>8.0%}"
+            )
+        return "\n".join([*lines, "", "phrases, nouns: the shares that are not in the house"])
+
     def __str__(self) -> str:
-        columns = {"all": self.whole, **self.splits, **self.voices}
+        columns = {"all": self.whole, **self.splits}
         rows: list[tuple[str, Callable[[Counts], str]]] = [
             ("instructions", lambda counts: str(counts.instructions)),
             ("tasks", lambda counts: str(counts.tasks)),
@@ -246,4 +258,4 @@ def _counted(known: Iterable[str], found: Iterable[str]) -> dict[str, int]:
 
 
 def _row(title: object, cells: Iterable[str]) -> str:
-    return f"{title:<33}" + "".join(f"{cell:>13}" for cell in cells)
+    return f"{title:<31}" + "".join(f"{cell:>12}" for cell in cells)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from numbers import Integral
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 if TYPE_CHECKING:
     from decomplex_bt.instruction import Missing
@@ -35,6 +36,22 @@ def _listed(names: Sequence[str]) -> str:
 
 def _plainly(name: str) -> str:
     return name.casefold().replace("_", " ").replace("-", " ").strip()
+
+
+def check_jobs(jobs: object, name: str = "jobs") -> None:
+    """Raises `InputError` for what is no number of processes: 1 or more, or -1 for one a core."""
+    if not is_whole(jobs) or (jobs != -1 and jobs < 1):
+        raise InputError(f"{name} is {jobs!r}; expected at least one process, or -1 for one a core")
+
+
+def quoted(text: str, most: int = 100) -> str:
+    """A text as an error quotes it: of a long one so many characters."""
+    return repr(text if len(text) <= most else f"{text[: most - 3]}...")
+
+
+def is_whole(value: object) -> TypeGuard[int]:
+    """Whether a value is a whole number, of numpy's as well; True is none."""
+    return isinstance(value, Integral) and not isinstance(value, bool)
 
 
 class DecomplexError(Exception):
@@ -76,7 +93,7 @@ class UnknownWordError(InputError):
         self.choices = tuple(choices)
         self.task = task
         hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else _listed(tuple(known))
-        super().__init__(f"{phrase!r} names nothing in this house (expected {expected}){hint}")
+        super().__init__(f"{quoted(phrase)} names nothing in this house (expected {expected}){hint}")
 
 
 class ImpossibleGoalError(InputError):

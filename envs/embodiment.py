@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from reprlib import repr as shortened
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,10 @@ import numpy as np
 from decomplex_bt.behaviour.embodiment import Skill
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.floorplan import Cells, floorplan_of
-from decomplex_bt.envs.interface import Interaction, Result
+from decomplex_bt.envs.interface import COLUMNS, ROBOT_FIELDS, Interaction, Result
 from decomplex_bt.envs.navigation import DEFAULT_LIMITS, Driver, Limits
 from decomplex_bt.envs.senses import Senses
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, is_whole
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
 
@@ -22,6 +23,7 @@ Action = dict[str, Any]
 _NO_INTERACTION = int(Interaction.NONE)
 _RESULT_TEXTS = tuple("" if result is Result.NONE else result.name.lower().replace("_", " ") for result in Result)
 """What `Percept.result` says of each result."""
+_PLACE = COLUMNS.index("place")
 _SENSED = ("robot", "held", "entities", "result", "seconds")
 """The keys of an observation that the body goes by."""
 
@@ -69,7 +71,7 @@ class HouseholdEmbodiment:
 
     def reset(self, observation: Mapping[str, Any]) -> None:
         """Begins an episode. Raises `InputError` for an observation that is not of `HouseholdEnv`."""
-        _check(observation)
+        _check(observation, len(self.senses.names))
         self.senses.clear()
         self._last = self.ended = None
         self.sense(observation)
@@ -114,7 +116,7 @@ class HouseholdEmbodiment:
         try:
             self.senses.take(observation)
         except (KeyError, IndexError, TypeError, ValueError, AttributeError):
-            _check(observation)  # only now, for it would be a part of every tick
+            _check(observation, len(self.senses.names))  # only now, for it would be a part of every tick
             raise
         self._last = observation
 
@@ -138,8 +140,8 @@ class HouseholdEmbodiment:
         return Driver(self.floorplan, goal, self.config.limits, second_best=second_best)
 
 
-def _check(observation: Any) -> None:
-    """Raises `InputError` for what is not one observation of `HouseholdEnv`."""
+def _check(observation: Any, rows: int) -> None:
+    """Raises `InputError` for what is not one observation of `HouseholdEnv`, in a house of so many entities."""
     if not isinstance(observation, Mapping):
         raise InputError(
             f"the robot goes by the observations of Household-v0, by name, and was given a "
@@ -152,3 +154,35 @@ def _check(observation: Any) -> None:
             f"the observation's entities have the shape {np.shape(observation['entities'])}; expected one row for "
             "each entity. Of a vector environment give each agent the observation of its own environment"
         )
+    fitting = {
+        "robot": _is_array(observation["robot"], len(ROBOT_FIELDS)),
+        "held": _is_array(observation["held"]) and _are_rows(observation["held"], rows),
+        "entities": _is_table(observation["entities"], rows),
+        "result": is_whole(observation["result"]) and 0 <= observation["result"] < len(Result),
+        "seconds": _is_array(observation["seconds"], 1),
+    }
+    if wrong := next((key for key, is_fit in fitting.items() if not is_fit), None):
+        value = observation[wrong]
+        given = f"of the shape {value.shape}" if isinstance(value, np.ndarray) else shortened(value)
+        raise InputError(
+            f"the observation's {wrong!r} ({given}) is none of this house; give what reset or step of the agent's "
+            "environment returned, as it is"
+        )
+
+
+def _is_array(value: Any, size: int | None = None) -> bool:
+    """Whether it is a list of finite numbers as numpy has it, of this size or at least one."""
+    is_list = isinstance(value, np.ndarray) and value.ndim == 1 and value.dtype.kind in "iuf"
+    return is_list and (value.size == size or (size is None and value.size > 0)) and bool(np.isfinite(value).all())
+
+
+def _is_table(value: Any, rows: int) -> bool:
+    """Whether it is an entity table of at least so many rows."""
+    if not isinstance(value, np.ndarray) or value.shape[0] < rows or value.shape[1] != len(COLUMNS):
+        return False
+    return value.dtype.kind == "f" and bool(np.isfinite(value).all()) and _are_rows(value[:, _PLACE], len(value))
+
+
+def _are_rows(values: Any, rows: int) -> bool:
+    """Whether all are rows of a table with so many, or -1."""
+    return bool(((values >= -1) & (values < rows)).all())

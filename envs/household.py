@@ -182,7 +182,12 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             raise InputError(f"render_mode is {render_mode!r}; expected one of {modes}")
         self.config = read_config(config, HouseholdConfig, "config")
         self.render_mode = render_mode
-        self._site: dict[str, Any] = {"domain": domain, "house": house, "size": size, "house_seed": house_seed}
+        self._site: dict[str, Any] = {
+            "domain": _lasting(domain) if _is_path(domain) else domain,
+            "house": _lasting(house),
+            "size": size,
+            "house_seed": house_seed,
+        }
         self._bodies: list[weakref.ref[HouseholdEmbodiment]] = []
         self._camera: Camera | None = None
         self._judge: Judge | None = None
@@ -570,6 +575,15 @@ class HouseholdEnv(gym.Env[Observation, Action]):
         from decomplex_bt.envs.spaces import observation_space
 
         return observation_space(self._home.rows, self._home.bounds, self.config.world.tray_slots)
+
+
+def _is_path(domain: Any) -> bool:
+    return isinstance(domain, Path) or (isinstance(domain, str) and Path(domain).name != domain)
+
+
+def _lasting(path: Any) -> Any:
+    """The same path, whatever the working directory is by the time when a copy of the environment needs it."""
+    return Path(path).absolute() if isinstance(path, str | Path) else path
 
 
 def _plain(argument: Any) -> Any:

@@ -11,7 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.nouns import Nouns
-from decomplex_bt.envs.chance import APERTURE, POWER, Draw
+from decomplex_bt.envs.chance import POWER, Draw
 from decomplex_bt.envs.config import REWARDS
 from decomplex_bt.envs.geometry import Geometry
 from decomplex_bt.envs.interface import STATE_PAIRS
@@ -151,7 +151,8 @@ def with_instruction(options: dict[str, Any] | None, instruction: Any) -> dict[s
 
 
 def read_house(options: Mapping[str, Any] | None) -> tuple[str | None, int | None]:
-    """The file and the seed of the house that is asked for, None for what is not. Raises `InputError`."""
+    """The file (which stays that one, whatever the working directory) and the seed of the house that is asked for, None
+    for what is not. Raises `InputError`."""
     given = options or {}
     path, seed = given.get("house"), given.get("house_seed")
     if path is not None and not isinstance(path, str | Path):
@@ -160,7 +161,7 @@ def read_house(options: Mapping[str, Any] | None) -> tuple[str | None, int | Non
         seed = whole("house_seed", seed)
     if path is not None and seed is not None:
         raise InputError("house and house_seed exclude each other; give one of them")
-    return None if path is None else str(path), seed
+    return None if path is None else str(Path(path).absolute()), seed
 
 
 def read_request(instruction: Any, gold: Any = None) -> Request | None:
@@ -227,7 +228,6 @@ def _set_state(draw: Draw, row: int, value: str) -> None:
     draw.start.states[row, column] = int(kinds.state_pairs[pair].values[0] == value)
     if column == POWER and draw.start.states[row, POWER]:
         draw.start.broken[row] = False
-    assert column != APERTURE or row < draw.geometry.place_count
 
 
 def _reading(key: str, value: Any) -> Instruction | None:

@@ -9,8 +9,6 @@ HOUSEHOLD_FLAT = "decomplex_bt/HouseholdFlat-v0"
 HOUSEHOLD_SMALL = "decomplex_bt/HouseholdSmall-v0"
 HOUSEHOLD_MEDIUM = "decomplex_bt/HouseholdMedium-v0"
 HOUSEHOLD_LARGE = "decomplex_bt/HouseholdLarge-v0"
-IDS = (HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL, HOUSEHOLD_MEDIUM, HOUSEHOLD_LARGE)
-"""All ids of this package."""
 
 
 def register_envs() -> None:

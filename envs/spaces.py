@@ -27,8 +27,6 @@ _INTERACTIONS = tuple(Interaction)
 _REAL = "iuf"
 """The kinds of numpy's types that are numbers to drive by."""
 
-Drive = tuple[float, float]
-
 
 def action_space(rows: int) -> spaces.Dict:
     """`drive`, `interact` and `target`: see `HouseholdEnv`. `rows`: of the entity table."""

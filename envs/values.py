@@ -64,7 +64,9 @@ def known(
     if isinstance(value, str) and value in choices:
         return str(value)
     meant = [] if aliases is None else [choice for choice in aliases(str(value)) if choice in choices]
-    hint = f"; the nearest known: {', '.join(meant)}" if meant else among(value, choices)
+    hint = (
+        f"; the nearest known: {', '.join(meant)}" if meant else among(value if isinstance(value, str) else "", choices)
+    )
     raise InputError(f"{name}: {value!r} is no {expected}{hint}{f'; {listed_by} has them all' if listed_by else ''}")
 
 

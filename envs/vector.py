@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
@@ -23,8 +24,12 @@ class HouseholdVectorEnv(SyncVectorEnv):
     ) -> tuple[Any, dict[str, Any]]:
         """As `SyncVectorEnv.reset`; with a `reset_mask` the instructions of the others are passed over.
 
-        Raises `InputError` where there are not as many instructions as environments, or one cannot be used.
+        Raises `InputError` where there are not as many instructions or seeds as environments, or one cannot be used.
         """
+        if options is not None and not isinstance(options, Mapping):
+            raise InputError(f"options is {options!r}; expected a mapping, as in {{'instructions': [...]}}")
+        if isinstance(seed, list | tuple | np.ndarray) and len(seed) != self.num_envs:
+            raise InputError(f"seed is {seed!r}; expected a list of {self.num_envs}, one for each, or one for all")
         options = dict(options or {})
         instructions = self._read_instructions(options.pop("instructions", None))
         houses: list[Any] = [env.unwrapped for env in self.envs]

@@ -14,7 +14,7 @@ import decomplex_bt
 from decomplex_bt.cli import main
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.errors import MissingArgumentError, UnknownWordError
+from decomplex_bt.errors import InputError, MissingArgumentError, UnknownWordError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Doubt, Missing
 from decomplex_bt.understanding.interpreter import Interpreter
@@ -107,6 +107,18 @@ def test_on_a_terminal_the_answer_decides(text, typed, options, flow, asked, mon
     assert err.count(QUESTION) == asked
     depth = "  " if flow == ALWAYS else "      "
     assert "--json" in options or out.endswith(f"\n{depth}· make the fridge open\n"), out
+
+
+@pytest.mark.parametrize(
+    ("instruction", "ask", "says"),
+    [
+        ("Put the cup.", None, "ask is None; expected a function"),
+        (3, lambda question: "on the bed", "instruction is a int; expected a text or an Instruction"),
+    ],
+)
+def test_what_cannot_be_settled_is_refused_in_a_line(instruction, ask, says):
+    with pytest.raises(InputError, match=says):
+        decomplex_bt.settle(instruction, ask)
 
 
 def test_without_a_terminal_nobody_is_asked(text, monkeypatch, capsys):

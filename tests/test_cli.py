@@ -233,12 +233,51 @@ def test_a_folder_is_no_film(ending: str, tmp_path: Path, capsys: pytest.Capture
     assert "this is a folder" in capsys.readouterr().err
 
 
+class Terminal(io.StringIO):
+    """Somebody types."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(
+    ("typed", "asked", "status"),
+    [
+        ("on the moon\nthe pen\nOn The Bed\n", 3, 0),
+        ("on the moon\n\n", 2, 2),
+        ("on the moon\n", 2, 2),
+        ("\n", 1, 2),
+    ],
+)
+def test_an_answer_that_cannot_be_used_is_asked_for_again(typed, asked, status, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal(typed))
+    assert main(["plan", "Put the cup."]) == status
+    err = capsys.readouterr().err
+    assert err.splitlines()[0].startswith("Where should I put it? ")
+    assert err.count("Where should I put it? ") - err.count("lacks its goal") == asked
+    assert err.count("answer otherwise, or just press Enter") == asked - 1
+
+
+def test_what_the_text_itself_gets_wrong_is_not_asked_for_again(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal("on the bed\n" * 3))
+    assert main(["plan", "Put the dragon."]) == 2
+    assert "'the dragon' names nothing" in capsys.readouterr().err
+
+
+def test_long_texts_are_not_quoted_as_a_whole(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["plan", "Good morning. " * 140]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "...' holds no task" in line
+    assert len(line) < 400
+
+
 def test_no_input_and_no_room_for_output_are_no_program_errors(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.stdin", None)
     assert main(["parse"]) == 2
     assert "standard input is closed" in capsys.readouterr().err
+    assert main(["plan", "Go to the kitchen."]) == 0
 
     def full(*_: object, **__: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
@@ -289,6 +328,7 @@ BAD = {
     "no such file": ["parse", "/nowhere/at/all"],
     "no such corpus": ["corpus", "check", "/nowhere/at/all"],
     "unknown domain": ["parse", "-", "--domain", "spaceship"],
+    "no domain": ["plan", "Go to the kitchen.", "--domain", ""],
     "no argument": ["run"],
     "slips above one": ["evaluate", "x.yaml", "--slips", "3"],
     "slips no number": ["evaluate", "x.yaml", "--slips", "nan"],
@@ -376,6 +416,19 @@ def test_corpus_stats_count_structures(tmp_path: Path, capsys: pytest.CaptureFix
     assert counts["unknown_nouns"] == pytest.approx(2 / 3, abs=1e-4)  # samovar twice, desk; "me" is no noun
     assert main(["corpus", "stats", str(path)]) == 0
     assert "with a condition" in capsys.readouterr().out
+
+
+def test_corpus_stats_fit_a_terminal_and_tell_voices_when_asked(
+    household_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    corpus = str(household_folder / "corpus")
+    assert main(["corpus", "stats", corpus]) == 0
+    splits = capsys.readouterr().out.splitlines()
+    assert splits[0].split() == ["all", "train", "development", "test"]
+    assert main(["corpus", "stats", corpus, "--voices"]) == 0
+    voices = capsys.readouterr().out.splitlines()
+    assert [line.split()[:2] for line in voices if line.startswith("hana ")] == [["hana", "110"]]
+    assert max(map(len, splits + voices)) <= 80
 
 
 def test_evaluate_writes_rows_and_summary(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -469,6 +522,61 @@ def test_standard_input_that_cannot_be_read_is_named(tmp_path: Path) -> None:
         done = subprocess.run(command, stdin=written_only, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "<stdin>: cannot be read" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [
+        ('run "xyzzy" --json 2>&-', 2),
+        ("parse --json 2>&- <&-", 2),
+        ("corpus check /nowhere.yaml >&- 2>&-", 2),
+    ],
+)
+def test_streams_that_are_closed_from_the_start_are_no_error(command: str, expected: int) -> None:
+    shell = f"{shlex.quote(sys.executable)} -m decomplex_bt.cli {command}"
+    done = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
+    assert done.returncode == expected
+    assert "internal error" not in done.stderr
+    assert all(line.startswith("{") for line in done.stdout.splitlines()), "data alone goes to standard output"
+
+
+def test_reader_that_stops_hears_nothing_of_processes_that_were_at_work(tmp_path: Path) -> None:
+    source = tmp_path / "lines.txt"
+    source.write_text("Turn on the tv.\n" * 800, encoding="utf-8")
+    command = [sys.executable, "-m", "decomplex_bt.cli", "parse", "--json", "--jobs", "2", str(source)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert process.stdout.readline()
+    process.stdout.close()
+    assert process.stderr.read() == b""
+    assert process.wait(timeout=60) == 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["evaluate", "{}.yaml"],
+        ["evaluate", str(INSTRUCTIONS), "--output", "{}"],
+        ["corpus", "check", "{}"],
+        ["corpus", "convert", "{}.yaml", "out.jsonl", "--to", "jsonl"],
+        ["corpus", "convert", str(INSTRUCTIONS), "{}.jsonl", "--to", "jsonl"],
+        ["corpus", "score", str(INSTRUCTIONS), "--models", "{}"],
+        ["run", "Go to the kitchen.", "--json", "--record", "{}.gif"],
+        ["parse", "{}"],
+        ["plan", "Go to the kitchen.", "--domain", "./{}"],
+        ["train", "--corpus", "{}"],
+    ],
+)
+def test_path_that_no_disk_takes_is_named_in_one_line(
+    arguments: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main([argument.format("n" * 300) for argument in arguments]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "n" * 300 in line
+    assert "File name too long" in line
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("held_out", [{}, {"ann": (3, 4), "bob": (1, 5)}])

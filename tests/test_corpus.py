@@ -3,7 +3,7 @@
 import pytest
 
 from decomplex_bt.corpus import lint, parse_corpus, read_corpus, read_markup, read_voices, write_markup
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.errors import DataFileError, InputError
 
 PEN = """
 - id: pen-or-drawer
@@ -97,3 +97,17 @@ def test_every_voice_has_a_file_a_split_and_the_test_voices_are_whole_files(hous
     files = {file.stem for file in (household_folder / "corpus").glob("*.yaml")} - {"voices"}
     assert set(voices) == files
     assert {voice.split for voice in voices.values()} == {"train", "development", "test"}
+
+
+def test_a_corpus_is_read_from_a_path_or_its_text(ontology, tmp_path):
+    path = tmp_path / "mine.yaml"
+    path.write_text(PEN, encoding="utf-8")
+    assert read_corpus(str(path), ontology) == read_corpus(path, ontology)
+    with pytest.raises(InputError, match="path is 3; expected a corpus file, or a folder"):
+        read_corpus(3, ontology)
+
+
+@pytest.mark.parametrize("text", ["", "# nothing yet\n"])
+def test_an_empty_file_is_called_so(text, ontology):
+    with pytest.raises(DataFileError, match=r"mine\.yaml: the file is empty; expected a list of examples"):
+        parse_corpus(text, ontology, path="mine.yaml")

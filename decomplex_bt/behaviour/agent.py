@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, SupportsIndex
 
 from py_trees.common import Status
 from py_trees.composites import Sequence as InOrder
@@ -17,7 +17,7 @@ from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.planned_task import PlannedTask
 from decomplex_bt.behaviour.session import Session
-from decomplex_bt.behaviour.settling import Ask, check_threshold, settle, understood, with_tasks
+from decomplex_bt.behaviour.settling import Ask, check_ask, check_threshold, settle, understood, with_tasks
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.sentences import say_task
@@ -37,6 +37,17 @@ LAST_TICKS = 3
 """Ticks in which an agent takes in with what the episode has ended; some things it believes only at second sight."""
 
 
+@dataclass(frozen=True)
+class _Episode:
+    """What an agent goes by from one reset to the next."""
+
+    instruction: Instruction
+    grounded: GroundInstruction
+    compiled: CompiledTree
+    session: Session
+    tree: BehaviourTree
+
+
 class TreeAgent:
     """Carries an instruction out with a behaviour tree.
 
@@ -51,8 +62,9 @@ class TreeAgent:
     `threshold` or `planner` that is none.
 
     After `reset`: `instruction`, `grounded`, `tree` (a `py_trees.trees.BehaviourTree`), `compiled` (tree and flow, node
-    by node). While it runs: `status`, and `failures` with the reasons of failed tasks. `done` is true once the agent
-    has sent its last action, which ends the episode, or the episode has ended without it.
+    by node), `session`; before it they raise `RuntimeError`. While it runs: `status`, and `failures` with the reasons
+    of failed tasks. `done` is true once the agent has sent its last action, which ends the episode, or the episode has
+    ended without it. An agent cannot be copied or pickled, for its skills are under way: that is a `TypeError`.
     """
 
     def __init__(
@@ -70,9 +82,16 @@ class TreeAgent:
         self._gold = _annotated(flow)
         self._ask = ask
         self._threshold = threshold
-        self._session: Session | None = None
+        self._episode: _Episode | None = None
         self._running: PlannedTask | None = None
         self._has_finished = self._has_concluded = False
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
+        """Refuses copying and pickling."""
+        raise TypeError(
+            "a TreeAgent cannot be copied or pickled, for its skills are under way; make another of the environment, "
+            "TreeAgent(env), and reset it with what the environment's reset returned"
+        )
 
     # -- the Gymnasium loop -------------------------------------------------------------------------------------------
 
@@ -92,13 +111,11 @@ class TreeAgent:
         grounded = ground(instruction, domain)
         compiled = compile_instruction(instruction, grounded, domain)
         self._body.reset(observation)  # the last that may refuse
-        self.compiled = compiled
-        self.instruction: Instruction = instruction
-        self.grounded: GroundInstruction = grounded
         prior = Prior.of(domain).told(grounded.named_places(), domain)
-        self._session = Session(self._body, Belief(domain, prior=prior), self._planner)
-        self.tree = BehaviourTree(self.compiled.root)
-        self.tree.setup(session=self._session)
+        session = Session(self._body, Belief(domain, prior=prior), self._planner)
+        tree = BehaviourTree(compiled.root)
+        tree.setup(session=session)
+        self._episode = _Episode(instruction, grounded, compiled, session, tree)
         self._has_finished = self._has_concluded = False
         self._running = None
 
@@ -131,26 +148,54 @@ class TreeAgent:
     def _conclude(self) -> None:
         """Takes in with what the episode has ended, where it did so before the tree knew: what its last step did."""
         ended = getattr(self._body, "ended", None)
-        if ended is None or self._has_concluded or self._session is None:
+        if ended is None or self._has_concluded or self._episode is None:
             return
         self._has_concluded = True
         for _ in range(LAST_TICKS):
             if self._has_finished or self.tree.root.status in (Status.SUCCESS, Status.FAILURE):
                 return
-            self._tick(self._session, ended)
+            self._tick(self.session, ended)
 
     # -- how it stands ------------------------------------------------------------------------------------------------
 
     @property
+    def instruction(self) -> Instruction:
+        """What the agent goes by."""
+        return self._begun.instruction
+
+    @property
+    def grounded(self) -> GroundInstruction:
+        """The instruction in the house's names."""
+        return self._begun.grounded
+
+    @property
+    def compiled(self) -> CompiledTree:
+        """Tree and flow, node by node."""
+        return self._begun.compiled
+
+    @property
+    def tree(self) -> BehaviourTree:
+        """The tree that `act` ticks."""
+        return self._begun.tree
+
+    @property
     def session(self) -> Session:
         """What the leaves share: belief, bindings, plan counts."""
-        if self._session is None:
+        return self._begun.session
+
+    @property
+    def _begun(self) -> _Episode:
+        if self._episode is None:
             raise RuntimeError("call reset(observation, info) first")
-        return self._session
+        return self._episode
 
     @property
     def done(self) -> bool:
-        """Whether the agent has sent its last action, or the episode has ended before it did."""
+        """Whether the agent has sent its last action, or the episode has ended before it did.
+
+        Where it has, the first look at this, `status`, `failures` or `branches()` ticks the tree with what was last
+        observed, which nobody hands to `act` any more; further looks change nothing.
+        """
         self._conclude()
         return self._has_finished or self._has_concluded
 
@@ -162,7 +207,7 @@ class TreeAgent:
         limit, a violation, or a judge who was content with less.
         """
         self._conclude()
-        return Status.INVALID if self._session is None else self.tree.root.status
+        return Status.INVALID if self._episode is None else self.tree.root.status
 
     @property
     def failures(self) -> tuple[Failure, ...]:
@@ -175,11 +220,10 @@ class TreeAgent:
 
         Raises `RuntimeError` before the first `reset`, as `failures` does.
         """
-        if self._session is None:
-            raise RuntimeError("call reset(observation, info) first")
+        nodes = self.compiled.nodes
         self._conclude()
         judged = []
-        for _, node in sorted(self.compiled.nodes.items()):
+        for _, node in sorted(nodes.items()):
             if isinstance(node, IfThenElse) and node.condition.status in (Status.SUCCESS, Status.FAILURE):
                 assert isinstance(node.condition, PlannedTask)
                 judged.append((node.condition.task.number, node.truth, node.taken))
@@ -207,8 +251,8 @@ def _body_of(env: Any) -> Embodiment:
 
 
 def _check(ask: Any, threshold: Any, planner: Any) -> None:
-    if ask is not None and not callable(ask):
-        raise InputError(f"ask is {ask!r}; expected a function that answers a question, or None")
+    if ask is not None:
+        check_ask(ask)
     if planner is not None and not callable(getattr(planner, "solve", None)):
         raise InputError(f"planner is {planner!r}; expected something with a method solve(problem), or None")
     check_threshold(threshold)

@@ -27,13 +27,6 @@ class CompiledTree:
     root: Behaviour
     nodes: Mapping[FlowPath, Behaviour]
 
-    def path_of(self, node: Behaviour) -> FlowPath:
-        """Where in the flow a node of the tree comes from. Raises `KeyError` for a node of another tree."""
-        for path, candidate in self.nodes.items():
-            if candidate is node:
-                return path
-        raise KeyError(node.name)
-
 
 def compile_flow(flow: Flow, names: Mapping[int, str], make_leaf: LeafFactory, *, title: str) -> CompiledTree:
     """The tree of a flow: a sequence for a sequence, an if-then-else for a condition, a leaf for a task.

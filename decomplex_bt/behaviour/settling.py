@@ -6,10 +6,11 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.errors import InputError
-from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing
+from decomplex_bt.errors import InputError, quoted
+from decomplex_bt.instruction import Argument, Doubt, Instruction, Missing, check_instruction
 from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.planning.grounding import ground
 from decomplex_bt.understanding.doubt import THRESHOLD, settled
@@ -33,12 +34,13 @@ def settle(
     instruction and to `TreeAgent` as the flow, robot and judge go by the same.
 
     Raises `InputError` for text without a known task, unknown words, impossible goals, unanswered questions, answers
-    that are no text, and a threshold beyond 0 and 1.
+    that are no text, a threshold beyond 0 and 1, and for what is no instruction or no function to ask.
     """
     check_threshold(threshold)
+    check_ask(ask)
     ask = _in_words(ask)
     known = domain if isinstance(domain, Domain) else load_domain(domain)
-    reading = understood(instruction, known) if isinstance(instruction, str) else instruction
+    reading = _read(instruction, known)
     chosen = distributed(settled(reading, known.ontology, ask, threshold=threshold))
     answers: dict[int, list[Argument]] = defaultdict(list)
 
@@ -50,6 +52,20 @@ def settle(
 
     ground(chosen, known, ask=answer)
     return _completed(chosen, answers) if answers else chosen
+
+
+def _read(instruction: Any, domain: Domain) -> Instruction:
+    if isinstance(instruction, str):
+        return understood(instruction, domain)
+    if isinstance(instruction, Instruction):
+        return check_instruction(instruction)
+    raise InputError(f"instruction is a {type(instruction).__name__}; expected a text or an Instruction")
+
+
+def check_ask(ask: Any) -> None:
+    """Raises `InputError` for what cannot be asked."""
+    if not callable(ask):
+        raise InputError(f"ask is {ask!r}; expected a function that answers a question")
 
 
 def check_threshold(threshold: float) -> None:
@@ -84,7 +100,9 @@ def with_tasks(instruction: Instruction, domain: Domain) -> Instruction:
     if instruction.tasks:
         return instruction
     known = (kind.description.split(",")[0] for kind in domain.ontology.task_types.values())
-    raise InputError(f"{instruction.text!r} holds no task that this robot knows; what it does: {', '.join(known)}")
+    raise InputError(
+        f"{quoted(instruction.text)} holds no task that this robot knows; what it does: {', '.join(known)}"
+    )
 
 
 def _completed(instruction: Instruction, answers: Mapping[int, Sequence[Argument]]) -> Instruction:

@@ -63,8 +63,9 @@ def _options(
 def main(argv: Sequence[str] | None = None) -> int:
     """Runs the command line on `argv` (default: the process' arguments); returns the exit status, never raises."""
     arguments = list(sys.argv[1:] if argv is None else argv)
-    if sys.stdout is None:  # closed before the start ("run ... --record film.gif >&-"): what is printed goes nowhere
-        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - until the process ends
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed before the start ("run ... 2>&-"): what is printed goes nowhere
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - until the process ends
     try:
         result = typer.main.get_command(app).main(arguments, prog_name="decomplex-bt", standalone_mode=False)
         if result == INTERRUPTED:  # typer has caught what `except` is for below
@@ -89,9 +90,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
     except OSError as error:
-        if error.errno not in (errno.ENOSPC, errno.EIO, errno.EDQUOT):
+        if error.errno in (errno.ENOSPC, errno.EIO, errno.EDQUOT):
+            _complain(f"the output cannot be written: {error.strerror}")
+        elif error.filename is not None:  # a path that no check had foreseen, "File name too long" for one
+            _complain(f"{error.filename}: cannot be used: {error.strerror}; give another path")
+        else:
             return _report(error)
-        _complain(f"the output cannot be written: {error.strerror}")
         return BAD_INPUT
     except Exception as error:
         return _report(error)

@@ -69,9 +69,13 @@ def check(
 
 @app.command()
 def stats(
-    path: PathArgument, format: FormatOption = None, json: JsonOption = False, domain: DomainOption = "household"
+    path: PathArgument,
+    voices: Annotated[bool, typer.Option("--voices", help="A line for each voice instead of the splits.")] = False,
+    format: FormatOption = None,
+    json: JsonOption = False,
+    domain: DomainOption = "household",
 ) -> int:
-    """Count a corpus: instructions, tasks, types, structures; for all, by split and by voice."""
+    """Count a corpus: instructions, tasks, types, structures; for all and by split. JSON has the voices, too."""
     use_utf8()
     is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus_statistics import corpus_statistics
@@ -81,7 +85,7 @@ def stats(
     if is_json:
         print_json(statistics.to_json())
     else:
-        print(statistics)
+        print(statistics.voice_table() if voices else statistics)
     return 0
 
 
@@ -168,7 +172,7 @@ def agreement(
     is_json = chosen(format, json, Format.text) is Format.json
     from decomplex_bt.corpus import SECOND_ANNOTATION, read_corpus
     from decomplex_bt.domain.loader import load_domain
-    from decomplex_bt.errors import InputError
+    from decomplex_bt.errors import DataFileError, InputError
     from decomplex_bt.evaluation import agreement as measures
 
     if first is not None and second is None:
@@ -177,6 +181,8 @@ def agreement(
     first = first or loaded.folder / "corpus"
     second = second or loaded.folder / "corpus" / SECOND_ANNOTATION
     both = measures.matched(read_corpus(first, loaded.ontology), read_corpus(second, loaded.ontology))
+    if not both:
+        raise DataFileError(second, "there is no instruction in it to be held against another annotation")
     groups: dict[str, list[measures.Pair]] = {}
     for one, other in both:
         groups.setdefault(one.voice, []).append((one.instruction, other.instruction))

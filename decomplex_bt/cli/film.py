@@ -31,7 +31,7 @@ class Film:
     """A film being taken; `add` each step, `close` at the end, `discard` in any case.
 
     It is written beside `path` and moved there once it is whole: until then what has that name stays as it is. Raises
-    `InputError` at once where the file name's ending or its folder will not do, later where it cannot be written.
+    `InputError` at once where the file name or its folder will not do, later where it cannot be written any more.
     """
 
     def __init__(self, path: Path) -> None:
@@ -45,6 +45,9 @@ class Film:
         if ending not in (".gif", ".mp4"):
             raise InputError(f"--record {path}: expected a name that ends in .gif or .mp4")
         self._draft = path.with_name(f".{path.stem}.{os.getpid()}{ending}")
+        with self._writing():
+            self._draft.touch()
+            self._draft.unlink()
         self._take = _Gif(self._draft) if ending == ".gif" else _Video(self._draft, path)
 
     def is_due(self, step: int) -> bool:

@@ -9,7 +9,7 @@ from typing import Annotated, TypeVar
 
 import typer
 
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, check_jobs
 
 
 class Format(StrEnum):
@@ -27,8 +27,7 @@ JsonOption = Annotated[bool, typer.Option("--json", help="The same as --format j
 
 
 def _check_jobs(jobs: int) -> int:
-    if jobs != -1 and jobs < 1:
-        raise InputError(f"--jobs {jobs}: expected at least one process, or -1 for one a core")
+    check_jobs(jobs, "--jobs")
     return jobs
 
 

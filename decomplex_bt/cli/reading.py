@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from decomplex_bt.cli.output import remark
+from decomplex_bt.errors import ImpossibleGoalError, UnknownWordError
 from decomplex_bt.instruction import Doubt, Instruction, Missing, escaped
 
 if TYPE_CHECKING:
@@ -32,20 +32,53 @@ def read(text: str, domain: str | Path, *, may_ask: bool, threshold: float | Non
 
     Raises `InputError` for text without a known task, unknown words, impossible goals and unanswered questions.
     """
-    from decomplex_bt.behaviour.settling import settle, understood
+    from decomplex_bt.behaviour.settling import understood
     from decomplex_bt.domain.loader import load_domain
     from decomplex_bt.planning.grounding import ground
     from decomplex_bt.understanding.doubt import THRESHOLD
 
     loaded = load_domain(domain)
     instruction = understood(text, loaded)
-    if may_ask and sys.stdin.isatty():
-        ask = partial(_answer, instruction)
-        instruction = settle(instruction, ask, domain=loaded, threshold=THRESHOLD if threshold is None else threshold)
+    if may_ask and sys.stdin is not None and sys.stdin.isatty():
+        instruction = _settled(instruction, loaded, THRESHOLD if threshold is None else threshold)
     grounded = ground(instruction, loaded)
     for warning in instruction.warnings:
         remark(f"warning: {escaped(warning)}")
     return Reading(loaded, instruction, grounded)
+
+
+def _settled(instruction: Instruction, domain: Domain, threshold: float) -> Instruction:
+    """The instruction with what it leaves open asked for on the terminal; what cannot be used is asked for again."""
+    from decomplex_bt.behaviour.settling import settle
+
+    answers: dict[Missing | Doubt, str | None] = {}
+
+    def ask(question: Missing | Doubt) -> str | None:
+        if question not in answers:
+            answers[question] = _answer(instruction, question)
+        return answers[question]
+
+    while True:
+        try:
+            return settle(instruction, ask, domain=domain, threshold=threshold)
+        except (UnknownWordError, ImpossibleGoalError) as error:
+            unusable = _answered_with(error, answers)
+            if unusable is None:
+                raise
+            remark(f"{escaped(str(error))}; answer otherwise, or just press Enter")
+            del answers[unusable]
+
+
+def _answered_with(
+    error: UnknownWordError | ImpossibleGoalError, answers: dict[Missing | Doubt, str | None]
+) -> Missing | None:
+    """The question whose answer, the latest about the task, an error can be of; None where it is of the text."""
+    for question, answer in reversed(answers.items()):
+        if isinstance(question, Missing) and question.task == error.task and answer is not None:
+            is_told = not isinstance(error, UnknownWordError) or error.phrase.casefold() in answer.casefold()
+            if is_told:
+                return question
+    return None
 
 
 def _answer(instruction: Instruction, question: Missing | Doubt) -> str | None:

@@ -10,13 +10,15 @@ import typer
 from decomplex_bt.cli.options import DomainOption, Format, FormatOption, JobsOption, JsonOption, chosen, domain_of
 from decomplex_bt.cli.output import print_json, remark, use_utf8
 
-FolderOption = Annotated[Path | None, typer.Option(help="Default: the domain's own folder.")]
+CorpusOption = Annotated[Path | None, typer.Option(help="A corpus folder.", show_default="the domain's own")]
+OutputOption = Annotated[Path | None, typer.Option(help="A folder for models.", show_default="the domain's own")]
 
 
 def train(
-    corpus: FolderOption = None,
-    output: FolderOption = None,
+    corpus: CorpusOption = None,
+    output: OutputOption = None,
     encoder: Annotated[bool, typer.Option("--encoder", help="The encoder instead; needs the extra `train`.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace models that exist already.")] = False,
     jobs: JobsOption = 1,
     format: FormatOption = None,
     json: JsonOption = False,
@@ -24,7 +26,8 @@ def train(
 ) -> int:
     """Train all models on a corpus folder; the voices kept for testing are never read.
 
-    Nothing is written unless all models were trained; the same corpus gives the same models.
+    No model is written unless all were trained; the same corpus gives the same models. Without --force none is
+    replaced, but for the domain's own when they are made anew from its own corpus.
     """
     use_utf8()
     is_json = chosen(format, json, Format.text) is Format.json
@@ -36,6 +39,7 @@ def train(
         output,
         domain=domain_of(domain),
         encoder=encoder,
+        force=force,
         jobs=jobs,
         progress=lambda stage: remark(f"{stage} ..."),
     )

@@ -26,10 +26,18 @@ def _check_weights(weights: dict[str, float]) -> dict[str, float]:
     return weights
 
 
+def _check_word(word: str) -> str:
+    if not word.strip():
+        raise ValueError("a word is blank; write it, or leave it out")
+    return word
+
+
 Model = TypeVar("Model", bound=BaseModel)
 Format = Literal[1]
 """The version of a domain's files that this version of the package reads."""
 Probability = Annotated[float, Field(ge=0, le=1)]
+Word = Annotated[str, AfterValidator(_check_word)]
+"""A word or phrase that somebody says."""
 Weights = Annotated[dict[str, Annotated[float, Field(ge=0, allow_inf_nan=False)]], AfterValidator(_check_weights)]
 """Relative weights by name."""
 

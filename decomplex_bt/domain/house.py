@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, model_validator
 
-from decomplex_bt.domain.document import Format, Probability, Record, Weights
+from decomplex_bt.domain.document import Format, Probability, Record, Weights, Word
 from decomplex_bt.domain.kinds import Kind, Kinds
 from decomplex_bt.errors import among
 
@@ -80,7 +80,7 @@ class Person(Record):
     """Somebody who may be at home. `rooms`: room to relative weight; `home`: probability of being in the house."""
 
     kind: str
-    words: tuple[str, ...] = ()
+    words: tuple[Word, ...] = ()
     home: Probability = 1.0
     rooms: Weights = Field(min_length=1)
 

@@ -6,18 +6,23 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from decomplex_bt.domain.document import Format, Probability, Record, Weights
+from decomplex_bt.domain.document import Format, Probability, Record, Weights, Word
 from decomplex_bt.errors import among
 
 Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
 """`furniture`: fixed, with devices and containers; `fixture`: doors, windows, curtains, opened and closed, fixed."""
+Shape = Literal["disc", "cup", "bottle", "plate", "bar", "book", "box", "paper", "ball", "ring", "cloth", "pan"]
+LARGEST = 0.25
+"""[m] The radius of the largest thing that the gripper carries; the robot's own is 0.22."""
+_OF_WHAT_IS_FIXED = frozenset(("power", "aperture"))
+"""State pairs that only furniture and fixtures have: nothing in a hand is switched on or opened."""
 
 
 class StatePair(Record):
     """A state with its opposite, as on/off: two fluents of which exactly one holds. `values`: (positive, negative)."""
 
     values: tuple[str, str]
-    words: dict[str, tuple[str, ...]] = {}
+    words: dict[str, tuple[Word, ...]] = {}
     """Other words for a value, by value ("on": switched on, running)."""
 
 
@@ -36,7 +41,7 @@ class Kind(Record):
     """
 
     category: Category
-    words: tuple[str, ...] = Field(min_length=1)
+    words: tuple[Word, ...] = Field(min_length=1)
     states: tuple[str, ...] = ()
     surface: bool = False
     inside: bool = False
@@ -51,8 +56,8 @@ class Kind(Record):
     wipes: tuple[str, ...] = ()
     radius: float = Field(0.05, gt=0)
     mass: float = Field(0.3, gt=0)
-    shape: str = "disc"
-    """How a thing is drawn; the renderer lists the shapes it knows."""
+    shape: Shape = "disc"
+    """How a thing is drawn."""
     places: Weights = {}
     absent: Probability = 0.0
     chance: dict[str, Probability] = {}
@@ -81,6 +86,16 @@ class Kinds(Record):
     @model_validator(mode="after")
     def _check(self) -> Kinds:
         for name, kind in self.kinds.items():
+            if kind.category not in ("furniture", "fixture") and (pairs := _OF_WHAT_IS_FIXED & set(kind.states)):
+                raise ValueError(
+                    f"kinds.{name}.states: only furniture and fixtures have {min(pairs)!r}, and this is a "
+                    f"{kind.category}; leave it out, or make the kind one of furniture"
+                )
+            if kind.category == "thing" and kind.radius > LARGEST:
+                raise ValueError(
+                    f"kinds.{name}.radius: {kind.radius:g} m is too large for a thing that a gripper carries; expected "
+                    f"more than 0, up to {LARGEST:g} m"
+                )
             for pair in (*kind.states, *kind.chance):
                 if pair not in self.state_pairs:
                     raise ValueError(

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from pydantic import Field, model_validator
 
-from decomplex_bt.domain.document import Format, Record
+from decomplex_bt.domain.document import Format, Record, Word
 
 
 class VerbSense(Record):
@@ -21,7 +21,7 @@ class VerbSense(Record):
 class VerbGroup(VerbSense):
     """Verbs of one sense, as the file lists them: lemmas, or "lemma particle"."""
 
-    verbs: tuple[str, ...] = Field(min_length=1)
+    verbs: tuple[Word, ...] = Field(min_length=1)
 
 
 class Lexicon(Record):
@@ -36,22 +36,22 @@ class Lexicon(Record):
 
     format: Format
     groups: tuple[VerbGroup, ...]
-    colours: tuple[str, ...]
-    user_words: tuple[str, ...]
-    all_words: tuple[str, ...] = ()
-    anything_words: tuple[str, ...] = ()
-    anybody_words: tuple[str, ...] = ()
-    everybody_words: tuple[str, ...] = ()
-    here_words: tuple[str, ...] = ()
-    presence_words: tuple[str, ...] = ()
-    presence_verbs: tuple[str, ...] = ()
-    absence_words: tuple[str, ...] = ()
-    absence_verbs: tuple[str, ...] = ()
-    prepositions: tuple[str, ...] = ()
-    beside: tuple[str, ...] = ()
-    determiners: tuple[str, ...] = ()
-    measures: dict[str, int] = {}
-    parts: tuple[str, ...] = ()
+    colours: tuple[Word, ...]
+    user_words: tuple[Word, ...]
+    all_words: tuple[Word, ...] = ()
+    anything_words: tuple[Word, ...] = ()
+    anybody_words: tuple[Word, ...] = ()
+    everybody_words: tuple[Word, ...] = ()
+    here_words: tuple[Word, ...] = ()
+    presence_words: tuple[Word, ...] = ()
+    presence_verbs: tuple[Word, ...] = ()
+    absence_words: tuple[Word, ...] = ()
+    absence_verbs: tuple[Word, ...] = ()
+    prepositions: tuple[Word, ...] = ()
+    beside: tuple[Word, ...] = ()
+    determiners: tuple[Word, ...] = ()
+    measures: dict[Word, int] = {}
+    parts: tuple[Word, ...] = ()
 
     @model_validator(mode="after")
     def _check(self) -> Lexicon:

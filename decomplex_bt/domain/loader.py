@@ -90,7 +90,7 @@ def load_domain(domain: str | Path = "household") -> Domain:
         known = sorted(path.parent.name for path in shipped.glob("*/ontology.yaml"))
         raise InputError(
             f"unknown domain {domain!r}; expected one of {', '.join(known)}, or a folder, written with a slash "
-            f"as in ./{Path(domain).name} (in Python also a Path)"
+            f"as in ./{Path(domain).name or 'mine'} (in Python also a Path)"
         )
     return _read(folder.resolve())
 

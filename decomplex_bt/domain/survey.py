@@ -88,7 +88,11 @@ def _check_kinds(house: House, kinds: Kinds) -> None:
 
 
 def _check_user(house: House) -> None:
-    """That the one who gives the instructions is the first of the people, and the only user."""
+    """That the one who gives the instructions is the first of the people, the only user, and at home."""
+    if house.people[house.user].home < 1:
+        raise ValueError(
+            f"people.{house.user}.home: the first of the people is the user, who is always at home; leave it out"
+        )
     for name, person in house.people.items():
         if person.kind == USER and name != house.user:
             raise ValueError(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import atexit
 import gc
 import logging
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from pathlib import Path
@@ -20,7 +20,7 @@ import gymnasium as gym
 import decomplex_bt
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain, load_domain
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, check_jobs, is_whole
 from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
 from decomplex_bt.evaluation.row import Outcome, Row
 from decomplex_bt.instruction import Instruction
@@ -33,6 +33,8 @@ READERS = ("tree", "oracle")
 Maker = Callable[[Any], Any]
 """Makes, of an environment, a policy of one's own: `reset(observation, info)` and `act(observation)`, and `failures`,
 `plans`, `replans` where it has them. With several processes it must be a function that can be pickled."""
+Agents = Sequence[str | Maker] | Mapping[str, str | Maker]
+"""Policies by what they are called themselves, or by the names that the rows are to have."""
 CHUNK = 5
 """Episodes that a process takes at once; few, so that none is left with the slow ones."""
 Progress = Callable[[int, int], None]
@@ -51,7 +53,7 @@ class Setup:
     `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
     `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
     `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
-    Raises `InputError` for a number out of its range, and for a `noise` that is neither True nor False.
+    Raises `InputError` for a number out of its range, and for what is none of these.
     """
 
     env_id: str = "decomplex_bt/Household-v0"
@@ -64,6 +66,10 @@ class Setup:
     meddling: float | None = None
 
     def __post_init__(self) -> None:
+        if not isinstance(self.env_id, str):
+            raise InputError(f"env_id is {self.env_id!r}; expected the id of an environment, as in {Setup.env_id!r}")
+        if not isinstance(self.domain, str | Path):
+            raise InputError(f"domain is {self.domain!r}; expected the name of a shipped one or a folder")
         for name, highest in _HIGHEST.items():
             value = getattr(self, name)
             is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -117,17 +123,21 @@ def evaluate(
     `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
     one a core; joblib's `parallel_config` chooses another backend. Raises `InputError` for options that make no sense.
     """
-    _check_jobs(jobs)
-    setup = setup or Setup()
-    planned = plan_episodes(
-        examples, episodes=episodes, seed=seed, agent=agent, reading=reading, domain=load_domain(setup.domain)
+    return evaluate_agents(
+        examples,
+        (agent,),
+        episodes=episodes,
+        seed=seed,
+        jobs=jobs,
+        reading=reading,
+        setup=setup,
+        progress=progress,
     )
-    return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
 
 
 def evaluate_agents(
     examples: Sequence[Example],
-    agents: Sequence[str | Maker] = ("tree", "oracle", "random"),
+    agents: Agents = ("tree", "oracle", "random"),
     *,
     episodes: int = 20,
     seed: int = 0,
@@ -136,26 +146,43 @@ def evaluate_agents(
     setup: Setup | None = None,
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
-    """As `evaluate` for several agents in the same worlds; `summary.tabulate` shows them beside each other.
+    """As `evaluate` for several agents in the same worlds, or for a mapping of names to them; of the rows,
+    `summary.tabulate(summary.summarise(rows))` shows them beside each other.
 
-    Raises `InputError` also where one is named twice: its episodes would count as twice as many.
+    Raises `InputError` also where one is named twice, for its episodes would count as twice as many, or as a policy of
+    the environment is without being it.
     """
-    if isinstance(agents, str):
-        raise InputError(f"agents is {agents!r}; expected a sequence of names, as in ({agents!r},)")
-    names = [_name_of(agent) for agent in agents]
-    if twice := next((name for name in names if names.count(name) > 1), None):
-        raise InputError(f"the agent {twice!r} is named twice; name each once")
-    _check_jobs(jobs)
-    setup = setup or Setup()
+    check_jobs(jobs)
+    setup = Setup() if setup is None else setup
+    if not isinstance(setup, Setup):
+        raise InputError(f"setup is {setup!r}; expected a Setup, or None")
+    by_name = _by_name(agents)
     domain = load_domain(setup.domain)
     planned = [
         episode
-        for agent in agents
+        for name, agent in by_name.items()
         for episode in plan_episodes(
-            examples, episodes=episodes, seed=seed, agent=agent, reading=reading, domain=domain
+            examples, episodes=episodes, seed=seed, agent=agent, name=name, reading=reading, domain=domain
         )
     ]
     return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
+
+
+def _by_name(agents: Any) -> Mapping[str, Any]:
+    """The agents by the names that the rows have. Raises `InputError`."""
+    if isinstance(agents, Mapping):
+        return agents
+    if isinstance(agents, str) or not isinstance(agents, Iterable):
+        raise InputError(f"agents is {agents!r}; expected a sequence of names, as in ({agents!r},)")
+    by_name: dict[str, Any] = {}
+    for agent in agents:
+        name = _name_of(agent)
+        if name in by_name:
+            raise InputError(
+                f"the agent {name!r} is named twice; name each once, in a mapping if need be, as in {{'mine': ...}}"
+            )
+        by_name[name] = agent
+    return by_name
 
 
 def those_that_ground(examples: Sequence[Example], domain: Domain) -> tuple[Example, ...]:
@@ -179,29 +206,28 @@ def plan_episodes(
     seed: int,
     agent: str | Maker,
     domain: Domain,
+    name: str | None = None,
     reading: ReadingSource = "own",
 ) -> tuple[Episode, ...]:
-    """All episodes, fixed. Every text is understood here, once and in a batch. Raises `InputError`."""
-    if agent not in AGENTS and not callable(agent):
-        raise InputError(
-            f"there is no agent {agent!r}; known: {', '.join(AGENTS)}; or a function that makes one of an environment"
-        )
-    if episodes < 1:
-        raise InputError(f"episodes is {episodes}; expected at least one world for each instruction")
-    if seed < 0:
-        raise InputError(f"seed is {seed}; expected 0 or more")
+    """All episodes, fixed. Every text is understood here, once and in a batch. `name`: of the agent, in the rows; None:
+    as it is named. Raises `InputError`."""
+    name = _name_of(agent) if name is None else name
+    _check_agent(name, agent)
+    if not is_whole(episodes) or episodes < 1:
+        raise InputError(f"episodes is {episodes!r}; expected at least one world for each instruction")
+    if not is_whole(seed) or seed < 0:
+        raise InputError(f"seed is {seed!r}; expected a whole number from 0")
     if reading not in ("own", "gold"):
         raise InputError(f"reading is {reading!r}; expected 'own' or 'gold'")
-    if not examples:
-        raise InputError("the corpus holds no example; give one with at least one instruction")
+    _check_examples(examples)
     source: ReadingSource = reading if agent == "tree" else "gold"
     readings = _understand(examples, domain) if source == "own" else [example.instruction for example in examples]
     return tuple(
         Episode(
             example.id,
             example.instruction,
-            seed + world,
-            _name_of(agent),
+            int(seed) + world,
+            name,
             source,
             found if isinstance(found, Instruction) else None,
             None if isinstance(found, Instruction) else found,
@@ -212,8 +238,36 @@ def plan_episodes(
     )
 
 
-def _name_of(agent: str | Maker) -> str:
+def _name_of(agent: Any) -> str:
     return agent if isinstance(agent, str) else getattr(agent, "__name__", type(agent).__name__)
+
+
+def _check_agent(name: Any, agent: Any) -> None:
+    if not callable(agent) and agent not in AGENTS:
+        raise InputError(
+            f"there is no agent {agent!r}; known: {', '.join(AGENTS)}; or a function that makes one of an environment"
+        )
+    if not isinstance(name, str) or not name:
+        raise InputError(f"an agent is named {name!r}; expected a text")
+    if name != agent and (name in AGENTS or isinstance(agent, str)):
+        raise InputError(
+            f"{name!r} names an agent that is {agent!r}; the names {', '.join(AGENTS)} are those of the environment's "
+            "own policies, which have no others; give yours another, as in {'mine': ...}"
+        )
+
+
+def _check_examples(examples: Any) -> None:
+    if not isinstance(examples, Sequence) or isinstance(examples, str):
+        raise InputError(
+            f"examples is a {type(examples).__name__}; expected corpus Examples, as `read_corpus` gives them"
+        )
+    if not examples:
+        raise InputError("the corpus holds no example; give one with at least one instruction")
+    if odd := next((example for example in examples if not isinstance(example, Example)), None):
+        raise InputError(
+            f"examples holds a value of type {type(odd).__name__}; expected corpus Examples, as `read_corpus` gives "
+            "them, or Example(id, instruction) of an annotated Instruction"
+        )
 
 
 def run_episodes(
@@ -245,32 +299,37 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     misread = _misreading(episode, setup)
     if episode.reading is None:
         return ended(info, misread)
-    if episode.maker is not None:
-        policy = episode.maker(env)
-    else:
-        make_policy = env.get_wrapper_attr("policy")
-        policy = make_policy(episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
+    make = _maker_of(episode, env, planner)
     steps, is_over, truncated = 0, False, False
     try:
-        policy.reset(observation, info)
-    except InputError as error:
-        return ended(info, misread or ("grounding", str(error)))
-    try:
+        policy = make()
+        try:
+            policy.reset(observation, info)
+        except InputError as error:
+            return ended(info, misread or ("grounding", str(error)))
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
             steps += 1
             is_over = terminated or truncated
+        failures = tuple(failure.to_json() for failure in getattr(policy, "failures", ()))
+        counts: dict[str, Any] = {name: getattr(policy, name, 0) for name in ("plans", "replans")}
     except Exception as error:  # one broken episode must not lose the others
         logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
         broke: Blame = ("execution", f"broke off: {type(error).__name__}: {error}")
         return ended(info, broke, steps=steps, understood=misread is None)
-    failures = tuple(failure.to_json() for failure in getattr(policy, "failures", ()))
     found = None
     if not info["is_success"]:
         found = misread or blame_run(failures, info["violations"], is_truncated=truncated)
-    counts: dict[str, Any] = {name: getattr(policy, name, 0) for name in ("plans", "replans")}
     counts["understood"] = misread is None
     return ended(info, found, steps=steps, failures=failures, **counts)
+
+
+def _maker_of(episode: Episode, env: gym.Env[Any, Any], planner: Planner) -> Callable[[], Any]:
+    """What makes the episode's policy."""
+    if episode.maker is not None:
+        return partial(episode.maker, env)
+    offered = env.get_wrapper_attr("policy")
+    return partial(offered, episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
 
 
 def _misreading(episode: Episode, setup: Setup) -> Blame | None:
@@ -285,11 +344,6 @@ def _misreading(episode: Episode, setup: Setup) -> Blame | None:
 @lru_cache(maxsize=64)
 def _compared(reading: Instruction, gold: Instruction, setup: Setup) -> Blame | None:
     return blame_reading(reading, gold, load_domain(setup.domain))
-
-
-def _check_jobs(jobs: int) -> None:
-    if jobs != -1 and jobs < 1:
-        raise InputError(f"jobs is {jobs}; expected at least one process, or -1 for one a core")
 
 
 def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:

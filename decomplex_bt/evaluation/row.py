@@ -5,10 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
-from pathlib import Path
 from typing import Any, Literal
-
-from decomplex_bt.errors import DataFileError
 
 Outcome = Literal["success", "failure", "infeasible", "ungroundable"]
 Stage = Literal["understanding", "grounding", "planning", "execution", "infeasible"]
@@ -67,31 +64,10 @@ class Row:
         """Plain values, in the order of the fields."""
         return {field.name: _plain(getattr(self, field.name)) for field in fields(self)}
 
-    @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> Row:
-        """The inverse of `to_json`. Raises `TypeError` for missing or unknown keys."""
-        entries: dict[str, Any] = {key: tuple(e) if isinstance(e, list) else e for key, e in value.items()}
-        return cls(**entries)
-
 
 def row_lines(rows: Iterable[Row]) -> Iterator[str]:
     """The rows as JSON lines."""
     return (json.dumps(row.to_json(), ensure_ascii=False) + "\n" for row in rows)
-
-
-def read_rows(path: Path) -> tuple[Row, ...]:
-    """The rows of a `rows.jsonl`. Raises `DataFileError` naming the line."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise DataFileError(path, f"cannot be read: {error}") from None
-    rows = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        try:
-            rows.append(Row.from_json(json.loads(line)))
-        except (ValueError, TypeError, AttributeError) as error:
-            raise DataFileError(path, f"no row of an evaluation: {error}", line=number) from None
-    return tuple(rows)
 
 
 def _plain(value: Any) -> Any:

@@ -15,9 +15,6 @@ from decomplex_bt.errors import DataFileError, InputError
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Span, Task
 
-Implied = Mapping[int, Mapping[str, str]]
-"""Arguments without words of their own: task number to argument type to value."""
-
 
 def annotated(text: str, tasks: Sequence[Task], flow: Any, ontology: Ontology) -> Instruction:
     """The instruction of these tasks and this flow (JSON form).

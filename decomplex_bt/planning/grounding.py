@@ -7,6 +7,7 @@ gives are errors, each with the task's number; nothing is guessed from words tha
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
@@ -117,7 +118,7 @@ class _Grounder:
             task = replace(task, arguments=(*task.arguments, Argument("object", ANYTHING)))
         task = self.completion.complete(task, state is not None)
         bare = self._bare(task)
-        grounded: GroundTask = getattr(self, f"_{task.type}", self._other)(task, bare, state)
+        grounded = _BY_TYPE.get(task.type, _Grounder._other)(self, task, bare, state)
         self.objects.note(grounded)
         if left_out is None:
             return grounded
@@ -482,3 +483,17 @@ class _Grounder:
                 if argument.type == name and not self.wording.is_presence(argument.value):
                     found.extend(map(self.referents.where, self.referents.phrases(argument)))
         return tuple(found)
+
+
+_BY_TYPE: Mapping[str, Callable[[_Grounder, Task, GroundTask, str | None], GroundTask]] = {
+    "motion": _Grounder._motion,
+    "searching": _Grounder._searching,
+    "taking": _Grounder._taking,
+    "placing": _Grounder._placing,
+    "bringing": _Grounder._bringing,
+    "change_state": _Grounder._change_state,
+    "check_state": _Grounder._check_state,
+    "following": _Grounder._following,
+    "informing": _Grounder._informing,
+}
+"""How a task of each type is grounded; any other is of a domain of one's own."""

@@ -19,6 +19,7 @@ see at once that a thing has turned up on the way, or that the goal holds alread
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from decomplex_bt.planning.belief import Belief
@@ -37,7 +38,7 @@ def pursue(task: GroundTask, belief: Belief, bindings: Bindings, *, since: int) 
     pursuer = _Pursuer(task, belief, bindings, since)
     try:
         pursuer.settle_all()
-        return getattr(pursuer, f"_{task.type}", pursuer._other)()
+        return _BY_TYPE.get(task.type, _Pursuer._other)(pursuer)
     except NothingLeftError as error:
         return Pursuit(PursuitStatus.FAILED, truth=error.truth, reason=str(error), bindings=bindings)
 
@@ -183,3 +184,17 @@ class _Pursuer(Handling):
             if atom.predicate in pairs
         )
         return is_known and set(goal) <= set(belief_problem(self.belief, goal).init)
+
+
+_BY_TYPE: Mapping[str, Callable[[_Pursuer], Pursuit]] = {
+    "motion": _Pursuer._motion,
+    "searching": _Pursuer._searching,
+    "taking": _Pursuer._taking,
+    "placing": _Pursuer._placing,
+    "bringing": _Pursuer._bringing,
+    "change_state": _Pursuer._change_state,
+    "check_state": _Pursuer._check_state,
+    "following": _Pursuer._following,
+    "informing": _Pursuer._informing,
+}
+"""How a task of each type is pursued; any other is of a domain of one's own."""

@@ -25,7 +25,7 @@ def _training(path: Path) -> str:
     is_encoder = path.parent.name == ENCODER_FOLDER
     models = path.parent.parent if is_encoder else path.parent
     domain, shipped = models.parent, Path(str(files("decomplex_bt.domains"))).resolve()
-    target = ["--output", str(models)]
+    target = ["--output", str(models), "--force"]
     if models.name == "models" and (domain / "ontology.yaml").is_file():
         target = ["--domain", domain.name if domain.parent == shipped else str(domain)]
     return shlex.join(["decomplex-bt", "train", *target, *(["--encoder"] if is_encoder else [])])

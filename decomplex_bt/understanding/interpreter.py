@@ -9,11 +9,13 @@ from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
+from reprlib import repr as shortened
 from typing import TypeVar
+from warnings import catch_warnings
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, check_jobs
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
@@ -25,7 +27,7 @@ from decomplex_bt.understanding.dependencies import FlowModel
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import check_language, check_models
+from decomplex_bt.understanding.manifest import check_encoder, check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
 from decomplex_bt.understanding.references.messages import with_messages
@@ -71,6 +73,7 @@ class Interpreter:
             from decomplex_bt.understanding.encoder.stages import load_encoder
 
             folder = models / ENCODER_FOLDER
+            check_encoder(models, folder)
             self._stages = load_encoder(folder, FlowModel(models), domain)
         else:
             self._stages = load_stages(models)
@@ -83,18 +86,23 @@ class Interpreter:
 
     @classmethod
     def load(
-        cls, domain: str | Path | Domain = "household", *, models: Path | None = None, encoder: bool | None = None
+        cls, domain: str | Path | Domain = "household", *, models: str | Path | None = None, encoder: bool | None = None
     ) -> Interpreter:
         """The interpreter of a domain, by name, folder or value; `models` defaults to the domain's own.
 
         `encoder`: whether the pretrained encoder reads instead of the CRFs alone, right more often and slower; None: if
         its extra is installed and the folder of models has one. Loads spaCy and the models, about a second; the result
         is kept for the process. Raises `DataFileError` where the models are missing, damaged or made by other versions,
-        `LanguageModelError` where spaCy's English model is, `EncoderMissingError` where the encoder's extra is.
+        `LanguageModelError` where spaCy's English model is, `EncoderMissingError` where the encoder's extra is,
+        `InputError` for what is no domain, no folder, or no choice of an encoder.
         """
+        if not isinstance(models, str | Path | None):
+            raise InputError(f"models is {models!r}; expected a folder of trained models, or None")
+        if not isinstance(encoder, bool | None):
+            raise InputError(f"encoder is {encoder!r}; expected True, False, or None for where it is installed")
         parser = _parser()  # which goes on loading while all else is read
         loaded = domain if isinstance(domain, Domain) else load_domain(domain)
-        folder = models or loaded.folder / "models"
+        folder = loaded.folder / "models" if models is None else Path(models)
         if encoder is None:
             encoder = has_encoder(folder)
         return _cached(folder, loaded, encoder) if models is None else cls(loaded, folder, parser, encoder=encoder)
@@ -111,8 +119,17 @@ class Interpreter:
         """As `interpret` for many texts, in order: lazily in this process, or after all texts are there in `jobs`
         processes (-1: one a core), each of which first loads the models (seconds, once).
 
-        Raises `InputError` at the first unusable text; `check_text` tells beforehand.
+        Raises `InputError` for a single text, an impossible number of jobs, and, when it comes to it, at the first
+        unusable text; `check_text` tells beforehand.
         """
+        if isinstance(texts, str) or not isinstance(texts, Iterable):
+            raise InputError(
+                f"texts is {shortened(texts)}; expected several texts, as in [text]; `interpret` reads one"
+            )
+        check_jobs(jobs)
+        return self._batch(texts, jobs)
+
+    def _batch(self, texts: Iterable[str], jobs: int) -> Iterator[Instruction]:
         usable = _checked(texts, check_text)
         if jobs == 1:
             for document in self._parser.parse_batch(usable, spelling=self._spelling):
@@ -123,8 +140,13 @@ class Interpreter:
         waiting = iter(list(usable))
         chunks = iter(lambda: tuple(islice(waiting, CHUNK)), ())
         read = delayed(partial(_interpret_chunk, self.domain.folder, self._models, self._has_encoder))
-        for instructions in Parallel(n_jobs=jobs, return_as="generator")(map(read, chunks)):
-            yield from instructions
+        found = Parallel(n_jobs=jobs, return_as="generator")(map(read, chunks))
+        try:
+            for instructions in found:
+                yield from instructions
+        finally:
+            with catch_warnings(action="ignore"):  # joblib's, of what is cancelled where the caller has seen enough
+                found.close()
 
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand; every span of a reading begins and ends with one."""
@@ -242,7 +264,9 @@ class Interpreter:
 
 
 def check_text(text: str) -> None:
-    """Raises `InputError` where `text` cannot be an instruction: empty, too long, or no valid Unicode."""
+    """Raises `InputError` where `text` cannot be an instruction: no text, empty, too long, or no valid Unicode."""
+    if not isinstance(text, str):
+        raise InputError(f"the instruction is {shortened(text)}; expected a text such as 'Bring me a cup.'")
     if not text.strip():
         raise InputError("the instruction is empty; expected a sentence such as 'Bring me a cup.'")
     if len(text) > MAX_CHARACTERS:

@@ -110,6 +110,21 @@ def check_models(
     return manifest
 
 
+def check_encoder(models: Path, encoder: Path) -> None:
+    """Makes sure that the encoder goes with the CRFs beside it: it has learnt from no voice that they have not.
+
+    They may have learnt from more, since they are trained in minutes and it is not. Raises `DataFileError`.
+    """
+    known = set(read_manifest(models).voices)
+    if strange := [voice for voice in read_manifest(encoder).voices if voice not in known]:
+        named = ", ".join(strange[:3]) + (f" and {len(strange) - 3} more" if len(strange) > 3 else "")
+        raise ModelError(
+            encoder / MANIFEST_FILE,
+            f"the encoder was not trained together with the models beside it: it has learnt from {named}, and they "
+            "have not; train both on one corpus, or read without the encoder",
+        )
+
+
 def check_language(folder: Path, language_model: str) -> None:
     """Makes sure that the models fit spaCy's. Raises `DataFileError` where they were made with another version."""
     made_with = read_manifest(folder).language_model

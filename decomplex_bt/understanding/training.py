@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import shutil
+import os
 import tempfile
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import chain, compress
 from pathlib import Path
@@ -13,6 +14,7 @@ import numpy as np
 
 from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
+from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
@@ -23,7 +25,7 @@ from decomplex_bt.understanding.disturbances import DISTURBANCES, with_fillers
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
-from decomplex_bt.understanding.manifest import LIBRARIES, corpus_hash, write_manifest
+from decomplex_bt.understanding.manifest import LIBRARIES, MANIFEST_FILE, corpus_hash, write_manifest
 from decomplex_bt.understanding.noise import edited, without_apostrophes, without_punctuation
 from decomplex_bt.understanding.readings import (
     Reading,
@@ -72,29 +74,32 @@ def train(
     *,
     domain: str | Path | Domain = "household",
     encoder: bool = False,
+    force: bool = False,
     jobs: int = 1,
     progress: Progress = lambda stage: None,
 ) -> TrainingReport:
     """Trains the models on the voices of the splits "train" and "development" and writes them to `output`.
 
-    `corpus` and `output` default to the domain's own folders. `encoder`: trains the pretrained encoder instead, on the
-    voices of "train", with those of "development" for the choice among readings, into the folder `encoder` of `output`;
-    an hour and three quarters on one core. `jobs`: parts that need nothing of each other run in as many processes (two
-    networks, three folds of voices), -1 for one a core. The test voices are never read. Nothing is written unless all
-    models were trained. The same corpus and libraries give the same files, with any number of jobs. Raises
-    `DataFileError`, and `TrainerMissingError` where the extra `train` is not installed.
+    `corpus` and `output` default to the domain's own folders. Models that lie there already are replaced only with
+    `force`, but for the domain's own when they are made anew from its own corpus. `encoder`: trains the pretrained
+    encoder instead, on the voices of "train", with those of "development" for the choice among readings, into the
+    folder `encoder` of `output`; an hour and three quarters on one core. `jobs`: parts that need nothing of each other
+    run in as many processes (two networks, three folds of voices), -1 for one a core. The test voices are never read.
+    No model is written unless all were trained. The same corpus and libraries give the same files, with any number of
+    jobs. Raises `DataFileError`, `TrainerMissingError` where the extra `train` is not installed, and, before anything
+    is trained, `InputError` where the models would replace others or cannot be written.
     """
     loaded = domain if isinstance(domain, Domain) else load_domain(domain)
-    corpus = corpus or loaded.folder / "corpus"
-    output = output or loaded.folder / "models"
+    own_corpus, own_models = loaded.folder / "corpus", loaded.folder / "models"
+    corpus, output = corpus or own_corpus, output or own_models
+    target = output / ENCODER_FOLDER if encoder else output
+    is_renewed = corpus.resolve() == own_corpus and output.resolve() == own_models
     splits = {name: voice.split for name, voice in read_voices(corpus).items() if voice.split != "test"}
     files = {f"{name}.yaml": (corpus / f"{name}.yaml").read_bytes() for name in splits}
     examples = [e for name in splits for e in read_corpus(corpus / f"{name}.yaml", loaded.ontology)]
     parser = Parser()
-    with tempfile.TemporaryDirectory() as scratch:
-        folder = Path(scratch)
+    with _scratch_in(output, target, may_replace=force or is_renewed) as folder:
         if encoder:
-            output = output / ENCODER_FOLDER
             for_choice = {name for name, split in splits.items() if split == "development"}
             left_out, held_out = train_with_encoder(
                 folder, examples, for_choice, loaded, parser, jobs=jobs, progress=progress
@@ -110,10 +115,36 @@ def train(
             language_model=parser.model_name,
             libraries=(*LIBRARIES, "torch", "onnxruntime") if encoder else LIBRARIES,
         )
+        _put_in_place(folder, target)
+    return TrainingReport(tuple(splits), len(examples), left_out, target, held_out)
+
+
+@contextmanager
+def _scratch_in(output: Path, target: Path, *, may_replace: bool) -> Iterator[Path]:
+    """A folder within `output`, on its disk and gone afterwards. Raises `InputError` where nothing can be written, or
+    nothing may be."""
+    try:
+        if not may_replace and (target / MANIFEST_FILE).exists():
+            raise InputError(
+                f"{target} holds models already; name another folder with --output, or replace them with --force"
+            )
         output.mkdir(parents=True, exist_ok=True)
-        for file in sorted(folder.iterdir()):
-            shutil.copyfile(file, output / file.name)
-    return TrainingReport(tuple(splits), len(examples), left_out, output, held_out)
+        if target.exists() and not target.is_dir():
+            raise NotADirectoryError(None, "it is a file")
+        scratch = tempfile.TemporaryDirectory(dir=output, prefix=".training-")
+    except OSError as error:
+        raise InputError(f"{target}: cannot write there: {error.strerror}; give another folder") from None
+    with scratch as folder:
+        yield Path(folder)
+
+
+def _put_in_place(folder: Path, target: Path) -> None:
+    """Moves all files of a folder. The manifest goes first and comes last: without it no half of two folders is ever
+    loaded, whatever stops this."""
+    target.mkdir(exist_ok=True)
+    (target / MANIFEST_FILE).unlink(missing_ok=True)
+    for file in sorted(folder.iterdir(), key=lambda file: (file.name == MANIFEST_FILE, file.name)):
+        os.replace(file, target / file.name)
 
 
 def train_models(

@@ -33,7 +33,6 @@ class Canvas:
         self.x0, self.y0, self.x1, self.y1 = bounds
         self.scale = scale
         self.fine = scale * supersample
-        self._supersample = supersample
         self.width = max(1, math.ceil((self.x1 - self.x0) * scale))
         self.height = max(1, math.ceil((self.y1 - self.y0) * scale))
         size = (self.width * supersample, self.height * supersample)

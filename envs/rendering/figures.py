@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from decomplex_bt.domain.kinds import Shape
 from decomplex_bt.envs.rendering import style
 from decomplex_bt.envs.rendering.canvas import Pen
 from decomplex_bt.envs.rendering.style import Colour, darker, lighter
@@ -12,15 +13,12 @@ from decomplex_bt.envs.rendering.style import Colour, darker, lighter
 Icon = Callable[[Pen, float, Colour], None]
 
 
-def draw_thing(pen: Pen, shape: str, radius: float, colour: Colour, states: Mapping[str, str]) -> None:
-    """A thing's icon of this radius (m), with specks where it is dirty, steam where hot, contents where full.
-
-    An unknown `shape` is drawn as a disc.
-    """
+def draw_thing(pen: Pen, shape: Shape, radius: float, colour: Colour, states: Mapping[str, str]) -> None:
+    """A thing's icon of this radius (m), with specks where it is dirty, steam where hot, contents where full."""
     if shape == "cup":
         _cup(pen, radius, colour, is_full=states.get("fill") == "full")
     else:
-        ICONS.get(shape, _disc)(pen, radius, colour)
+        ICONS[shape](pen, radius, colour)
     if states.get("cleanliness") == "dirty":
         for x, y in ((-0.35, 0.1), (0.15, -0.35), (0.3, 0.3)):
             pen.disc(x * radius, y * radius, radius * 0.14, (120, 92, 58))
@@ -178,7 +176,7 @@ def _disc(pen: Pen, r: float, colour: Colour) -> None:
     pen.ellipse(0, -r * 0.28, r * 0.3, r * 0.2, lighter(colour, 0.5), None)
 
 
-ICONS: dict[str, Icon] = {
+ICONS: dict[Shape, Icon] = {
     "cup": lambda pen, r, colour: _cup(pen, r, colour, is_full=False),
     "bottle": _bottle,
     "plate": _plate,
@@ -192,4 +190,4 @@ ICONS: dict[str, Icon] = {
     "pan": _pan,
     "disc": _disc,
 }
-"""The shapes that `kinds.yaml` can name."""
+"""How each shape that `kinds.yaml` can name is drawn."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from dataclasses import replace
 from pathlib import Path
 
@@ -202,6 +204,51 @@ def test_what_is_no_observation_is_refused_in_words():
     assert agent.act(observation) in env.action_space
     with pytest.raises(InputError, match="no instruction"):
         decomplex_bt.TreeAgent(env).reset(observation, {})
+
+
+@pytest.mark.parametrize(
+    ("part", "changed"),
+    [
+        ("entities", lambda table: table[:3]),
+        ("entities", lambda table: table[:, :4]),
+        ("entities", lambda table: table.tolist()),
+        ("entities", lambda table: table + 500),
+        ("result", lambda result: 77),
+        ("result", lambda result: "ok"),
+        ("seconds", lambda seconds: None),
+        ("robot", lambda robot: robot[:2]),
+        ("held", lambda held: held + 500),
+        ("held", lambda held: held[:0]),
+    ],
+)
+def test_a_part_of_an_observation_that_is_none_is_named(part, changed):
+    env, example = make_env(), EXAMPLES["heat"]
+    agent = decomplex_bt.TreeAgent(env, flow=example)
+    observation, info = env.reset(seed=1, options={"instruction": example})
+    wrong = {**observation, part: changed(observation[part])}
+    with pytest.raises(InputError, match=rf"the observation's '{part}' .* give what reset or step"):
+        agent.reset(wrong, info)
+    agent.reset(observation, info)
+    agent.act(observation)
+    with pytest.raises(InputError, match=rf"the observation's '{part}' .* give what reset or step"):
+        agent.act(wrong)
+
+
+@pytest.mark.parametrize("name", ["instruction", "grounded", "compiled", "tree", "session", "failures"])
+def test_before_a_reset_there_is_nothing_to_look_at(name):
+    with pytest.raises(RuntimeError, match=r"call reset\(observation, info\) first"):
+        getattr(decomplex_bt.TreeAgent(make_env()), name)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, pickle.dumps])
+def test_an_agent_cannot_be_copied_and_says_so(copied):
+    env = make_env()
+    agent = decomplex_bt.TreeAgent(env, flow=EXAMPLES["heat"])
+    observation, info = env.reset(seed=1, options={"instruction": EXAMPLES["heat"]})
+    agent.reset(observation, info)
+    agent.act(observation)
+    with pytest.raises(TypeError, match=r"cannot be copied or pickled.* TreeAgent\(env\)"):
+        copied(agent)
 
 
 @pytest.mark.parametrize("is_on", [False, True])

@@ -74,6 +74,15 @@ def test_every_kind_of_the_house_is_known_and_every_thing_has_a_place() -> None:
         ("house.yaml", "things:\n", "things:\n  relic: {kind: pen, absent: 2}\n", r"relic\.absent"),
         ("house.yaml", "format: 1", "format: 2", r"house\.yaml: format"),
         ("kinds.yaml", "format: 1", "format: 2", r"kinds\.yaml: format"),
+        ("house.yaml", "user: {kind: user", "user: {home: 0.5, kind: user", r"people\.user\.home: .* always at home"),
+        ("kinds.yaml", "words: [pen,", "words: ['', pen,", r"kinds\.yaml: kinds\.pen\.words\.0: a word is blank"),
+        ("kinds.yaml", "words: [pen,", "words: ['  ', pen,", r"kinds\.yaml: kinds\.pen\.words\.0: a word is blank"),
+        ("house.yaml", "words: [anna]", "words: ['']", r"house\.yaml: people\.anna\.words\.0: a word is blank"),
+        ("words.yaml", "verbs: [go,", "verbs: ['', go,", r"words\.yaml: groups\.0\.verbs\.0: a word is blank"),
+        ("kinds.yaml", "words: [pen,", "states: [aperture], words: [pen,", r"kinds\.pen\.states: only furniture and"),
+        ("kinds.yaml", "words: [pen,", "states: [power], words: [pen,", r"kinds\.pen\.states: .* 'power'"),
+        ("kinds.yaml", "radius: 0.14", "radius: 2.0", r"kinds\.pillow\.radius: 2 m is too large.* up to 0\.25 m"),
+        ("kinds.yaml", "shape: plate", "shape: sphere", r"kinds\.plate\.shape: .*'disc'.*'ball'.*\(got 'sphere'\)"),
     ],
 )
 def test_a_file_that_does_not_fit_is_named(folder: Path, file: str, old: str, new: str, message: str) -> None:

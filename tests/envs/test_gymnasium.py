@@ -18,8 +18,9 @@ from decomplex_bt.corpus import Example, read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.config import HouseholdConfig, WorldConfig
 from decomplex_bt.envs.interface import Interaction
-from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL, IDS
+from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL
 
+IDS = [identity for identity in gym.registry if identity.startswith("decomplex_bt/")]
 ONTOLOGY = load_domain("household").ontology
 GO = read_markup("[Go](1:motion) [to the kitchen](1:goal).", ONTOLOGY, flow=[1])
 TELL = read_markup("[Tell](1:informing) [me](1:recipient) [hello](1:message).", ONTOLOGY, flow=[1])

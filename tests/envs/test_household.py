@@ -592,6 +592,8 @@ def test_vector_environments_take_an_instruction_each():
         ({"instructions": [TV, " "]}, "empty"),
         ({"instructions": [TV, GO], "placement": {"pan": "tv"}}, "nothing can lie"),
         ({"instructions": [TV, None], "instruction": GO}, "two instructions"),
+        ("x", "options is 'x'; expected a mapping"),
+        ({"placement": {None: "desk"}}, "placement: None is no thing of this house; known: pen_1, "),
     ],
     ids=str,
 )
@@ -605,6 +607,14 @@ def test_a_refused_reset_of_several_resets_none(options, says):
     actions = envs.action_space.sample() | {"interact": np.zeros(2, dtype=np.int64)}
     assert data_equivalence(envs.step(actions), undisturbed.step(actions), exact=True)
     assert data_equivalence(envs.reset(), undisturbed.reset(), exact=True)
+
+
+@pytest.mark.parametrize("options", [None, {"instructions": [TV, GO]}])
+def test_several_environments_need_as_many_seeds(options):
+    envs = gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO)
+    with pytest.raises(InputError, match=r"seed is \[1\]; expected a list of 2"):
+        envs.reset(seed=[1], options=options)
+    assert envs.reset(seed=[1, None], options=options)
 
 
 def test_what_is_masked_keeps_its_instruction():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import re
 import shutil
 from pathlib import Path
@@ -218,6 +219,22 @@ def test_a_house_comes_from_a_file(tmp_path):
     assert small.domain.house == house
     with pytest.raises(InputError, match="spaces are made for"):
         HouseholdEnv(go("kitchen"), house=path).reset(options={"house": str(DOMAIN.folder / "house.yaml")})
+
+
+def test_a_copy_of_an_environment_finds_its_files_from_wherever_it_is(tmp_path, monkeypatch):
+    shutil.copytree(DOMAIN.folder, tmp_path / "mine", ignore=shutil.ignore_patterns("corpus", "models"))
+    monkeypatch.chdir(tmp_path)
+    made = {
+        "domain": HouseholdEnv(go("kitchen"), domain="mine/"),
+        "house": HouseholdEnv(go("kitchen"), house="mine/house.yaml"),
+        "option": HouseholdEnv(go("kitchen")),
+    }
+    for name, env in made.items():
+        env.reset(seed=0, options={"house": "mine/house.yaml"} if name == "option" else None)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    for env in made.values():
+        assert pickle.loads(pickle.dumps(env)).inform() == env.inform()
 
 
 def changed(*steps, to):

@@ -77,3 +77,10 @@ def test_the_second_annotation_is_of_shipped_instructions_and_no_voice(
     assert found["all"]["instructions"] == len(second) == sum(part["instructions"] for part in found["voices"].values())
     assert found["all"]["tasks"]["f1"] > 0.98
     assert main(["corpus", "agreement", str(corpus)]) == 2
+
+
+def test_nothing_agrees_with_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("first.yaml", "second.yaml"):
+        (tmp_path / name).write_text("[]\n", encoding="utf-8")
+    assert main(["corpus", "agreement", str(tmp_path / "first.yaml"), str(tmp_path / "second.yaml")]) == 2
+    assert "second.yaml: there is no instruction in it" in capsys.readouterr().err

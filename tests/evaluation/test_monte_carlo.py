@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import ast
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -144,6 +145,18 @@ def test_an_episode_that_breaks_off_is_a_row(monkeypatch):
         ({"seed": -1}, "seed is -1"),
         ({"reading": "both"}, "reading is 'both'; expected 'own' or 'gold'"),
         ({"examples": ()}, "holds no example"),
+        ({"episodes": "x"}, "episodes is 'x'; expected at least one world"),
+        ({"episodes": 1.5}, r"episodes is 1\.5"),
+        ({"seed": None}, "seed is None; expected a whole number from 0"),
+        ({"seed": 1.5}, r"seed is 1\.5"),
+        ({"jobs": "x"}, "jobs is 'x'; expected at least one process"),
+        ({"jobs": 1.5}, r"jobs is 1\.5"),
+        ({"setup": "x"}, "setup is 'x'; expected a Setup"),
+        (
+            {"examples": [example.instruction for example in EXAMPLES]},
+            r"holds a value of type Instruction.*Example\(id, instruction",
+        ),
+        ({"examples": "corpus.yaml"}, "examples is a str; expected corpus Examples"),
     ],
 )
 def test_bad_options_are_named(arguments, message):
@@ -175,6 +188,13 @@ def test_a_setup_has_noise_or_has_not(noise):
         Setup(noise=noise)
 
 
+def test_a_setup_has_a_domain_and_an_environment():
+    with pytest.raises(InputError, match="domain is 3; expected the name of a shipped one or a folder"):
+        Setup(domain=3)
+    with pytest.raises(InputError, match="env_id is 3; expected the id of an environment"):
+        Setup(env_id=3)
+
+
 def test_agents_are_named_once_each():
     with pytest.raises(InputError, match="named twice"):
         evaluate_agents(EXAMPLES, ("idle", "idle"), episodes=1, reading="gold")
@@ -203,6 +223,54 @@ def test_a_policy_of_ones_own_is_evaluated_as_the_others_are():
         assert [row.outcome for row in own] == [row.outcome for row in idle]
     with pytest.raises(InputError, match="a function that makes one"):
         evaluate(EXAMPLES, agent="clever", episodes=1, reading="gold")
+
+
+class Broken(Finisher):
+    """A policy that breaks off in the hook of this name."""
+
+    def __init__(self, env, hook):
+        super().__init__(env)
+        self._hook = hook
+        self._burst_in("init")
+
+    def reset(self, observation, info):
+        self._burst_in("reset")
+
+    def act(self, observation):
+        self._burst_in("act")
+
+    def _burst_in(self, hook):
+        if hook == self._hook:
+            raise RuntimeError(f"burst in {hook}")
+
+
+def test_a_policy_of_ones_own_that_breaks_off_anywhere_is_a_row():
+    agents = {hook: partial(Broken, hook=hook) for hook in ("init", "reset", "act")}
+    rows = evaluate_agents(EXAMPLES[:1], {**agents, "well": Finisher}, episodes=1, reading="gold", setup=SETUP)
+    assert [row.agent for row in rows] == ["init", "reset", "act", "well"]
+    for hook, row in zip(agents, rows, strict=False):
+        assert (row.outcome, row.stage) == ("failure", "execution")
+        assert row.cause == f"broke off: RuntimeError: burst in {hook}"
+
+
+def tree(env):
+    return Finisher(env)
+
+
+@pytest.mark.parametrize(
+    ("agents", "message"),
+    [
+        ((partial(Broken, hook="a"), partial(Broken, hook="b")), "'partial' is named twice; .* in a mapping"),
+        ((tree,), r"'tree' names an agent that is .*; give yours another, as in \{'mine'"),
+        ({"oracle": Finisher}, "'oracle' names an agent that is"),
+        ({"mine": "tree"}, "'mine' names an agent that is 'tree'"),
+        ({3: Finisher}, "an agent is named 3; expected a text"),
+        (3, "agents is 3; expected a sequence of names"),
+    ],
+)
+def test_no_two_agents_share_a_name(agents, message):
+    with pytest.raises(InputError, match=message):
+        evaluate_agents(EXAMPLES[:1], agents, episodes=1, reading="gold", setup=SETUP)
 
 
 def test_no_processes_are_refused_at_once():

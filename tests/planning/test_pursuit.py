@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -540,3 +541,20 @@ def test_of_alternatives_any_will_do(phrase: str, values: dict[tuple[str, str], 
     inside = world(values={("tv", "power"): "off", ("radio", "power"): "off", **values})
     (checked,) = run(f"if [{phrase}](1:object) [is](1:check_state) [on](1:state)", inside)
     assert checked.truth is truth
+
+
+@pytest.mark.parametrize(
+    "name", ["question", "presence", "places", "bare", "user", "named", "found", "meant", "tidying"]
+)
+def test_a_task_type_of_ones_own_may_have_any_name(name):
+    ontology = DOMAIN.ontology.model_copy(
+        update={"task_types": {**DOMAIN.ontology.task_types, name: DOMAIN.ontology.task_types["placing"]}}
+    )
+    goals = DOMAIN.goals.model_copy(update={"goals": {**DOMAIN.goals.goals, name: DOMAIN.goals.goals["placing"]}})
+    domain = replace(DOMAIN, ontology=ontology, goals=goals)
+    text = f"[Put](1:{name}) [the keys](1:object) [on the bed](1:goal)."
+    (task,) = ground(read_markup(text, ontology, flow=[1]), domain).tasks
+    assert (task.type, task.objects[0].candidates) == (name, ("keys",))
+    inside = world({"keys": "counter"})
+    assert inside.run(task, Belief(domain), PLANNER, {}).status is DONE
+    assert inside.places["keys"] == "bed"

@@ -12,6 +12,7 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument
 from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.interpreter import MAX_CHARACTERS, Interpreter, without_rivals
+from decomplex_bt.understanding.manifest import check_encoder
 
 PEN = "Bring me a pen if you can find one on the desk, otherwise look in the drawer."
 
@@ -246,8 +247,22 @@ def test_damaged_models_are_refused_by_name(tmp_path):
         file.write(b"x")
     with pytest.raises(DataFileError, match=r"tasks\.crf: the model is not the one in the manifest"):
         Interpreter.load(domain, models=tmp_path / "models")
-    with pytest.raises(DataFileError, match=f"run `decomplex-bt train --output {tmp_path}`"):
+    with pytest.raises(DataFileError, match=f"run `decomplex-bt train --output {tmp_path} --force`"):
         Interpreter.load(domain, models=tmp_path)
+
+
+def test_an_encoder_that_learnt_from_voices_unknown_to_the_models_beside_it_is_refused(tmp_path):
+    shipped = load_domain("household").folder / "models"
+    shutil.copytree(shipped, tmp_path / "models")
+    path = tmp_path / "models" / "manifest.json"
+    manifest = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps(manifest | {"voices": ["mine"]}), encoding="utf-8")
+    with pytest.raises(
+        DataFileError, match=r"encoder/manifest\.json: .*not trained together.*train --output .*--encoder"
+    ):
+        Interpreter.load("household", models=tmp_path / "models", encoder=True)
+    assert Interpreter.load("household", models=tmp_path / "models", encoder=False)
+    check_encoder(shipped, shipped / "encoder")
 
 
 @pytest.mark.parametrize(
@@ -255,7 +270,7 @@ def test_damaged_models_are_refused_by_name(tmp_path):
     [
         ("models/tasks.crf", "decomplex-bt train --domain {}"),
         ("models/encoder/heads.npz", "decomplex-bt train --domain {} --encoder"),
-        ("other/tasks.crf", "decomplex-bt train --output {}/other"),
+        ("other/tasks.crf", "decomplex-bt train --output {}/other --force"),
     ],
 )
 def test_the_advice_is_to_train_where_the_model_is(path, command, tmp_path):
@@ -263,3 +278,29 @@ def test_the_advice_is_to_train_where_the_model_is(path, command, tmp_path):
     assert f"gone; run `{command.format(tmp_path)}`" in str(ModelError(tmp_path / path, "gone"))
     shipped = load_domain("household").folder / "models" / "tasks.crf"
     assert "run `decomplex-bt train --domain household`" in str(ModelError(shipped, "gone"))
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"models": 3}, "models is 3; expected a folder of trained models"),
+        ({"encoder": "x"}, "encoder is 'x'; expected True, False, or None"),
+        ({"models": "nowhere"}, r"nowhere/manifest\.json: cannot be read"),
+    ],
+)
+def test_what_no_interpreter_can_be_loaded_with_is_refused(options, says):
+    with pytest.raises(InputError, match=says):
+        Interpreter.load("household", **options)
+
+
+def test_what_is_no_text_or_no_batch_is_refused_at_once(interpreter):
+    with pytest.raises(InputError, match="the instruction is None; expected a text"):
+        interpreter.interpret(None)
+    with pytest.raises(InputError, match=r"texts is 'Close the door\.'; expected several texts"):
+        interpreter.interpret_batch("Close the door.")
+    with pytest.raises(InputError, match="texts is None; expected several texts"):
+        interpreter.interpret_batch(None)
+    with pytest.raises(InputError, match="jobs is 0; expected at least one process"):
+        interpreter.interpret_batch(["Close the door."], jobs=0)
+    with pytest.raises(InputError, match="the instruction is 3; expected a text"):
+        list(interpreter.interpret_batch(["Close the door.", 3]))

@@ -1,9 +1,12 @@
 """Training is reproducible, leaves the test voices alone and writes all or nothing."""
 
+import shutil
+
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.errors import DataFileError
+from decomplex_bt.errors import DataFileError, InputError
+from decomplex_bt.understanding import manifest, training
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.manifest import read_manifest
 from decomplex_bt.understanding.training import train
@@ -43,6 +46,62 @@ def test_nothing_is_written_where_the_corpus_is_broken(small_corpus, tmp_path):
     with pytest.raises(DataFileError, match="unknown label"):
         train(small_corpus, tmp_path / "models")
     assert not (tmp_path / "models").exists()
+
+
+@pytest.fixture
+def untaught(monkeypatch):
+    """Training that comes to a file named for the number of examples; gives how often it was asked for."""
+    calls = []
+
+    def trained(folder, examples, *others, **options):
+        calls.append(examples)
+        (folder / "words.json").write_text(f"{len(examples)}", encoding="utf-8")
+        return 0, {}
+
+    monkeypatch.setattr(training, "train_models", trained)
+    monkeypatch.setattr(training, "train_with_encoder", trained)
+    monkeypatch.setattr(manifest, "version", lambda library: "1.0")  # of what the extra brings, too
+    return calls
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+def test_models_are_replaced_by_those_of_another_corpus_only_by_force(
+    encoder, small_corpus, household_folder, tmp_path, untaught
+):
+    (tmp_path / "own").mkdir()
+    for name in ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl"):
+        shutil.copyfile(household_folder / name, tmp_path / "own" / name)
+    shutil.copytree(small_corpus, tmp_path / "own" / "corpus")
+    for _ in range(2):  # its own are made anew
+        train(domain=tmp_path / "own", encoder=encoder)
+    models = tmp_path / "own" / "models" / ("encoder" if encoder else "")
+    before = (models / "manifest.json").read_bytes()
+    with pytest.raises(InputError, match=r"holds models already; name another folder with --output, .* --force"):
+        train(small_corpus, domain=tmp_path / "own", encoder=encoder)
+    assert len(untaught) == 2
+    assert (models / "manifest.json").read_bytes() == before
+    assert train(small_corpus, domain=tmp_path / "own", encoder=encoder, force=True).folder == models
+
+
+@pytest.mark.parametrize("place", ["a file", "a file/within", "/proc/models", "n" * 300])
+def test_an_output_that_cannot_be_written_is_refused_before_anything_is_trained(
+    place, small_corpus, tmp_path, untaught
+):
+    (tmp_path / "a file").write_text("", encoding="utf-8")
+    with pytest.raises(InputError, match=r"cannot write there: .*; give another folder"):
+        train(small_corpus, tmp_path / place)
+    assert not untaught
+
+
+def test_models_that_are_only_half_in_place_have_no_manifest(small_corpus, tmp_path, untaught, monkeypatch):
+    def interrupted(*paths):
+        raise KeyboardInterrupt
+
+    train(small_corpus, tmp_path / "models")
+    monkeypatch.setattr(training.os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        train(small_corpus, tmp_path / "models", force=True)
+    assert [file.name for file in (tmp_path / "models").iterdir()] == ["words.json"]
 
 
 def test_the_shipped_models_are_small_and_know_what_they_were_made_from():
