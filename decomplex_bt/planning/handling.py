@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import wipers_of
@@ -63,7 +63,8 @@ class Handling(Looking):
         assert target is not None
         role = "recipient" if self.task.recipients else "goal"
         people = [name for name in self._meant(target) if name in self.house.people]
-        places = [place for name in self._meant(target) if name not in people for place in self._landing(name)]
+        names = self._usual_first([name for name in self._meant(target) if name not in people])
+        places = [place for name in names for place in self._landing(name)]
 
         def has_arrived(name: str) -> bool:
             place = self.belief.place_of(name)
@@ -132,12 +133,13 @@ class Handling(Looking):
             return [place] if place is not None and place != ROBOT else []
         if name not in self.house.rooms:
             return [name]
+        return self._usual_first(place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door)
+
+    def _usual_first(self, places: Iterable[str]) -> list[str]:
+        """Places where the things tend to lie first ("the shelf" of a book is the bookshelf), else in their order."""
         things = [thing for referent in self.task.objects for thing in self._fitting(referent)]
         weights = [dict(self.belief.prior.places.get(thing, ())) for thing in things]
-        surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
-        return sorted(
-            surfaces, key=lambda place: (-sum(weight.get(place, 0.0) for weight in weights), surfaces.index(place))
-        )
+        return sorted(places, key=lambda place: -sum(weight.get(place, 0.0) for weight in weights))
 
     def _handle(
         self, task_type: str, is_done: Callable[[str], bool], roles: Mapping[str, str], *, batch: int = 2

@@ -404,6 +404,32 @@ def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:
     assert (put.status, inside.places["book_1"]) == (DONE, "bed")
 
 
+@pytest.mark.parametrize(
+    ("thing", "goal", "place"),
+    [
+        ("the magazine", "on the shelf", "bookshelf"),
+        ("the red book", "on the shelf", "bookshelf"),
+        ("the glasses", "on the shelf", "bathroom_shelf"),
+        ("the white cup", "in the cupboard", "cupboard"),
+        ("the medicine", "in the cupboard", "medicine_cabinet"),
+        ("the letter", "on the table", "hallway_table"),
+        ("the magazine", "on the bathroom shelf", "bathroom_shelf"),
+        ("the magazine", "on the shelf in the bathroom", "bathroom_shelf"),
+    ],
+)
+def test_of_places_by_one_word_a_thing_is_put_where_such_things_are(thing: str, goal: str, place: str) -> None:
+    inside = world({"magazine": "couch", "book_1": "couch", "cup_1": "counter", "medicine": "nightstand", "letter": "desk"})
+    assert run(f"[Put](1:placing) [{thing}](1:object) [{goal}](1:goal)", inside)[0].status is DONE
+    assert next(step for step in inside.steps if step.name == "place").objects[1] == place
+
+
+def test_what_lies_at_any_place_of_the_word_is_put_there_already() -> None:
+    inside = world({"magazine": "bathroom_shelf"})
+    inside.room, inside.at = "bathroom", "bathroom_floor"
+    assert run("[Put](1:placing) [the magazine](1:object) [on the shelf](1:goal)", inside)[0].status is DONE
+    assert not inside.steps
+
+
 def test_a_thing_is_laid_down_on_the_floor_where_it_is_to_be() -> None:
     inside = world({"shoes": "wardrobe", "bag": "bed"})
     text = "[Put](1:placing) [the shoes and the bag](1:object) [next to the front door](1:goal)"
