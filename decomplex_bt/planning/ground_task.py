@@ -128,6 +128,13 @@ class GroundTask:
         is_told = bool(referent.where) or referent.is_any
         return self.type in HANDLING and referent in self.objects and referent.is_all and is_told
 
+    def seeks_change(self, referent: Referent) -> bool:
+        """Whether of the several things that a phrase may mean one is meant that is not as the task wants it, as long
+        as there is one ("close the window", of which one is shut)."""
+        is_certain_one = not (referent.is_all or referent.is_any) and referent.count == 1
+        is_of_several = is_certain_one and len(referent.candidates) > 1
+        return self.type == "change_state" and is_of_several and referent in self.objects
+
     def arguments(self) -> dict[str, tuple[Referent, ...] | str]:
         """What it has of object, location (its places), goal, recipient, state ("not here" where denied), message."""
         named: dict[str, tuple[Referent, ...] | str] = {

@@ -77,7 +77,28 @@ class Standing:
         return len(self._meant(referent)) if referent.is_all else referent.count
 
     def _fitting(self, referent: Referent) -> tuple[str, ...]:
-        """Candidates that are not known to differ from how the phrase describes them ("the clean mug")."""
+        """Candidates that are not known to differ from how the phrase describes them ("the clean mug"), and of one that
+        is to be changed, not to be so already."""
+        names = self._described(referent)
+        if referent in self.bindings or not self.task.seeks_change(referent):
+            return names
+        return self._to_change(names) or names
+
+    def _to_change(self, names: Sequence[str]) -> tuple[str, ...]:
+        """Those that are not known to have been as the task wants them before it became due, of those that may turn up;
+        of those that lie where the task says, if any does."""
+        value = self.task.state or ""
+        pair = self.domain.kinds.pair_of(value)
+        there = [name for name in names if self._is_there(name)] if self.task.places else []
+
+        def is_to_change(name: str) -> bool:
+            was_so = self.belief.state(name, pair) == value and self.belief.state_changed(name, pair) < self.since
+            return not was_so and self._counts(name)
+
+        return tuple(filter(is_to_change, there or names))
+
+    def _described(self, referent: Referent) -> tuple[str, ...]:
+        """Candidates that are not known to differ from how the phrase describes them."""
         if referent in self.bindings or not referent.where:
             return self._meant(referent)
         is_change = self.task.type == "change_state" and self.task.state is not None

@@ -212,6 +212,57 @@ def test_all_the_dirty_ones_are_washed() -> None:
     assert {inside.values[f"plate_{i}", "cleanliness"] for i in (1, 2)} == {"clean"}
 
 
+WINDOWS = ("kitchen_window", "living_room_window", "bedroom_window")
+
+
+def windows(*open_ones: str) -> dict[tuple[str, str], str]:
+    return {(name, "aperture"): "open" if name in open_ones else "closed" for name in WINDOWS}
+
+
+@pytest.mark.parametrize("window", WINDOWS)
+def test_of_several_windows_the_one_that_is_open_is_closed(window: str) -> None:
+    inside = world(values=windows(window))
+    (closed,) = run("[Close](1:change_state) [the window](1:object)", inside)
+    assert (closed.status, bound(closed)) == (DONE, {"the window": (window,)})
+    assert names(inside)[-1] == f"(close-up {window})"
+
+
+def test_of_two_that_are_open_one_is_closed() -> None:
+    inside = world(values=windows("kitchen_window", "bedroom_window"))
+    assert run("[Close](1:change_state) [the window](1:object)", inside)[0].status is DONE
+    assert sum(step.name == "close-up" for step in inside.steps) == 1
+
+
+def test_where_all_are_so_there_is_nothing_to_change() -> None:
+    inside = world(values=windows())
+    assert run("[Close](1:change_state) [the window](1:object)", inside)[0].status is DONE
+    assert "close-up" not in [step.name for step in inside.steps]
+
+
+def test_the_window_that_was_asked_about_is_the_one_that_is_closed() -> None:
+    inside = world(values=windows("bedroom_window"))
+    inside.room, inside.at = "kitchen", "kitchen_floor"
+    text = "[Check](1:check_state) [the window](1:object) [open](1:state). [Close](2:change_state) [the window](2:object)"
+    check, close = run(text, inside)
+    assert (check.truth, close.status) == (False, DONE)
+    assert bound(close)["the window"] == ("kitchen_window",)
+
+
+@pytest.mark.parametrize(("phrase", "washed"), [("the mug", True), ("a mug", False), ("the mug on the counter", False)])
+def test_the_mug_that_is_to_be_washed_is_a_dirty_one(phrase: str, washed: bool) -> None:
+    values = {("mug_1", "cleanliness"): "clean", ("mug_2", "cleanliness"): "dirty"}
+    inside = world({"mug_1": "counter", "mug_2": "desk"}, values)
+    inside.room, inside.at = "kitchen", "kitchen_floor"
+    assert run(f"[Wash](1:change_state) [{phrase}](1:object)", inside)[0].status is DONE
+    assert (inside.values["mug_2", "cleanliness"] == "clean") is washed
+
+
+def test_where_the_other_one_is_nowhere_the_clean_mug_will_do() -> None:
+    inside = world({"mug_1": "counter", "mug_2": None}, {("mug_1", "cleanliness"): "clean"})
+    assert run("[Wash](1:change_state) [the mug](1:object)", inside)[0].status is DONE
+    assert "pick" not in [step.name for step in inside.steps]
+
+
 def test_all_the_lights_are_switched_off() -> None:
     lights = ("kitchen_light", "bedroom_light", "bathroom_light", "living_room_lamp", "bedroom_lamp")
     inside = world(values={(light, "power"): "on" for light in lights})
