@@ -49,8 +49,8 @@ def is_means(event: Event, task: GroundTask, bindings: Bindings, domain: Domain)
 def is_on_the_way(room: str, start: str, task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> bool:
     """Whether being in a room can serve the task for a robot that was in `start` when it became due.
 
-    Things and people have to be looked for, anywhere; to places, rooms and the user the robot knows the way, but has yet
-    to see which of several windows is still to be closed.
+    Things and people have to be looked for, anywhere; to places, rooms and the user the robot knows the way, but it has
+    yet to see which of several windows is still to be closed.
     """
     house = domain.house
     seen_to = {r: r.candidates for r in task.objects if task.seeks_change(r)}

@@ -133,7 +133,8 @@ class Handling(Looking):
             return [place] if place is not None and place != ROBOT else []
         if name not in self.house.rooms:
             return [name]
-        return self._usual_first(place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door)
+        surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
+        return self._usual_first(surfaces)
 
     def _usual_first(self, places: Iterable[str]) -> list[str]:
         """Places where the things tend to lie first ("the shelf" of a book is the bookshelf), else in their order."""

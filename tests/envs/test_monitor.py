@@ -204,9 +204,8 @@ def test_where_nothing_is_left_to_change_it_is_done():
 
 @pytest.mark.parametrize("change", [{"is_any": True}, {"count": 2}], ids=str)
 def test_any_that_are_so_will_do_where_no_certain_one_is_meant(change: dict[str, Any]):
-    assert is_done(
-        Episode(HandWorld(states=dict(ONE_OPEN)), [1], task(1, "change_state", replace(WINDOW, **change), state="closed"))
-    )
+    close = task(1, "change_state", replace(WINDOW, **change), state="closed")
+    assert is_done(Episode(HandWorld(states=dict(ONE_OPEN)), [1], close))
 
 
 def test_what_an_earlier_task_was_done_with_is_changed_whatever_the_others_are():

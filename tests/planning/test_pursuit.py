@@ -242,8 +242,8 @@ def test_where_all_are_so_there_is_nothing_to_change() -> None:
 def test_the_window_that_was_asked_about_is_the_one_that_is_closed() -> None:
     inside = world(values=windows("bedroom_window"))
     inside.room, inside.at = "kitchen", "kitchen_floor"
-    text = "[Check](1:check_state) [the window](1:object) [open](1:state). [Close](2:change_state) [the window](2:object)"
-    check, close = run(text, inside)
+    question = "[Check](1:check_state) [the window](1:object) [open](1:state)"
+    check, close = run(f"{question}. [Close](2:change_state) [the window](2:object)", inside)
     assert (check.truth, close.status) == (False, DONE)
     assert bound(close)["the window"] == ("kitchen_window",)
 
@@ -469,7 +469,8 @@ def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:
     ],
 )
 def test_of_places_by_one_word_a_thing_is_put_where_such_things_are(thing: str, goal: str, place: str) -> None:
-    inside = world({"magazine": "couch", "book_1": "couch", "cup_1": "counter", "medicine": "nightstand", "letter": "desk"})
+    places = {"magazine": "couch", "book_1": "couch", "cup_1": "counter", "medicine": "nightstand", "letter": "desk"}
+    inside = world(places)
     assert run(f"[Put](1:placing) [{thing}](1:object) [{goal}](1:goal)", inside)[0].status is DONE
     assert next(step for step in inside.steps if step.name == "place").objects[1] == place
 
