@@ -52,7 +52,8 @@ def plan_course(instruction: GroundInstruction, domain: Domain, truth: Truth) ->
 def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Cause | None:
     """Why a task cannot be done whatever the robot tries; None if it can.
 
-    A search that names places can always be done; so can a check of presence, whose answer is then no.
+    A search that names places can always be done; so can a check of presence, or of how something is that is said to be
+    somewhere, whose answer is then no.
     """
     result = _possible(task, bindings, domain, truth)
     return result if isinstance(result, Cause) else None
@@ -101,7 +102,7 @@ def _too_few(referent: Referent, among: Sequence[str], task: GroundTask, domain:
 
 def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
     """The referents without which the task cannot be done, each with what is asked of it."""
-    if task.type == "check_state" and task.state == HERE:
+    if task.type == "check_state" and (task.state == HERE or task.places):
         yield from (("place", place) for place in task.places)
         return
     if task.type == "searching" and task.places:

@@ -233,7 +233,8 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     """Whether the objects have the state: true or false of what was seen.
 
     "the mug" is the one that was looked at, so that of two mugs either answer may come; "a mug" is false only when all
-    were looked at, "all the mugs" as soon as one is not so.
+    were looked at, "all the mugs" as soon as one is not so. Where the task says that they are somewhere and none is, it
+    is false once that was looked at.
     """
 
     bindings = _narrow_to_places(task, bindings, evidence)
@@ -241,8 +242,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     def is_so(name: str) -> bool:
         return state_holds(evidence, name, task.state)
 
-    asks_any = all(referent.is_any for referent in task.objects)
-    if task.places and asks_any and not any(_those_there(task, r, bindings, evidence) for r in task.objects):
+    if task.places and not all(_those_there(task, referent, bindings, evidence) for referent in task.objects):
         yield from _presence(task, bindings, evidence)
         return
     seen = _choose(task.objects, bindings, lambda name: evidence.was_seen(name) and is_so(name))

@@ -129,7 +129,7 @@ class ShortestPath:
         if task.type == "check_state" and not asks_value and all(is_fixed(name, self._domain) for name in asked):
             return  # the map has the answer
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
-        if found and (asks_value or not task.places or self._is_there(found[0], task.places, bindings)):
+        if found and (not task.places or self._is_there(found[0], task.places, bindings)):
             for thing in task.objects:
                 among = candidates(thing, bindings)
                 are_all = needed(thing, among) >= len(among)

@@ -156,6 +156,8 @@ def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: boo
         value = task.state if holds else world.domain.kinds.opposite(task.state or "")
         for name in (name for referent in task.objects for name in referent.candidates):
             world.values[(name, pair)] = value or ""
+        for referent in task.objects if task.places else ():
+            _assume_presence(world, belief, task, referent, True)
     elif not holds:
         _assume_impossible(world, task)
 

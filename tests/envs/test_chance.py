@@ -8,6 +8,7 @@ import pytest
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest, at_least, mix
 from decomplex_bt.envs.chance import POWER, TEMPERATURE, Draw
+from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.spots import PERSON_RADIUS
@@ -123,6 +124,71 @@ def test_a_chain_of_searches_ends_at_each_of_its_leaves():
 def test_presence_is_mixed():
     test = PlaceTest(("apple",), ((),))
     assert share(lambda start: start.place[ROW["apple"]] != ABSENT, [test]) == pytest.approx(0.7, abs=0.08)
+
+
+DIRTY, EMPTY = ("cleanliness", "dirty"), ("fill", "empty")
+MUGS, DISHES = ("mug_1", "mug_2"), ("plate_1", "plate_2")
+
+
+def so_at(start, things, place, *where):
+    """Those of the things at a place that are in all of these states, each the second of its pair."""
+    columns = [STATE_PAIRS.index(pair) for pair, _ in where]
+    there = [ROW[name] for name in things if start.place[ROW[name]] == ROW[place]]
+    return [row for row in there if all(start.states[row, column] == 0 for column in columns)]
+
+
+@pytest.mark.parametrize(
+    ("things", "place", "where"),
+    [
+        (MUGS, "desk", (DIRTY,)),
+        (DISHES, "sink", (DIRTY,)),
+        (DISHES, "counter", (DIRTY,)),
+        (MUGS, "bathroom_shelf", (DIRTY,)),
+        (MUGS, "desk", (DIRTY, EMPTY)),
+        (("bottle",), "fridge", (EMPTY,)),
+    ],
+    ids=str,
+)
+def test_a_thing_in_a_state_is_at_a_place_with_probability_within_the_balance(things, place, where):
+    test = PlaceTest(things, ((place,),), where)
+    held = share(lambda start: bool(so_at(start, things, place, *where)), [test])
+    assert 0.3 - 0.08 <= held <= 0.7 + 0.08
+
+
+def test_a_thing_in_a_state_is_in_the_house_with_probability_within_the_balance():
+    def is_here(start):
+        rows = [ROW[name] for name in MUGS if start.place[ROW[name]] != ABSENT]
+        return any(start.states[row, STATE_PAIRS.index("cleanliness")] == 0 for row in rows)
+
+    assert 0.3 - 0.08 <= share(is_here, [PlaceTest(MUGS, ((),), (DIRTY,))]) <= 0.7 + 0.08
+
+
+def test_each_leaf_of_a_chain_is_reached_by_things_in_a_state():
+    places = "desk", "sink"
+    test = PlaceTest(MUGS, tuple((place,) for place in places), (DIRTY,))
+
+    def leaf(start):
+        return next((i for i, place in enumerate(places) if so_at(start, MUGS, place, DIRTY)), 2)
+
+    leaves = [leaf(drawn(seed, [test])) for seed in range(400)]
+    assert (np.bincount(leaves, minlength=3) / 400).min() >= 0.2 - 0.05
+
+
+def test_what_is_said_to_be_there_is_there_more_often_than_it_is_so_and_agrees():
+    test = PlaceTest(MUGS, (("desk",),), (DIRTY,), is_said_there=True)
+    starts = [drawn(seed, [test]) for seed in range(300)]
+    there, so = ([len(so_at(start, MUGS, "desk", *where)) for start in starts] for where in ((), (DIRTY,)))
+    assert np.mean(np.array(so) > 0) == pytest.approx(0.3, abs=0.08)
+    assert np.mean(np.array(there) > 0) == pytest.approx(0.65, abs=0.08)
+    assert all(some in (0, all_of_them) for some, all_of_them in zip(so, there, strict=True))
+
+
+def test_a_state_that_an_earlier_test_has_settled_stays():
+    tests = [StateTest(MUGS, *DIRTY), PlaceTest(MUGS, (("desk",),), (DIRTY,))]
+    for seed in range(40):
+        first, both = drawn(seed, tests[:1]), drawn(seed, tests)
+        assert np.array_equal(first.states, both.states)
+        assert any("cleanliness is settled" in line for line in both.exempt)
 
 
 def test_people_and_devices_are_mixed():

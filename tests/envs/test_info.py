@@ -266,6 +266,12 @@ WINDOWS = {name: "closed" for name in load_domain("household").house.furniture i
             [{"if": 1, "then": [2]}],
             {"placement": {"keys": None}},
         ),
+        (
+            "If [the mug](1:object) [is](1:check_state) [dirty](1:state) [on the bed](1:location), [go](2:motion) "
+            "[to the kitchen](2:goal).",
+            [{"if": 1, "then": [2]}],
+            {"placement": {"mug_1": "hallway_table", "mug_2": "hallway_table"}},
+        ),
     ],
 )
 def test_where_all_are_meant_each_is_a_stop(text, flow, options):

@@ -631,6 +631,40 @@ def test_of_two_mugs_the_one_that_was_looked_at_decides():
     assert not wrong.put("mug_1", "cupboard").is_success
 
 
+@pytest.mark.parametrize("mug", [{}, {"is_all": True}, {"is_any": True}], ids=str)
+def test_what_is_elsewhere_is_not_what_is_said_to_be_there(mug: dict[str, Any]):
+    mugs = referent("mug_1", "mug_2", phrase="the mug", **mug)
+    tasks = task(1, "check_state", mugs, at=["desk"], state="dirty"), task(2, "change_state", mugs, state="clean")
+    flow = [{"if": 1, "then": [2]}]
+    elsewhere = Episode(HandWorld({"mug_1": "sink", "mug_2": "counter"}), flow, *tasks)
+    assert elsewhere.monitor.course.is_feasible
+    assert not elsewhere.see("mug_1", "mug_2").is_over
+    assert elsewhere.inspect("desk").is_success
+    assert elsewhere.truths == [(1, False, None)]
+    nowhere = Episode(HandWorld(), flow, *tasks)
+    assert nowhere.monitor.course.is_feasible
+    assert nowhere.inspect("desk").is_success
+    there = Episode(HandWorld({"mug_1": "sink", "mug_2": "desk"}), flow, *tasks)
+    assert not there.inspect("desk").is_over
+    there.see("mug_2")
+    assert there.truths == [(1, True, "then")]
+
+
+def test_each_of_two_that_are_said_to_be_there_must_be():
+    check = task(1, "check_state", "mug_1", "plate_1", at=["desk"], state="dirty")
+    episode = Episode(
+        HandWorld({"mug_1": "desk", "plate_1": "sink"}), [{"if": 1, "then": [2]}], check, task(2, "taking", "pen_1")
+    )
+    episode.see("mug_1", "plate_1")
+    assert episode.inspect("desk").is_success
+    assert episode.truths == [(1, False, None)]
+
+
+def test_without_a_place_a_thing_that_is_nowhere_cannot_be_looked_at():
+    tasks = task(1, "check_state", "mug_1", state="dirty"), task(2, "informing", recipient="user")
+    assert not Episode(HandWorld(), [{"if": 1, "then": [2]}], *tasks).monitor.course.is_feasible
+
+
 def test_all_are_so_only_when_each_was_looked_at():
     lights = referent("kitchen_light", "bedroom_light", phrase="all the lights", is_all=True)
     flow = [{"if": 1, "then": [2]}]

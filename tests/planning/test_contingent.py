@@ -36,6 +36,18 @@ def test_each_branch_is_planned_from_what_it_assumes() -> None:
     assert str(last.steps[0]) == "(move living_room_floor living_room_doorway living_room)"
 
 
+def test_what_is_said_to_be_somewhere_is_assumed_to_be_there() -> None:
+    text = (
+        "If [the cup](1:object) [is](1:check_state) [empty](1:state) [on the kitchen table](1:location), "
+        "[fill](2:change_state) [it](2:object=the cup), otherwise [wash](3:change_state) [it](3:object=the cup)."
+    )
+    made = plan(text, [{"if": 1, "then": [2], "else": [3]}])
+    (choice,) = made.nodes
+    assert isinstance(choice, Choice)
+    assert choice.fails.reason == "the cup is not empty"
+    assert "(pick cup_1 kitchen_table)" in str(made)
+
+
 def test_an_action_as_condition_fails_where_the_world_does_not_allow_it() -> None:
     text = "[Turn](1:change_state) on [the tv](1:object); if you cannot, [tell](2:informing) [me](2:recipient)"
     (choice,) = plan(text, [{"if": 1, "else": [2]}]).nodes

@@ -204,6 +204,36 @@ def test_only_those_at_the_place_are_asked_about(state: str) -> None:
     assert (checked.status, checked.truth) == (DONE, state == "clean")
 
 
+CUPS = {("cup_1", "fill"): "empty", ("cup_2", "fill"): "empty"}
+
+
+@pytest.mark.parametrize("phrase", ["the cup", "the cups", "a cup"])
+@pytest.mark.parametrize("places", [("cupboard", "coffee_table"), (None, None)])
+def test_a_cup_elsewhere_is_not_the_one_on_the_table(phrase: str, places: tuple[str | None, str | None]) -> None:
+    inside = world(dict(zip(("cup_1", "cup_2"), places, strict=True)), CUPS)
+    text = f"[Is](1:check_state) [{phrase}](1:object) [on the kitchen table](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert (check.status, check.truth) == (DONE, False)
+    assert "open-up" not in [step.name for step in inside.steps]
+
+
+@pytest.mark.parametrize("state", ["full", "empty"])
+def test_of_two_cups_the_one_on_the_table_is_asked_about(state: str) -> None:
+    inside = world({"cup_1": "coffee_table", "cup_2": "kitchen_table"}, {**CUPS, ("cup_2", "fill"): state})
+    text = "[Is](1:check_state) [the cup](1:object) [on the kitchen table](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert check.truth is (state == "empty")
+    assert bound(check)["the cup"] == ("cup_2",)
+
+
+def test_a_place_that_cannot_be_looked_at_leaves_the_state_of_what_is_there_open() -> None:
+    inside = world({"cup_1": None, "cup_2": None})
+    inside.refused = frozenset(("open-up",))
+    text = "[Is](1:check_state) [the cup](1:object) [in the cupboard](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert (check.status, check.truth) == (FAILED, None)
+
+
 def test_all_the_dirty_ones_are_washed() -> None:
     values = {(f"plate_{i}", "cleanliness"): "dirty" for i in (1, 2)}
     inside = world({"plate_1": "kitchen_table", "plate_2": "sink"}, values)
