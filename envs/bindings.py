@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.evidence import is_there
+from decomplex_bt.envs.evidence import is_as_ordered, is_there
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 
@@ -53,10 +53,9 @@ def _to_change(
 ) -> tuple[str, ...]:
     """Of what a phrase may mean, what is not as the task wants it; all of it where everything is, or what is where the
     task says."""
-    pair = domain.kinds.pair_of(task.state or "")
     wheres = [where for place in task.places for where in candidates(place, bindings)]
     there = tuple(name for name in names if any(is_there(domain, truth, name, where) for where in wheres))
-    return tuple(name for name in there or names if truth.state(name, pair) != task.state) or names
+    return tuple(name for name in there or names if not is_as_ordered(domain, truth, name, task.state)) or names
 
 
 def given_up(task: GroundTask, bindings: Bindings) -> Bindings:

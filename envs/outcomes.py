@@ -12,7 +12,7 @@ from functools import partial
 from itertools import product
 
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
-from decomplex_bt.envs.evidence import Evidence
+from decomplex_bt.envs.evidence import Evidence, is_as_ordered
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
@@ -83,7 +83,10 @@ def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condit
 
 
 def _change_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    yield from _done(_choose(task.objects, bindings, lambda name: state_holds(evidence, name, task.state), task))
+    def is_so(name: str) -> bool:
+        return is_as_ordered(evidence.domain, evidence.truth, name, task.state)
+
+    yield from _done(_choose(task.objects, bindings, is_so, task))
 
 
 def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from decomplex_bt.domain.nouns import be
-from decomplex_bt.planning.abilities import wipers_of
+from decomplex_bt.planning.abilities import runs_shut, wipers_of
 from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import HANDLING, HERE, Referent
 from decomplex_bt.planning.looking import Looking
@@ -52,6 +52,17 @@ class Handling(Looking):
             if not referent.is_all:
                 self.bindings = self._bind({referent: there[: referent.count]})
         return None
+
+    def _atoms(self, task_type: str, roles: Mapping[str, str]) -> tuple[Atom, ...]:
+        """The goal of a task; that a device which is on with its door open runs is also that it is shut."""
+        atoms = super()._atoms(task_type, roles)
+        is_to_shut = task_type == "change_state" and "object" in roles and self._is_ajar(roles["object"])
+        return (*atoms, Atom("closed", (roles["object"],))) if is_to_shut else atoms
+
+    def _is_ajar(self, name: str) -> bool:
+        """Whether the task wants something to run behind its door, and it is on already and known to be open."""
+        is_on = self.belief.state(name, "power") == "on" and self.belief.state(name, "aperture") == "open"
+        return is_on and runs_shut(name, self.task.state, self.domain)
 
     # -- handling things ----------------------------------------------------------------------------------------------
 

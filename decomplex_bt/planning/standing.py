@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from decomplex_bt.domain.nouns import be
-from decomplex_bt.planning.abilities import holds_things, is_fixed
+from decomplex_bt.planning.abilities import holds_things, is_fixed, runs_shut
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import FINDING_OUT, GroundTask, Referent
 from decomplex_bt.planning.others import without_others
@@ -92,7 +92,12 @@ class Standing:
         there = [name for name in names if self._is_there(name)] if self.task.places else []
 
         def is_to_change(name: str) -> bool:
-            was_so = self.belief.state(name, pair) == value and self.belief.state_changed(name, pair) < self.since
+            is_so = self.belief.state(name, pair) == value
+            pairs = [pair]
+            if runs_shut(name, value, self.domain):
+                is_so &= self.belief.state(name, "aperture") != "open"
+                pairs.append("aperture")
+            was_so = is_so and max(self.belief.state_changed(name, each) for each in pairs) < self.since
             return not was_so and self._counts(name)
 
         return tuple(filter(is_to_change, there or names))

@@ -260,6 +260,7 @@ WINDOWS = {name: "closed" for name in load_domain("household").house.furniture i
             [{"if": 1, "then": [2]}],
             {"states": WINDOWS},
         ),
+        ("[Turn](1:change_state) on [the oven](1:object).", [1], {"states": {"oven": ("on", "open")}}),
         (
             "If [the keys](1:object) [are](1:check_state) [on the table](1:location), [go](2:motion) "
             "[to the study](2:goal).",

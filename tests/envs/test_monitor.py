@@ -241,6 +241,26 @@ def test_the_lamp_that_is_off_is_the_one_that_is_broken():
     assert episode.truths == [(1, False, "else")]
 
 
+def test_a_device_with_a_door_is_started_when_it_is_shut_as_well():
+    on, ajar = ("oven", "power"), ("oven", "aperture")
+    start = task(1, "change_state", "oven", state="on")
+    episode = Episode(HandWorld(states={on: "on", ajar: "open"}), [1], start)
+    assert not episode.verdict.is_over
+    assert episode.do(Interaction.CLOSE, "oven").is_success
+    assert is_done(Episode(HandWorld(states={on: "on"}), [1], start))
+    stop = task(1, "change_state", "oven", state="off")
+    assert is_done(Episode(HandWorld(states={ajar: "open"}), [1], stop))
+    asked = [{"if": 1, "then": [2]}], task(1, "check_state", "oven", state="on"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld(states={on: "on", ajar: "open"}), *asked)
+    assert episode.see("oven").branches[0].truth is True
+
+
+def test_closing_what_is_on_is_no_violation_where_it_is_to_be_closed_first():
+    tasks = task(1, "change_state", "oven", state="closed"), task(2, "change_state", "oven", state="on")
+    world = HandWorld(states={("oven", "power"): "on", ("oven", "aperture"): "open"})
+    assert Episode(world, [1, 2], *tasks).do(Interaction.CLOSE, "oven").is_success
+
+
 def test_all_of_a_kind_need_all_that_are_in_the_house():
     cups = referent("cup_1", "cup_2", phrase="the cups", is_all=True)
     world = HandWorld({"cup_1": "counter", "cup_2": "desk"})

@@ -317,6 +317,28 @@ def test_a_thing_is_filled_where_there_is_what_it_is_filled_with(drink: str, pla
     assert names(inside)[-1] == f"(fill mug_1 {place})"
 
 
+@pytest.mark.parametrize(
+    ("power", "aperture", "steps"),
+    [
+        ("on", "open", ["close-up"]),
+        ("off", "open", ["close-up", "switch-on"]),
+        ("off", "closed", ["switch-on"]),
+        ("on", "closed", []),
+    ],
+)
+def test_a_device_with_a_door_is_shut_to_run(power: str, aperture: str, steps: list[str]) -> None:
+    inside = world(values={("oven", "power"): power, ("oven", "aperture"): aperture})
+    (start,) = run("[Turn](1:change_state) on [the oven](1:object)", inside)
+    assert start.status is DONE
+    assert [step.name for step in inside.steps if step.name not in ("move", "pass")] == steps
+
+
+def test_a_device_with_a_door_is_turned_off_with_the_door_as_it_is() -> None:
+    inside = world(values={("oven", "power"): "on", ("oven", "aperture"): "open"})
+    run("[Turn](1:change_state) off [the oven](1:object)", inside)
+    assert [step.name for step in inside.steps if step.name not in ("move", "pass")] == ["switch-off"]
+
+
 def test_another_device_is_tried_when_one_is_broken() -> None:
     inside = world(broken="microwave")
     (heated,) = run("[Heat](1:change_state) [the soup](1:object)", inside)
