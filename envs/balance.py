@@ -63,7 +63,15 @@ class WorksTest:
     devices: tuple[str, ...]
 
 
-Test = StateTest | PlaceTest | PersonTest | WorksTest
+@dataclass(frozen=True, slots=True)
+class Whereabouts:
+    """That any of the people is in one of these rooms, which is said and no question."""
+
+    people: tuple[str, ...]
+    rooms: tuple[str, ...]
+
+
+Test = StateTest | PlaceTest | PersonTest | WorksTest | Whereabouts
 
 
 def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> None:
@@ -84,6 +92,8 @@ def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> No
             _mix_places(draw, test, balance * LEAF_SHARE if len(test.stages) > 1 else balance, rng, settled)
         elif isinstance(test, PersonTest):
             _mix_people(draw, test, balance, rng, settled)
+        elif isinstance(test, Whereabouts):
+            _stand_there(draw, test, rng, settled)
         else:
             _mix_works(draw, test, balance, rng, settled)
 
@@ -145,6 +155,19 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
         for row in present:
             stays = row == geometry.user_row or (bool(others) and rng.random() < prior.home[row - first])
             draw.stand(row, _pick_room(prior.rooms[row - first], others, rng) if stays else None, rng)
+
+
+def _stand_there(draw: Draw, test: Whereabouts, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    """Stands somebody where they are said to be; who an earlier test has put out of the house stays out."""
+    geometry = draw.geometry
+    rooms = [geometry.room_index[room] for room in test.rooms]
+    rows = [geometry.row[name] for name in test.people]
+    if any(draw.start.home[row] and _room(draw, row) in rooms for row in rows):
+        return
+    free = [row for row in rows if draw.start.home[row] or (geometry.names[row], "person") not in settled]
+    if free:
+        row = free[choose(np.full(len(free), 1 / len(free)), rng)]
+        draw.stand(row, _pick_room(draw.prior.rooms[row - geometry.people_rows[0]], rooms, rng), rng)
 
 
 def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: set[tuple[str, str]]) -> None:

@@ -6,19 +6,33 @@ from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, Whereabouts, WorksTest
 from decomplex_bt.envs.evidence import holds_things, places_in
 from decomplex_bt.flow import If, Node
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 
 def tests_of(instruction: GroundInstruction, domain: Domain) -> tuple[Test, ...]:
-    """The tests of all conditions in the order of the flow, each once.
+    """The tests of all conditions in the order of the flow, each once, and then where people are said to be, but for
+    those about whom that is asked.
 
     A chain of searches for one thing ("look on the table; if it is not there, in the drawer; ...") is one test with a
     stage for each. Of merged mentions the first is tested, since it is the one that is carried out.
     """
-    return tuple(dict.fromkeys(_of_sequence(instruction.flow.nodes, instruction, domain)))
+    tests = dict.fromkeys(_of_sequence(instruction.flow.nodes, instruction, domain))
+    asked = {name for test in tests if isinstance(test, PersonTest) and test.rooms for name in test.people}
+    return (*tests, *(said for said in _said(instruction, domain) if asked.isdisjoint(said.people)))
+
+
+def _said(instruction: GroundInstruction, domain: Domain) -> Iterator[Whereabouts]:
+    """Where people are said to be, first of all."""
+    said: set[str] = set()
+    for people, wheres in instruction.whereabouts():
+        if not said.isdisjoint(people):
+            continue
+        said.update(people)
+        rooms = dict.fromkeys(where if where in domain.house.rooms else domain.room_of(where) for where in wheres)
+        yield Whereabouts(people, tuple(room for room in rooms if room is not None))
 
 
 def _of_sequence(nodes: Sequence[Node], instruction: GroundInstruction, domain: Domain) -> Iterator[Test]:

@@ -95,7 +95,7 @@ class TreeAgent:
         self.compiled = compiled
         self.instruction: Instruction = instruction
         self.grounded: GroundInstruction = grounded
-        prior = Prior.of(domain).told(grounded.named_places(), domain)
+        prior = Prior.of(domain).told(grounded.named_places(), domain).with_people(grounded.whereabouts(), domain)
         self._session = Session(self._body, Belief(domain, prior=prior), self._planner)
         self.tree = BehaviourTree(self.compiled.root)
         self.tree.setup(session=self._session)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest, at_least, mix
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Whereabouts, WorksTest, at_least, mix
 from decomplex_bt.envs.chance import POWER, TEMPERATURE, Draw
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
@@ -194,6 +194,32 @@ def test_a_state_that_an_earlier_test_has_settled_stays():
 def test_people_and_devices_are_mixed():
     assert share(lambda start: start.home[ROW["anna"]], [PersonTest(("anna",))]) == pytest.approx(0.7, abs=0.08)
     assert share(lambda start: start.broken[ROW["tv"]], [WorksTest(("tv",))]) == pytest.approx(0.3, abs=0.08)
+
+
+def room_of(start, person):
+    row, geometry = ROW[person], SETTING.geometry
+    return geometry.rooms[geometry.room_at(*start.position[row])] if start.home[row] else None
+
+
+@pytest.mark.parametrize("who", ["tom", "relative", "user"])
+def test_who_is_said_to_be_somewhere_is_there(who):
+    assert {room_of(drawn(seed, [Whereabouts((who,), ("study",))]), who) for seed in range(40)} == {"study"}
+    assert len({room_of(drawn(seed, [Whereabouts((who,), ("study",))], balance=0), who) for seed in range(40)}) > 1
+
+
+def test_of_several_who_may_be_there_one_is():
+    for seed in range(20):
+        plain, start = drawn(seed), drawn(seed, [Whereabouts(("anna", "tom"), ("bathroom",))])
+        assert "bathroom" in [room_of(start, who) for who in ("anna", "tom")]
+        assert "bathroom" not in [room_of(plain, who) for who in ("anna", "tom")]
+        assert sum(room_of(start, who) != room_of(plain, who) for who in ("anna", "tom")) == 1
+
+
+def test_who_is_out_for_an_earlier_test_stays_out():
+    tests = [PersonTest(("tom",)), Whereabouts(("tom",), ("study",))]
+    rooms = [room_of(drawn(seed, tests), "tom") for seed in range(100)]
+    assert set(rooms) == {None, "study"}
+    assert rooms.count(None) == pytest.approx(30, abs=12)
 
 
 def test_what_is_not_mentioned_is_drawn_as_without_an_instruction():

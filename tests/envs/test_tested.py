@@ -3,7 +3,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from decomplex_bt.envs import tested
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Whereabouts, WorksTest
 from decomplex_bt.envs.doubles import DOMAIN, instruction, referent, task
 from decomplex_bt.planning.ground_task import HERE
 
@@ -90,6 +90,25 @@ def test_what_is_fixed_is_tested_by_its_state_alone():
 def test_beside_what_may_be_anywhere_the_state_alone_is_tested():
     check = task(1, "check_state", MUG, at=["pillow"], state="dirty")
     assert derive(THEN, check, LAST) == (StateTest(("mug_1", "mug_2"), "cleanliness", "dirty"),)
+
+
+def in_room(deed, person, room):
+    who = referent(person)
+    return replace(deed, whereabouts=((who, referent(room)),))
+
+
+def test_where_somebody_is_said_to_be_is_no_question():
+    bring = in_room(task(1, "bringing", "book_1", recipient="tom"), "tom", "desk")
+    assert derive([1], bring) == (Whereabouts(("tom",), ("study",)),)
+    later = in_room(task(2, "informing", recipient="tom"), "tom", "kitchen")
+    assert derive([1, 2], bring, later) == (Whereabouts(("tom",), ("study",)),)
+
+
+def test_what_is_asked_of_somebody_is_not_said():
+    tell = in_room(task(2, "informing", recipient="tom"), "tom", "kitchen")
+    home, there = (task(1, "check_state", "tom", at=at, state=HERE) for at in ([], ["study"]))
+    assert derive(THEN, home, tell) == (PersonTest(("tom",)), Whereabouts(("tom",), ("kitchen",)))
+    assert derive(THEN, there, tell) == (PersonTest(("tom",), ("study",)),)
 
 
 def test_an_action_as_condition_hangs_on_what_it_needs():
