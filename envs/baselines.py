@@ -132,8 +132,8 @@ class OraclePolicy(TreePolicy):
         tasks = self.agent.grounded.tasks
         asked = {referent for task in tasks if task.type in FINDING_OUT for referent in task.objects}
         for task in tasks:
-            # Of two lamps that may be meant, the one that can be switched on. Which one is to be changed is seen when it
-            # is due, unless that was asked before.
+            # Of two lamps that may be meant, the one that can be switched on. Which one is still to be changed is seen
+            # when that is due, unless it was asked before.
             is_open = any(task.seeks_change(referent) and referent not in asked for referent in task.objects)
             if task.type == "change_state" and not is_open:
                 session.bindings = feasible_bindings(task, session.bindings, domain, truth)
