@@ -36,11 +36,16 @@ class PlaceTest:
     """Where the first of the things turns up that a chain of searches would find.
 
     `stages`: the places looked at, one tuple for each search; the leaves are "found at the first", "at the second", ...
-    and "at none of them". A single empty stage asks whether any of the things is in the house at all.
+    and "at none of them". A single empty stage asks whether any of the things is in the house at all. `where`: state
+    pairs and values that what is found must have ("a dirty mug on the desk"). `is_said_there`: whether something is
+    said to be there, and what is asked is how it is ("the mug on the desk is dirty"): all that is there agrees in it,
+    and every other time that it is not so something is there.
     """
 
     things: tuple[str, ...]
     stages: tuple[tuple[str, ...], ...]
+    where: tuple[tuple[str, str], ...] = ()
+    is_said_there: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +63,15 @@ class WorksTest:
     devices: tuple[str, ...]
 
 
-Test = StateTest | PlaceTest | PersonTest | WorksTest
+@dataclass(frozen=True, slots=True)
+class Whereabouts:
+    """That any of the people is in one of these rooms, which is said and no question."""
+
+    people: tuple[str, ...]
+    rooms: tuple[str, ...]
+
+
+Test = StateTest | PlaceTest | PersonTest | WorksTest | Whereabouts
 
 
 def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> None:
@@ -79,6 +92,8 @@ def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> No
             _mix_places(draw, test, balance * LEAF_SHARE if len(test.stages) > 1 else balance, rng, settled)
         elif isinstance(test, PersonTest):
             _mix_people(draw, test, balance, rng, settled)
+        elif isinstance(test, Whereabouts):
+            _stand_there(draw, test, rng, settled)
         else:
             _mix_works(draw, test, balance, rng, settled)
 
@@ -142,38 +157,136 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
             draw.stand(row, _pick_room(prior.rooms[row - first], others, rng) if stays else None, rng)
 
 
+def _stand_there(draw: Draw, test: Whereabouts, rng: Generator, settled: set[tuple[str, str]]) -> None:
+    """Stands somebody where they are said to be; who an earlier test has put out of the house stays out."""
+    geometry = draw.geometry
+    rooms = [geometry.room_index[room] for room in test.rooms]
+    rows = [geometry.row[name] for name in test.people]
+    if any(draw.start.home[row] and _room(draw, row) in rooms for row in rows):
+        return
+    free = [row for row in rows if draw.start.home[row] or (geometry.names[row], "person") not in settled]
+    if free:
+        row = free[choose(np.full(len(free), 1 / len(free)), rng)]
+        draw.stand(row, _pick_room(draw.prior.rooms[row - geometry.people_rows[0]], rooms, rng), rng)
+
+
 def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
     geometry = draw.geometry
     things = _rows(draw, test.things, settled, "place", lambda row: row in geometry.thing_rows)
     if not things:
         return
+    traits = Traits(draw, things, test.where, settled)
     stages = [_holding(draw, stage) for stage in test.stages]
     is_possible = np.array([*(bool(stage) for stage in stages), True])
-    shares = at_least(_leaf_shares(draw, things, stages)[is_possible], least)
+    shares = at_least(_leaf_shares(draw, things, stages, traits)[is_possible], least)
     leaf = int(np.flatnonzero(is_possible)[choose(shares, rng)])
     for stage, places in zip(test.stages, stages, strict=True):
         if not places:
             draw.start.exempt.append(f"nothing lies at {', '.join(stage)}")
     forbidden = sorted({place for stage in stages[: leaf if leaf < len(stages) else None] for place in stage})
     wanted = [place for place in stages[leaf] if place not in forbidden] if leaf < len(stages) else []
-    for thing in things:
-        if int(draw.start.place[thing]) in forbidden:
+
+    def lies_at(places: Sequence[int]) -> list[int]:
+        return [thing for thing in things if int(draw.start.place[thing]) in places]
+
+    def bring_one(places: Sequence[int], is_able: Callable[[int], bool]) -> int | None:
+        there = lies_at(places)
+        order = sorted(map(int, rng.permutation(things)), key=lambda thing: thing not in there)
+        able = filter(is_able, order)
+        return next((thing for thing in able if thing in there or _move_in(draw, thing, places, rng)), None)
+
+    if test.is_said_there and not wanted and forbidden and rng.random() < 0.5:
+        bring_one(forbidden, traits.can_be_lacked)
+        for thing in filter(traits.can_be_lacked, lies_at(forbidden)):
+            traits.take(thing)
+    for thing in lies_at(forbidden):
+        if traits.are_had(thing) and not _spoil(draw, thing, forbidden, traits, rng):
             _move_out(draw, thing, forbidden, rng)
-    if wanted and not any(int(draw.start.place[thing]) in wanted for thing in things):
-        order = rng.permutation(things)
-        if not any(_move_in(draw, int(thing), wanted, rng) for thing in order):
+    if wanted and not any(map(traits.are_had, lies_at(wanted))):
+        found = bring_one(wanted, traits.can_be_had)
+        if found is None:
             draw.start.exempt.append(f"no room for {', '.join(test.things)} at {', '.join(test.stages[leaf])}")
+        else:
+            traits.give(found)
+    if test.is_said_there:
+        for thing in filter(traits.can_be_had, lies_at(wanted)):
+            traits.give(thing)
 
 
-def _leaf_shares(draw: Draw, things: Sequence[int], stages: Sequence[Sequence[int]]) -> Floats:
+class Traits:
+    """The states that what a test asks for must have, of things by row; what an earlier test has settled stays."""
+
+    def __init__(
+        self, draw: Draw, things: Sequence[int], where: Sequence[tuple[str, str]], settled: set[tuple[str, str]]
+    ) -> None:
+        self._draw = draw
+        self._values: dict[int, dict[int, int]] = {thing: {} for thing in things}
+        self._free: dict[int, list[int]] = {thing: [] for thing in things}
+        for pair, value in where:
+            column = STATE_PAIRS.index(pair)
+            wanted = int(draw.geometry.kinds.state_pairs[pair].values[0] == value)
+            for thing in (thing for thing in things if draw.prior.has_state[thing, column]):
+                self._values[thing][column] = wanted
+                name = draw.geometry.names[thing]
+                if (name, pair) in settled:
+                    draw.start.exempt.append(f"{name}: its {pair} is settled by an earlier test")
+                else:
+                    settled.add((name, pair))
+                    self._free[thing].append(column)
+
+    def chance(self, thing: int) -> float:
+        """The probability that a thing has them."""
+        values, free = self._values[thing], self._free[thing]
+        is_settled_so = all(self._has(thing, column) for column in values if column not in free)
+        chances = [self._draw.prior.chance[thing, column] for column in free]
+        so = [chance if values[column] == 1 else 1 - chance for column, chance in zip(free, chances, strict=True)]
+        return float(np.prod(so)) * is_settled_so
+
+    def are_had(self, thing: int) -> bool:
+        return all(self._has(thing, column) for column in self._values[thing])
+
+    def can_be_had(self, thing: int) -> bool:
+        return all(column in self._free[thing] or self._has(thing, column) for column in self._values[thing])
+
+    def can_be_lacked(self, thing: int) -> bool:
+        return bool(self._free[thing])
+
+    def give(self, thing: int) -> None:
+        for column in self._free[thing]:
+            self._draw.start.states[thing, column] = self._values[thing][column]
+
+    def take(self, thing: int) -> None:
+        """Lets a thing lack one of them."""
+        column = self._free[thing][0]
+        self._draw.start.states[thing, column] = 1 - self._values[thing][column]
+
+    def _has(self, thing: int, column: int) -> bool:
+        return int(self._draw.start.states[thing, column]) == self._values[thing][column]
+
+
+def _leaf_shares(draw: Draw, things: Sequence[int], stages: Sequence[Sequence[int]], traits: Traits) -> Floats:
     """The prior probability of each leaf of a chain of searches: found at stage 0, 1, ..., at none."""
     none_yet, shares, seen = 1.0, [], set[int]()
     for stage in stages:
         seen |= set(stage)
-        none_now = float(np.prod([1 - draw.prior.mass(thing, sorted(seen)) for thing in things]))
+        at = sorted(seen)
+        none_now = float(np.prod([1 - draw.prior.mass(thing, at) * traits.chance(thing) for thing in things]))
         shares.append(none_yet - none_now)
         none_yet = none_now
     return np.array([*shares, none_yet]).clip(min=0)
+
+
+def _spoil(draw: Draw, thing: int, forbidden: Sequence[int], traits: Traits, rng: Generator) -> bool:
+    """Lets a thing lie where it lies, but not as it is asked for, as often as that is how it is not found; False, and
+    nothing changed, where it is to lie elsewhere."""
+    if not traits.can_be_lacked(thing):
+        return False
+    here, chance = draw.prior.mass(thing, forbidden), traits.chance(thing)
+    stays, leaves = here * (1 - chance), 1 - here
+    if rng.random() * (stays + leaves) >= stays:
+        return False
+    traits.take(thing)
+    return True
 
 
 def _move_out(draw: Draw, thing: int, forbidden: Sequence[int], rng: Generator) -> None:

@@ -14,6 +14,7 @@ from decomplex_bt.envs.sensing import FIRST_STATE, INSPECTED, PLACE, VISIBLE, X,
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.envs.walking import is_near_person
 from decomplex_bt.errors import InputError
+from decomplex_bt.planning.ground_task import FINDING_OUT
 from decomplex_bt.planning.pddl import GroundAction
 
 if TYPE_CHECKING:
@@ -128,8 +129,13 @@ class OraclePolicy(TreePolicy):
         domain, truth = self._env.domain, self._env.truth()
         for step in _refused(domain, truth):
             session.belief.failed(step, "broken")
-        for task in self.agent.grounded.tasks:
-            if task.type == "change_state":  # of two lamps that may be meant, the one that can be switched on
+        tasks = self.agent.grounded.tasks
+        asked = {referent for task in tasks if task.type in FINDING_OUT for referent in task.objects}
+        for task in tasks:
+            # Of two lamps that may be meant, the one that can be switched on. Which one is still to be changed is seen
+            # when that is due, unless it was asked before.
+            is_open = any(task.seeks_change(referent) and referent not in asked for referent in task.objects)
+            if task.type == "change_state" and not is_open:
                 session.bindings = feasible_bindings(task, session.bindings, domain, truth)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import combinations
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.evidence import is_there
+from decomplex_bt.envs.evidence import is_as_ordered, is_there
 from decomplex_bt.envs.truth import Truth
 from decomplex_bt.planning.ground_task import GroundTask, Referent
 
@@ -24,7 +24,7 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
 
     That is what is in the house, is in the state by which it is told ("the clean mug") and, where all of a kind are
     meant or it is only to be taken from there, at the place that the task names; but for a search, which asks where
-    they are. What fits may be nothing.
+    they are. What fits may be nothing. Where one of several is to be changed, it is what is still to be changed.
     """
     named = dict(bindings)
     for referent in task.referents():
@@ -43,7 +43,19 @@ def name_candidates(task: GroundTask, bindings: Bindings, domain: Domain, truth:
             named[referent] = tuple(
                 name for name in named[referent] if any(is_there(domain, truth, name, where) for where in wheres)
             )
+        if referent not in bindings and task.seeks_change(referent):
+            named[referent] = _to_change(task, named[referent], named, domain, truth)
     return named
+
+
+def _to_change(
+    task: GroundTask, names: tuple[str, ...], bindings: Bindings, domain: Domain, truth: Truth
+) -> tuple[str, ...]:
+    """Of what a phrase may mean, what is not as the task wants it; all of it where everything is, or what is where the
+    task says."""
+    wheres = [where for place in task.places for where in candidates(place, bindings)]
+    there = tuple(name for name in names if any(is_there(domain, truth, name, where) for where in wheres))
+    return tuple(name for name in there or names if not is_as_ordered(domain, truth, name, task.state)) or names
 
 
 def given_up(task: GroundTask, bindings: Bindings) -> Bindings:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.truth import ROBOT, Truth
-from decomplex_bt.planning.abilities import is_fixed, stands_at
+from decomplex_bt.planning.abilities import is_fixed, runs_shut, stands_at
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.world import Event
@@ -16,6 +16,17 @@ if TYPE_CHECKING:
 _OK = Result.OK  # asking an enum takes ten times as long
 BEFORE = -1
 """The step before the first one: nothing was seen or done yet."""
+
+
+def is_as_ordered(domain: Domain, truth: Truth, name: str, value: str | None) -> bool:
+    """Whether an entity is as an order for a state wants it: of what runs only behind its door, shut as well."""
+    assert value is not None
+    try:
+        pair = domain.kinds.pair_of(value)
+    except KeyError:
+        return False
+    is_shut = not runs_shut(name, value, domain) or truth.state(name, "aperture") == "closed"
+    return truth.state(name, pair) == value and is_shut
 
 
 class Record:

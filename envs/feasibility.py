@@ -14,13 +14,13 @@ from typing import Literal
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, given_up, name_candidates, needed
-from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, true_room
-from decomplex_bt.envs.outcomes import outcomes, state_holds
+from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, is_as_ordered, true_room
+from decomplex_bt.envs.outcomes import outcomes
 from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.abilities import wipers_of
+from decomplex_bt.planning.abilities import runs_shut, wipers_of
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 
 MOST_READINGS = 32
@@ -52,7 +52,8 @@ def plan_course(instruction: GroundInstruction, domain: Domain, truth: Truth) ->
 def find_cause(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> Cause | None:
     """Why a task cannot be done whatever the robot tries; None if it can.
 
-    A search that names places can always be done; so can a check of presence, whose answer is then no.
+    A search that names places can always be done; so can a check of presence, or of how something is that is said to be
+    somewhere, whose answer is then no.
     """
     result = _possible(task, bindings, domain, truth)
     return result if isinstance(result, Cause) else None
@@ -101,7 +102,7 @@ def _too_few(referent: Referent, among: Sequence[str], task: GroundTask, domain:
 
 def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
     """The referents without which the task cannot be done, each with what is asked of it."""
-    if task.type == "check_state" and task.state == HERE:
+    if task.type == "check_state" and (task.state == HERE or task.places):
         yield from (("place", place) for place in task.places)
         return
     if task.type == "searching" and task.places:
@@ -243,8 +244,7 @@ def _choices(task: GroundTask, possible: Bindings, world: Assumed) -> Iterator[B
     for referent in referents:
         among = candidates(referent, possible)
         if task.type == "change_state":
-            evidence = Omniscient(world.domain, world)
-            among = tuple(sorted(among, key=lambda name: not state_holds(evidence, name, task.state)))
+            among = tuple(sorted(among, key=lambda name: not is_as_ordered(world.domain, world, name, task.state)))
         need = needed(referent, among, task)
         options.append([among[i : i + need] for i in range(len(among) - need + 1)])
     for choice in product(*options):
@@ -298,9 +298,8 @@ class Assumed:
         if task.type == "change_state" and task.state is not None:
             pair = self.domain.kinds.pair_of(task.state)
             changed = {(name, pair): task.state for name in things}
-            if task.state == "on":  # what has a door runs only behind it
-                shut = (name for name in things if self.state(name, pair) != "on" and self.domain.kind(name).has_door)
-                changed |= dict.fromkeys(((name, "aperture") for name in shut), "closed")
+            shut = (name for name in things if runs_shut(name, task.state, self.domain))
+            changed |= dict.fromkeys(((name, "aperture") for name in shut), "closed")
             return replace(self, states={**self.states, **changed})
         return self
 

@@ -49,10 +49,12 @@ def is_means(event: Event, task: GroundTask, bindings: Bindings, domain: Domain)
 def is_on_the_way(room: str, start: str, task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth) -> bool:
     """Whether being in a room can serve the task for a robot that was in `start` when it became due.
 
-    Things and people have to be looked for, anywhere; to places, rooms and the user the robot knows the way.
+    Things and people have to be looked for, anywhere; to places, rooms and the user the robot knows the way, but it has
+    yet to see which of several windows is still to be closed.
     """
     house = domain.house
-    names = _names(task.referents(), bindings)
+    seen_to = {r: r.candidates for r in task.objects if task.seeks_change(r)}
+    names = _names(task.referents(), {**bindings, **seen_to})
     if not names or any(name in house.things or (name in house.people and name != house.user) for name in names):
         return True
     ends = {end for name in names for end in _rooms(name, domain, truth)}

@@ -12,7 +12,7 @@ from functools import partial
 from itertools import product
 
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
-from decomplex_bt.envs.evidence import Evidence
+from decomplex_bt.envs.evidence import Evidence, is_as_ordered
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
@@ -83,7 +83,10 @@ def _putting(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condit
 
 
 def _change_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
-    yield from _done(_choose(task.objects, bindings, lambda name: state_holds(evidence, name, task.state), task))
+    def is_so(name: str) -> bool:
+        return is_as_ordered(evidence.domain, evidence.truth, name, task.state)
+
+    yield from _done(_choose(task.objects, bindings, is_so, task))
 
 
 def _following(task: GroundTask, bindings: Bindings, evidence: Evidence, is_condition: bool) -> Iterator[Outcome]:
@@ -233,7 +236,8 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     """Whether the objects have the state: true or false of what was seen.
 
     "the mug" is the one that was looked at, so that of two mugs either answer may come; "a mug" is false only when all
-    were looked at, "all the mugs" as soon as one is not so.
+    were looked at, "all the mugs" as soon as one is not so. Where the task says that they are somewhere and none is, it
+    is false once that was looked at.
     """
 
     bindings = _narrow_to_places(task, bindings, evidence)
@@ -241,8 +245,7 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     def is_so(name: str) -> bool:
         return state_holds(evidence, name, task.state)
 
-    asks_any = all(referent.is_any for referent in task.objects)
-    if task.places and asks_any and not any(_those_there(task, r, bindings, evidence) for r in task.objects):
+    if task.places and not all(_those_there(task, referent, bindings, evidence) for referent in task.objects):
         yield from _presence(task, bindings, evidence)
         return
     seen = _choose(task.objects, bindings, lambda name: evidence.was_seen(name) and is_so(name))

@@ -37,7 +37,7 @@ from decomplex_bt.envs.floorplan import RESOLUTION, Floorplan, floorplan_of
 from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
-from decomplex_bt.planning.abilities import is_fixed, wipers_of
+from decomplex_bt.planning.abilities import is_fixed, runs_shut, wipers_of
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundTask, Referent
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ class ShortestPath:
         if task.type == "check_state" and not asks_value and all(is_fixed(name, self._domain) for name in asked):
             return  # the map has the answer
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
-        if found and (asks_value or not task.places or self._is_there(found[0], task.places, bindings)):
+        if found and (not task.places or self._is_there(found[0], task.places, bindings)):
             for thing in task.objects:
                 among = candidates(thing, bindings)
                 are_all = needed(thing, among) >= len(among)
@@ -148,7 +148,8 @@ class ShortestPath:
         """To the place whose state is changed; with a thing first to it, then to what changes it."""
         value = task.state or ""
         pair = self._domain.kinds.pair_of(value)
-        if self._state(name, pair) == value:
+        is_ajar = runs_shut(name, value, self._domain) and self._state(name, "aperture") == "open"
+        if self._state(name, pair) == value and not is_ajar:
             return
         self._values[name, pair] = value
         if name not in self._places:

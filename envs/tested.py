@@ -6,19 +6,33 @@ from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
 from decomplex_bt.domain.loader import Domain
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, WorksTest
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Test, Whereabouts, WorksTest
 from decomplex_bt.envs.evidence import holds_things, places_in
 from decomplex_bt.flow import If, Node
 from decomplex_bt.planning.ground_task import HERE, GroundInstruction, GroundTask, Referent
 
 
 def tests_of(instruction: GroundInstruction, domain: Domain) -> tuple[Test, ...]:
-    """The tests of all conditions in the order of the flow, each once.
+    """The tests of all conditions in the order of the flow, each once, and then where people are said to be, but for
+    those about whom that is asked.
 
     A chain of searches for one thing ("look on the table; if it is not there, in the drawer; ...") is one test with a
     stage for each. Of merged mentions the first is tested, since it is the one that is carried out.
     """
-    return tuple(dict.fromkeys(_of_sequence(instruction.flow.nodes, instruction, domain)))
+    tests = dict.fromkeys(_of_sequence(instruction.flow.nodes, instruction, domain))
+    asked = {name for test in tests if isinstance(test, PersonTest) and test.rooms for name in test.people}
+    return (*tests, *(said for said in _said(instruction, domain) if asked.isdisjoint(said.people)))
+
+
+def _said(instruction: GroundInstruction, domain: Domain) -> Iterator[Whereabouts]:
+    """Where people are said to be, first of all."""
+    said: set[str] = set()
+    for people, wheres in instruction.whereabouts():
+        if not said.isdisjoint(people):
+            continue
+        said.update(people)
+        rooms = dict.fromkeys(where if where in domain.house.rooms else domain.room_of(where) for where in wheres)
+        yield Whereabouts(people, tuple(room for room in rooms if room is not None))
 
 
 def _of_sequence(nodes: Sequence[Node], instruction: GroundInstruction, domain: Domain) -> Iterator[Test]:
@@ -33,8 +47,6 @@ def _of_condition(node: If, instruction: GroundInstruction, domain: Domain) -> I
     if _is_search(task):
         for referent in task.objects:
             yield from _presence(referent, [instruction.task(link.task) for link in chain], domain)
-        if _tests_value(task):
-            yield from _states(task, domain)
     elif task.type == "check_state":
         yield from _states(task, domain)
     else:
@@ -54,7 +66,8 @@ def _chain(node: If, instruction: GroundInstruction) -> list[If]:
     for other in chain[-1].orelse:
         if isinstance(other, If):
             following = instruction.task(other.task)
-            if _is_search(following) and following.places and following.objects == task.objects:
+            asks_the_same = following.objects == task.objects and _value(following) == _value(task)
+            if _is_search(following) and following.places and asks_the_same:
                 return [*chain, *_chain(other, instruction)]
     return chain
 
@@ -66,12 +79,20 @@ def _is_search(task: GroundTask) -> bool:
     return task.type == "check_state" and (task.state == HERE or task.state is None or bool(task.places))
 
 
-def _tests_value(task: GroundTask) -> bool:
-    return task.type == "check_state" and task.state not in (None, HERE)
+def _value(task: GroundTask) -> str | None:
+    """The value of a state that a check asks for, None where it asks for none."""
+    return task.state if task.type == "check_state" and task.state != HERE else None
+
+
+def _where(referent: Referent, task: GroundTask, domain: Domain) -> tuple[tuple[str, str], ...]:
+    """The states in which a check or search asks for what a phrase means."""
+    value = _value(task)
+    asked = [(pair, value) for pair, both in domain.kinds.state_pairs.items() if value in both.values]
+    return tuple(dict.fromkeys((*referent.where, *asked)))
 
 
 def _presence(referent: Referent, searches: Sequence[GroundTask], domain: Domain) -> Iterator[Test]:
-    """Where the things or people of a phrase turn up along a chain of searches.
+    """Where the things or people of a phrase turn up along a chain of searches, as they are asked for.
 
     The chain ends before a search beside something that may be anywhere. What is fixed cannot turn up elsewhere; it is
     named all the same, so that the draw can say so.
@@ -82,10 +103,19 @@ def _presence(referent: Referent, searches: Sequence[GroundTask], domain: Domain
     fixed = tuple(name for name in referent.candidates if name in house.places())
     pairs = ((task, _stage(task, domain)) for task in searches)
     stages = tuple(stage for _, stage in takewhile(lambda pair: pair[1] or not pair[0].places, pairs))
+    where = _where(referent, searches[0], domain)
     if not stages:
+        yield from (StateTest(referent.candidates, pair, value) for pair, value in where)
         return
-    if things or fixed:
-        yield PlaceTest(things or fixed, stages)
+    if things:
+        is_said_there = _value(searches[0]) is not None and not referent.is_any
+        yield PlaceTest(things, stages, where, is_said_there)
+    elif fixed and where:
+        asked = {domain.room_of(place) for stage in stages for place in stage}
+        there = tuple(name for name in fixed if domain.room_of(name) in asked)
+        yield from (StateTest(there or fixed, pair, value) for pair, value in where)
+    elif fixed:
+        yield PlaceTest(fixed, stages)
     if people:
         rooms = [room for stage in stages for place in stage if (room := domain.room_of(place)) is not None]
         yield PersonTest(people, tuple(dict.fromkeys(rooms)))
@@ -124,7 +154,7 @@ def _possibility(task: GroundTask, domain: Domain) -> Iterator[Test]:
         things = tuple(name for name in referent.candidates if name in house.things)
         people = tuple(name for name in referent.candidates if name in house.people)
         if things:
-            yield PlaceTest(things, ((),))
+            yield PlaceTest(things, ((),), referent.where)
         if people:
             yield PersonTest(people)
     for target in (*task.recipients, task.goal):

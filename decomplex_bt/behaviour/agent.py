@@ -111,7 +111,7 @@ class TreeAgent:
         grounded = ground(instruction, domain)
         compiled = compile_instruction(instruction, grounded, domain)
         self._body.reset(observation)  # the last that may refuse
-        prior = Prior.of(domain).told(grounded.named_places(), domain)
+        prior = Prior.of(domain).told(grounded.named_places(), domain).with_people(grounded.whereabouts(), domain)
         session = Session(self._body, Belief(domain, prior=prior), self._planner)
         tree = BehaviourTree(compiled.root)
         tree.setup(session=session)

@@ -50,6 +50,13 @@ def steps_at(place: str, value: str, domain: Domain) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4096)
+def runs_shut(name: str, value: str | None, domain: Domain) -> bool:
+    """Whether to bring something into a state is to have it run behind its door: "start the washing machine"."""
+    pairs = states_of(name, domain)
+    return value == "on" and "power" in pairs and "aperture" in pairs
+
+
+@lru_cache(maxsize=4096)
 def wipers_of(place: str, domain: Domain) -> tuple[str, ...]:
     """The things that wipe a place clean."""
     tags = frozenset(domain.kind(place).tags)

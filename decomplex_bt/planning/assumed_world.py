@@ -167,6 +167,8 @@ class AssumedWorld:
             return "slipped"
         if name in ("switch-on", "heat", "wash") and objects[-1] in self.broken:
             return "broken"
+        if name == "switch-on" and self.values.get((objects[0], "aperture")) == "open":
+            return "open"
         if name in ("pick", "place") and not self._is_open(objects[1]):
             return "closed"
         if name == "pick" and self.places.get(objects[0]) != objects[1]:

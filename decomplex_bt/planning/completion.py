@@ -50,6 +50,7 @@ class Completion:
                 f"nothing here tells the weather, the day or what it is like somewhere ({said!r}); "
                 "ask about a thing or a person"
             )
+        self._check_working(task)
         if has_state or (task.type == "check_state" and self._wording.says_state(task)):
             given.add("state")
         for group in task_type.required:
@@ -71,6 +72,20 @@ class Completion:
             f"{done!r} says nothing that can be done with {what!r} here, which has no state to change; "
             "ask for something else"
         )
+
+    def _check_working(self, task: Task) -> None:
+        """Raises `ImpossibleGoalError` where a check asks whether a device works, which nobody sees: to try it is more
+        than to look."""
+        what = task.value("object")
+        if what is None or not self._wording.is_of_working(task):
+            return
+        names = (name for phrase in read_phrases(what, self._domain) for name in (*phrase.entities, *phrase.plurals))
+        fixed = [name for name in names if name in self._domain.house.furniture]
+        if any(self._domain.kind(name).is_device for name in fixed):
+            raise ImpossibleGoalError(
+                f"whether {what!r} works or is broken is found out by trying alone; "
+                f"say 'turn on {what}; if that fails, ...' with what to do then"
+            )
 
     def _with_mentions(self, task: Task) -> Task:
         """A bare check with what later words say that it asks ("Check the window. If open, …", "… if any is …"), a

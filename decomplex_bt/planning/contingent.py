@@ -23,6 +23,7 @@ from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.planner import Planner
+from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.pursuit import Bindings, PursuitStatus
 from decomplex_bt.planning.whereabouts import places_of
 
@@ -94,9 +95,15 @@ class ConditionalPlan:
 def plan_conditionally(
     instruction: GroundInstruction, planner: Planner, *, world: AssumedWorld, belief: Belief | None = None
 ) -> ConditionalPlan:
-    """The conditional plan of an instruction in an assumed world (not changed); without `belief` nothing was seen."""
-    belief = belief.copy() if belief is not None else Belief(world.domain)
-    start = _Branch(instruction, planner, world.copy(), belief, {})
+    """The conditional plan of an instruction in an assumed world (not changed), with people where they are said to be;
+    without `belief` nothing was seen."""
+    domain, said = world.domain, instruction.whereabouts()
+    belief = belief.copy() if belief is not None else Belief(domain, prior=Prior.of(domain).with_people(said, domain))
+    world = world.copy()
+    for people, wheres in said:
+        if (room := domain.room_of(wheres[0])) is not None and not any(world.places.get(p) == room for p in people):
+            world.places[people[0]] = room
+    start = _Branch(instruction, planner, world, belief, {})
     return ConditionalPlan(instruction.text, start.plan(instruction.flow.nodes))
 
 
@@ -156,6 +163,8 @@ def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: boo
         value = task.state if holds else world.domain.kinds.opposite(task.state or "")
         for name in (name for referent in task.objects for name in referent.candidates):
             world.values[(name, pair)] = value or ""
+        for referent in task.objects if task.places else ():
+            _assume_presence(world, belief, task, referent, True)
     elif not holds:
         _assume_impossible(world, task)
 

@@ -82,8 +82,8 @@ class GroundTask:
     nowhere else, so that it cannot be done where they are not there. `message`: what is said; `question`: the check or
     search that answers it ("whether the lamp is on"), which the robot makes before it says it. `forbidden`: steps by
     which it is not to be done (filling at the sink, where it is to be "with coffee"; heating in the microwave, where
-    it is to be "in the oven"). `span`: the verb
-    in the text, code points, end exclusive.
+    it is to be "in the oven"). `whereabouts`: who of those it has to do with is said to be where ("bring it to Tom *in
+    the study*"): people, and rooms or places. `span`: the verb in the text, code points, end exclusive.
     """
 
     number: int
@@ -100,6 +100,7 @@ class GroundTask:
     message: str | None = None
     question: GroundTask | None = None
     forbidden: tuple[GroundAction, ...] = ()
+    whereabouts: tuple[tuple[Referent, Referent], ...] = ()
 
     @property
     def target(self) -> Referent | None:
@@ -128,6 +129,13 @@ class GroundTask:
         is_told = bool(referent.where) or referent.is_any
         return self.type in HANDLING and referent in self.objects and referent.is_all and is_told
 
+    def seeks_change(self, referent: Referent) -> bool:
+        """Whether of the several things that a phrase may mean one is meant that is not as the task wants it, as long
+        as there is one ("close the window", of which one is shut)."""
+        is_certain_one = not (referent.is_all or referent.is_any) and referent.count == 1
+        is_of_several = is_certain_one and len(referent.candidates) > 1
+        return self.type == "change_state" and is_of_several and referent in self.objects
+
     def arguments(self) -> dict[str, tuple[Referent, ...] | str]:
         """What it has of object, location (its places), goal, recipient, state ("not here" where denied), message."""
         named: dict[str, tuple[Referent, ...] | str] = {
@@ -146,6 +154,7 @@ class GroundTask:
         parts += [f"{'only ' if self.is_only_there else ''}at {referent}" for referent in self.places]
         parts += [f"goal {self.goal}"] if self.goal else []
         parts += [f"to {referent}" for referent in self.recipients]
+        parts += [f"who is at {where}" for _, where in self.whereabouts]
         parts += [f"state {'not ' if self.is_denied else ''}{self.state}"] if self.state else []
         parts += [f"message {self.message!r}"] if self.message else []
         parts += [f"without {step}" for step in self.forbidden]
@@ -176,6 +185,11 @@ class GroundInstruction:
             for name in (name for referent in task.objects for name in referent.candidates):
                 named.setdefault(name, {}).update(dict.fromkeys(p for place in places for p in place.candidates))
         return {name: tuple(places) for name, places in named.items()}
+
+    def whereabouts(self) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
+        """Where people with whom it has to do are said to be: any one of these, in any of these rooms or places."""
+        said = (pair for node, _ in self.flow.walk() for pair in self.task(node.task).whereabouts)
+        return tuple(dict.fromkeys((who.candidates, where.candidates) for who, where in said))
 
     def __str__(self) -> str:
         return "\n".join(str(task) for task in self.tasks)

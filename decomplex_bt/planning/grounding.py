@@ -37,6 +37,8 @@ __all__ = ["Ask", "GroundInstruction", "GroundTask", "Referent", "ground"]
 
 FILL, FULL, EMPTY = "fill", "full", "empty"
 SOMEBODY, ANYTHING = "somebody", "anything"
+GIVEN_AT = frozenset(("to", "into"))
+"""Prepositions of where somebody gets a thing, unlike those of where it lies."""
 
 _ASKED_FOR = frozenset(("who", "who is", "who's", "who\u2019s"))
 _JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
@@ -156,7 +158,8 @@ class _Grounder:
     def _motion(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         place = task.argument("goal", "recipient", "path") or self._named_direction(task)
         if place is not None:
-            return replace(bare, goal=self.referents.place(place, people=True))
+            goal = self.referents.place(place, people=True)
+            return replace(bare, goal=goal, whereabouts=self._whereabouts(place))
         if (left := task.argument("source")) is not None:
             return replace(bare, goal=self.referents.elsewhere(left))
         raise ImpossibleGoalError(
@@ -226,7 +229,30 @@ class _Grounder:
             who = " and ".join(person.phrase for person in people)
             raise ImpossibleGoalError(f"only one person can have a thing, not {who!r}; say who, or what each gets")
         self.referents.others.give(grounded.objects)
-        return replace(grounded, recipients=people)
+        whereabouts = self._whereabouts(recipient or goal)
+        if recipient is not None and goal is not None:
+            whereabouts += self._given_at(people[0], goal)
+        return replace(grounded, recipients=people, whereabouts=whereabouts)
+
+    def _given_at(self, who: Referent, goal: Argument) -> tuple[tuple[Referent, Referent], ...]:
+        """Where somebody is to be brought a thing: "bring us the soup to the kitchen"."""
+        if split_preposition(goal.value, self.domain)[0] not in GIVEN_AT:
+            return ()
+        try:
+            where = self.referents.goal_place(goal)
+        except InputError:
+            return ()
+        return ((who, where),) if all(map(self.referents.is_fixed, where.candidates)) else ()
+
+    def _whereabouts(self, argument: Argument | None) -> tuple[tuple[Referent, Referent], ...]:
+        """Where the words for people say that they are ("Tom in the study"), not all of whom are meant."""
+        found = []
+        for phrase in self.referents.phrases(argument) if argument is not None else ():
+            who = self.referents.person(phrase)
+            if who is not None and phrase.place is not None:
+                where = self.referents.where(phrase.place)
+                found += [(who, where)] if all(map(self.referents.is_fixed, where.candidates)) else []
+        return tuple(found)
 
     def _is_of_us(self, recipient: Argument | None) -> bool:
         """Whether more than the one who speaks is meant: "each of us"."""
@@ -328,7 +354,9 @@ class _Grounder:
     def _following(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         goal = task.argument("goal", "path")
         objects, _ = self.objects.find(task, self.referents.is_person, "be followed")
-        return replace(bare, objects=objects, goal=self._whither(goal) if goal is not None else None)
+        whereabouts = tuple(pair for a in task.arguments if a.type == "object" for pair in self._whereabouts(a))
+        goal_place = self._whither(goal) if goal is not None else None
+        return replace(bare, objects=objects, goal=goal_place, whereabouts=whereabouts)
 
     def _whither(self, argument: Argument) -> Referent:
         """Where somebody leads the way to: who leads knows rooms and furniture, not where things lie."""
@@ -345,8 +373,10 @@ class _Grounder:
         recipient = task.argument("recipient")
         people = self.referents.people(recipient, "be told") if recipient is not None else (self._user(),)
         there = self._where_all_are(recipient) if recipient is not None else ()
-        question = self._question(task, bare)
-        return replace(bare, recipients=people, places=there, message=task.value("message"), question=question)
+        question, message, whereabouts = self._question(task, bare), task.value("message"), self._whereabouts(recipient)
+        return replace(
+            bare, recipients=people, places=there, message=message, question=question, whereabouts=whereabouts
+        )
 
     def _where_all_are(self, recipient: Argument) -> tuple[Referent, ...]:
         """The places of all who are somewhere ("everybody in the kitchen")."""

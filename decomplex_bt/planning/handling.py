@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from decomplex_bt.domain.nouns import be
-from decomplex_bt.planning.abilities import wipers_of
+from decomplex_bt.planning.abilities import runs_shut, wipers_of
 from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import HANDLING, HERE, Referent
 from decomplex_bt.planning.looking import Looking
@@ -53,6 +53,17 @@ class Handling(Looking):
                 self.bindings = self._bind({referent: there[: referent.count]})
         return None
 
+    def _atoms(self, task_type: str, roles: Mapping[str, str]) -> tuple[Atom, ...]:
+        """The goal of a task; that a device which is on with its door open runs is also that it is shut."""
+        atoms = super()._atoms(task_type, roles)
+        is_to_shut = task_type == "change_state" and "object" in roles and self._is_ajar(roles["object"])
+        return (*atoms, Atom("closed", (roles["object"],))) if is_to_shut else atoms
+
+    def _is_ajar(self, name: str) -> bool:
+        """Whether the task wants something to run behind its door, and it is on already and known to be open."""
+        is_on = self.belief.state(name, "power") == "on" and self.belief.state(name, "aperture") == "open"
+        return is_on and runs_shut(name, self.task.state, self.domain)
+
     # -- handling things ----------------------------------------------------------------------------------------------
 
     def _put(self, task_type: str) -> Pursuit:
@@ -63,7 +74,8 @@ class Handling(Looking):
         assert target is not None
         role = "recipient" if self.task.recipients else "goal"
         people = [name for name in self._meant(target) if name in self.house.people]
-        places = [place for name in self._meant(target) if name not in people for place in self._landing(name)]
+        names = self._usual_first([name for name in self._meant(target) if name not in people])
+        places = [place for name in names for place in self._landing(name)]
 
         def has_arrived(name: str) -> bool:
             place = self.belief.place_of(name)
@@ -132,12 +144,14 @@ class Handling(Looking):
             return [place] if place is not None and place != ROBOT else []
         if name not in self.house.rooms:
             return [name]
+        surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
+        return self._usual_first(surfaces)
+
+    def _usual_first(self, places: Iterable[str]) -> list[str]:
+        """Places where the things tend to lie first ("the shelf" of a book is the bookshelf), else in their order."""
         things = [thing for referent in self.task.objects for thing in self._fitting(referent)]
         weights = [dict(self.belief.prior.places.get(thing, ())) for thing in things]
-        surfaces = [place for place in places_in(name, self.domain) if not self.domain.kind(place).has_door]
-        return sorted(
-            surfaces, key=lambda place: (-sum(weight.get(place, 0.0) for weight in weights), surfaces.index(place))
-        )
+        return sorted(places, key=lambda place: -sum(weight.get(place, 0.0) for weight in weights))
 
     def _handle(
         self, task_type: str, is_done: Callable[[str], bool], roles: Mapping[str, str], *, batch: int = 2

@@ -95,6 +95,8 @@ class Looking(Standing):
         pair = self.domain.kinds.pair_of(value)
         settled: dict[Referent, list[str]] = {}
         for referent in self.task.objects:
+            if (nothing_there := self._none_there(referent)) is not None:
+                return nothing_there
             seen = [name for name in self._fitting(referent) if self.belief.state_seen(name, pair) >= self.since]
             seen = [name for name in seen if not self.wheres or self._is_there(name)] or (
                 [] if self._may_be_there() else seen
@@ -117,6 +119,17 @@ class Looking(Standing):
             else:
                 return self._look_at(left, pair, referent)
         return self._done(settled)
+
+    def _none_there(self, referent: Referent) -> Pursuit | None:
+        """That what a check is about is not where the task says it is, once all of that was looked at."""
+        there = [name for name in self._fitting(referent) if self._is_there(name)]
+        if not self.wheres or len(there) >= (1 if referent.is_all else referent.count):
+            return None
+        if any(map(self._is_open, self.wheres)):
+            return None
+        if all(map(self._was_inspected, self.wheres)):
+            return self._not_there()
+        raise NothingLeftError(self._why("not all places could be inspected", self.wheres), truth=None)
 
     def _look_at(self, names: Sequence[str], pair: str, referent: Referent) -> Pursuit:
         """Goes where the state of one of these can be seen."""

@@ -11,6 +11,8 @@ from decomplex_bt.planning.abilities import holds_things
 
 UNEXPECTED = 0.01
 """How likely something is where it tends not to be, though something says that it may."""
+SAID = 100.0
+"""How much likelier than all else it is that somebody is where they are said to be."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,21 @@ class Prior:
                 expected = {place for place, _ in places[name]}
                 held = dict.fromkeys(place for where in told for place in _held_at(name, where, domain))
                 places[name] += tuple((place, UNEXPECTED) for place in held if place not in expected)
+        return replace(self, places=places)
+
+    def with_people(self, said: Iterable[tuple[Iterable[str], Iterable[str]]], domain: Domain) -> Prior:
+        """With people where an instruction says that they are, ahead of where they tend to be.
+
+        `said`: people, and the rooms or places where any of them is.
+        """
+        places = dict(self.places)
+        for people, wheres in said:
+            floors = dict.fromkeys(
+                floor for where in wheres for name in people for floor in _held_at(name, where, domain)
+            )
+            for name in people:
+                others = tuple((place, weight) for place, weight in places[name] if place not in floors)
+                places[name] = (*((floor, SAID) for floor in floors), *others)
         return replace(self, places=places)
 
 

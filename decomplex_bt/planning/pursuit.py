@@ -110,7 +110,7 @@ class _Pursuer(Handling):
         pair = self.domain.kinds.pair_of(value)
 
         def has_become(name: str) -> bool:
-            if self.belief.state(name, pair) != value:
+            if self.belief.state(name, pair) != value or self._is_ajar(name):
                 return False
             was_asked = any(pair == other for r in self.task.objects if name in r.candidates for other, _ in r.where)
             return not was_asked or self.belief.state_changed(name, pair) >= self.since

@@ -120,6 +120,11 @@ class Referents:
         rooms = tuple(room for room in dict.fromkeys([*next_to, *self._house.rooms]) if room not in left)
         return Referent(f"out of {split_preposition(argument.value, self._domain)[1]}", rooms)
 
+    def person(self, phrase: NounPhrase) -> Referent | None:
+        """Who a phrase means, where it is of people."""
+        is_of_people = bool(phrase.entities) and all(map(self.is_person, phrase.entities))
+        return self.referent(phrase, self.is_person, "be anybody", is_place=False) if is_of_people else None
+
     def people(self, argument: Argument, ability: str) -> tuple[Referent, ...]:
         phrases = self.phrases(argument)
         return tuple(self.referent(phrase, self.is_person, ability, is_place=False) for phrase in phrases)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from decomplex_bt.domain.nouns import be
-from decomplex_bt.planning.abilities import holds_things, is_fixed
+from decomplex_bt.planning.abilities import holds_things, is_fixed, runs_shut
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import FINDING_OUT, GroundTask, Referent
 from decomplex_bt.planning.others import without_others
@@ -77,7 +77,33 @@ class Standing:
         return len(self._meant(referent)) if referent.is_all else referent.count
 
     def _fitting(self, referent: Referent) -> tuple[str, ...]:
-        """Candidates that are not known to differ from how the phrase describes them ("the clean mug")."""
+        """Candidates that are not known to differ from how the phrase describes them ("the clean mug"), and of one that
+        is to be changed, not to be so already."""
+        names = self._described(referent)
+        if referent in self.bindings or not self.task.seeks_change(referent):
+            return names
+        return self._to_change(names) or names
+
+    def _to_change(self, names: Sequence[str]) -> tuple[str, ...]:
+        """Those that are not known to have been as the task wants them before it became due, of those that may turn up;
+        of those that lie where the task says, if any does."""
+        value = self.task.state or ""
+        pair = self.domain.kinds.pair_of(value)
+        there = [name for name in names if self._is_there(name)] if self.task.places else []
+
+        def is_to_change(name: str) -> bool:
+            is_so = self.belief.state(name, pair) == value
+            pairs = [pair]
+            if runs_shut(name, value, self.domain):
+                is_so &= self.belief.state(name, "aperture") != "open"
+                pairs.append("aperture")
+            was_so = is_so and max(self.belief.state_changed(name, each) for each in pairs) < self.since
+            return not was_so and self._counts(name)
+
+        return tuple(filter(is_to_change, there or names))
+
+    def _described(self, referent: Referent) -> tuple[str, ...]:
+        """Candidates that are not known to differ from how the phrase describes them."""
         if referent in self.bindings or not referent.where:
             return self._meant(referent)
         is_change = self.task.type == "change_state" and self.task.state is not None

@@ -18,6 +18,8 @@ _ELSE = re.compile(rf"\b(?:nobody|no[- ]?one)\s+(?:else|{_BESIDES})\b|\b{_BESIDE
 _OF_ANY = re.compile(
     r"\bany(?:\s+of\s+(?:them|these|those))?\s+(?:that|which)(?:'s|'re|\s+is|\s+are)\s+$", re.IGNORECASE
 )
+_OUT_OF_ORDER = re.compile(r"\b(?:broken|out of (?:order|action)|defective|faulty|kaput|bust(?:ed)?)\b", re.IGNORECASE)
+_WORKING = frozenset(("work", "function"))
 _PARTICLES = re.compile(r"[a-z']+")
 
 
@@ -62,6 +64,15 @@ class Wording:
         if task.type != "check_state" or task.value("object") is not None:
             return False
         return is_of_weather(self._clause(task))
+
+    def is_of_working(self, task: Task) -> bool:
+        """Whether a check asks whether something works or is broken (but not whether it is working, which is on)."""
+        if task.type != "check_state":
+            return False
+        form, state = task.span.of(self._instruction.text).lower(), task.value("state")
+        if state is not None or _OUT_OF_ORDER.search(form):
+            return _OUT_OF_ORDER.search(state or form) is not None
+        return task.value("location") is None and not form.endswith("ing") and not _WORKING.isdisjoint(lemmas(form))
 
     def has_presence_verb(self, task: Task) -> bool:
         """Whether a check asks only whether something is there: by its verb, or by what it asks ("if there is")."""

@@ -56,6 +56,15 @@ def run(env, instruction, seed, *, agent=None, **options):
             return agent, info, actions
 
 
+@pytest.mark.parametrize("room", ["study", "bedroom"])
+def test_somebody_is_found_where_they_are_said_to_be_and_elsewhere(room):
+    text = "[Tell](1:informing) [Tom in the study](1:recipient) [that it is late](1:message)."
+    instruction = read_markup(text, DOMAIN.ontology, flow=[1])
+    agent, info, _ = run(make_env(), instruction, 0, noise=False, people={"tom": room})
+    assert (info["is_success"], agent.status) == (True, Status.SUCCESS)
+    assert agent.session.belief.prior.places["tom"][0][0] == "study_floor"
+
+
 def test_before_a_reset_an_agent_has_no_status():
     agent = decomplex_bt.TreeAgent(make_env())
     assert (agent.status, agent.done) == (Status.INVALID, False)

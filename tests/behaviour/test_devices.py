@@ -20,7 +20,7 @@ PLATE = "[Wash](1:change_state) [the white plate](1:object){}"
 
 def episode(text: str, **options: Any) -> tuple[Status, dict[str, Any], str | None]:
     """One episode without noise: the agent's status, the last info, why it is not feasible."""
-    instruction = read_markup(text, DOMAIN.ontology, flow=[1])
+    instruction = read_markup(text, DOMAIN.ontology, flow=[1, 2] if "](2:" in text else [1])
     options = {"noise": False, "broken": [], **options}
     observation, info = ENV.reset(seed=1, options={"instruction": instruction, **options})
     agent = decomplex_bt.TreeAgent(ENV, flow=instruction)
@@ -94,3 +94,23 @@ def test_all_are_brought_to_the_device(text: str, placement: tuple[str, str], cl
     truth = ENV.unwrapped.truth()  # type: ignore[attr-defined]
     assert (cause, info["is_success"], status) == (None, True, Status.SUCCESS)
     assert (truth.state("mug_2", "cleanliness") == "clean") is clean
+
+
+@pytest.mark.parametrize(("machine", "is_shut"), [("on", True), ("on", False), ("off", True), ("off", False)])
+def test_what_is_started_runs_behind_its_door_with_what_was_put_in(machine: str, is_shut: bool) -> None:
+    text = (
+        "[Put](1:placing) [the shirt](1:object) [in the washing machine](1:goal) and [start](2:change_state) "
+        "[it](2:object=the washing machine)."
+    )
+    states = {"washing_machine": (machine, "closed" if is_shut else "open"), "shirt": "dirty"}
+    status, info, cause = episode(text, placement={"shirt": "bed"}, states=states)
+    truth = ENV.unwrapped.truth()  # type: ignore[attr-defined]
+    assert (cause, info["is_success"], status) == (None, True, Status.SUCCESS)
+    assert (power_of("washing_machine"), truth.state("washing_machine", "aperture")) == ("on", "closed")
+    assert truth.state("shirt", "cleanliness") == "clean"
+
+
+def test_what_runs_behind_its_door_already_is_left_alone() -> None:
+    states = {"washing_machine": ("on", "closed")}
+    _, info, _ = episode("[Start](1:change_state) [the washing machine](1:object)", states=states)
+    assert (info["is_success"], info["goal_conditions_met"]) == (True, 1)

@@ -104,6 +104,20 @@ def test_of_two_lamps_the_oracle_takes_the_one_that_works(env):
     assert info["is_success"], (info, policy.failures)
 
 
+def test_of_several_lights_the_oracle_takes_one_that_is_off_and_works(env):
+    asked = read_markup("[Switch](1:change_state) [the light](1:object) [on](1:state).", DOMAIN.ontology, flow=[1])
+    off, on = ("kitchen_light", "bedroom_light"), ("bathroom_light", "living_room_lamp", "bedroom_lamp")
+    states = {**dict.fromkeys(off, "off"), **dict.fromkeys(on, "on")}
+    options = {"instruction": asked, "broken": ["kitchen_light"], "states": states, "noise": False}
+    observation, info = env.reset(seed=2, options=options)
+    policy = env.unwrapped.policy("oracle", flow=asked)
+    policy.reset(observation, info)
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(policy.act(observation))
+    assert info["is_success"], (info, policy.failures)
+
+
 def test_of_two_cups_the_oracle_takes_the_one_that_need_not_be_filled(env):
     asked = read_markup(
         "If [the cup](1:object) [is](1:check_state) [dirty](1:state), [rinse](2:change_state) [it](2:object=the cup). "

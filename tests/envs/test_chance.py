@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest, at_least, mix
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Whereabouts, WorksTest, at_least, mix
 from decomplex_bt.envs.chance import POWER, TEMPERATURE, Draw
+from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.prior import ABSENT
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.spots import PERSON_RADIUS
@@ -125,9 +126,100 @@ def test_presence_is_mixed():
     assert share(lambda start: start.place[ROW["apple"]] != ABSENT, [test]) == pytest.approx(0.7, abs=0.08)
 
 
+DIRTY, EMPTY = ("cleanliness", "dirty"), ("fill", "empty")
+MUGS, DISHES = ("mug_1", "mug_2"), ("plate_1", "plate_2")
+
+
+def so_at(start, things, place, *where):
+    """Those of the things at a place that are in all of these states, each the second of its pair."""
+    columns = [STATE_PAIRS.index(pair) for pair, _ in where]
+    there = [ROW[name] for name in things if start.place[ROW[name]] == ROW[place]]
+    return [row for row in there if all(start.states[row, column] == 0 for column in columns)]
+
+
+@pytest.mark.parametrize(
+    ("things", "place", "where"),
+    [
+        (MUGS, "desk", (DIRTY,)),
+        (DISHES, "sink", (DIRTY,)),
+        (DISHES, "counter", (DIRTY,)),
+        (MUGS, "bathroom_shelf", (DIRTY,)),
+        (MUGS, "desk", (DIRTY, EMPTY)),
+        (("bottle",), "fridge", (EMPTY,)),
+    ],
+    ids=str,
+)
+def test_a_thing_in_a_state_is_at_a_place_with_probability_within_the_balance(things, place, where):
+    test = PlaceTest(things, ((place,),), where)
+    held = share(lambda start: bool(so_at(start, things, place, *where)), [test])
+    assert 0.3 - 0.08 <= held <= 0.7 + 0.08
+
+
+def test_a_thing_in_a_state_is_in_the_house_with_probability_within_the_balance():
+    def is_here(start):
+        rows = [ROW[name] for name in MUGS if start.place[ROW[name]] != ABSENT]
+        return any(start.states[row, STATE_PAIRS.index("cleanliness")] == 0 for row in rows)
+
+    assert 0.3 - 0.08 <= share(is_here, [PlaceTest(MUGS, ((),), (DIRTY,))]) <= 0.7 + 0.08
+
+
+def test_each_leaf_of_a_chain_is_reached_by_things_in_a_state():
+    places = "desk", "sink"
+    test = PlaceTest(MUGS, tuple((place,) for place in places), (DIRTY,))
+
+    def leaf(start):
+        return next((i for i, place in enumerate(places) if so_at(start, MUGS, place, DIRTY)), 2)
+
+    leaves = [leaf(drawn(seed, [test])) for seed in range(400)]
+    assert (np.bincount(leaves, minlength=3) / 400).min() >= 0.2 - 0.05
+
+
+def test_what_is_said_to_be_there_is_there_more_often_than_it_is_so_and_agrees():
+    test = PlaceTest(MUGS, (("desk",),), (DIRTY,), is_said_there=True)
+    starts = [drawn(seed, [test]) for seed in range(300)]
+    there, so = ([len(so_at(start, MUGS, "desk", *where)) for start in starts] for where in ((), (DIRTY,)))
+    assert np.mean(np.array(so) > 0) == pytest.approx(0.3, abs=0.08)
+    assert np.mean(np.array(there) > 0) == pytest.approx(0.65, abs=0.08)
+    assert all(some in (0, all_of_them) for some, all_of_them in zip(so, there, strict=True))
+
+
+def test_a_state_that_an_earlier_test_has_settled_stays():
+    tests = [StateTest(MUGS, *DIRTY), PlaceTest(MUGS, (("desk",),), (DIRTY,))]
+    for seed in range(40):
+        first, both = drawn(seed, tests[:1]), drawn(seed, tests)
+        assert np.array_equal(first.states, both.states)
+        assert any("cleanliness is settled" in line for line in both.exempt)
+
+
 def test_people_and_devices_are_mixed():
     assert share(lambda start: start.home[ROW["anna"]], [PersonTest(("anna",))]) == pytest.approx(0.7, abs=0.08)
     assert share(lambda start: start.broken[ROW["tv"]], [WorksTest(("tv",))]) == pytest.approx(0.3, abs=0.08)
+
+
+def room_of(start, person):
+    row, geometry = ROW[person], SETTING.geometry
+    return geometry.rooms[geometry.room_at(*start.position[row])] if start.home[row] else None
+
+
+@pytest.mark.parametrize("who", ["tom", "relative", "user"])
+def test_who_is_said_to_be_somewhere_is_there(who):
+    assert {room_of(drawn(seed, [Whereabouts((who,), ("study",))]), who) for seed in range(40)} == {"study"}
+    assert len({room_of(drawn(seed, [Whereabouts((who,), ("study",))], balance=0), who) for seed in range(40)}) > 1
+
+
+def test_of_several_who_may_be_there_one_is():
+    for seed in range(20):
+        plain, start = drawn(seed), drawn(seed, [Whereabouts(("anna", "tom"), ("bathroom",))])
+        assert "bathroom" in [room_of(start, who) for who in ("anna", "tom")]
+        assert "bathroom" not in [room_of(plain, who) for who in ("anna", "tom")]
+        assert sum(room_of(start, who) != room_of(plain, who) for who in ("anna", "tom")) == 1
+
+
+def test_who_is_out_for_an_earlier_test_stays_out():
+    tests = [PersonTest(("tom",)), Whereabouts(("tom",), ("study",))]
+    rooms = [room_of(drawn(seed, tests), "tom") for seed in range(100)]
+    assert set(rooms) == {None, "study"}
+    assert rooms.count(None) == pytest.approx(30, abs=12)
 
 
 def test_what_is_not_mentioned_is_drawn_as_without_an_instruction():

@@ -260,11 +260,18 @@ WINDOWS = {name: "closed" for name in load_domain("household").house.furniture i
             [{"if": 1, "then": [2]}],
             {"states": WINDOWS},
         ),
+        ("[Turn](1:change_state) on [the oven](1:object).", [1], {"states": {"oven": ("on", "open")}}),
         (
             "If [the keys](1:object) [are](1:check_state) [on the table](1:location), [go](2:motion) "
             "[to the study](2:goal).",
             [{"if": 1, "then": [2]}],
             {"placement": {"keys": None}},
+        ),
+        (
+            "If [the mug](1:object) [is](1:check_state) [dirty](1:state) [on the bed](1:location), [go](2:motion) "
+            "[to the kitchen](2:goal).",
+            [{"if": 1, "then": [2]}],
+            {"placement": {"mug_1": "hallway_table", "mug_2": "hallway_table"}},
         ),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -179,6 +180,85 @@ def test_change_of_state_is_done_when_the_state_holds():
     episode = Episode(HandWorld(), [1], task(1, "change_state", "tv", state="on"))
     assert not episode.do(Interaction.SWITCH_ON, "tv", result=Result.BROKEN).is_success
     assert episode.do(Interaction.SWITCH_ON, "tv").is_success
+
+
+WINDOW = referent("kitchen_window", "living_room_window", "bedroom_window", phrase="the window")
+ONE_OPEN = {("living_room_window", "aperture"): "open"}
+
+
+def test_the_one_of_several_that_is_to_be_changed_is_one_that_is_not_so_yet():
+    episode = Episode(HandWorld(states=dict(ONE_OPEN)), [1], task(1, "change_state", WINDOW, state="closed"))
+    assert not episode.verdict.is_over
+    assert episode.do(Interaction.CLOSE, "living_room_window").is_success
+
+
+def test_of_two_that_are_not_so_yet_one_is_changed():
+    states = {**ONE_OPEN, ("bedroom_window", "aperture"): "open"}
+    episode = Episode(HandWorld(states=states), [1], task(1, "change_state", WINDOW, state="closed"))
+    assert episode.do(Interaction.CLOSE, "bedroom_window").is_success
+
+
+def test_where_nothing_is_left_to_change_it_is_done():
+    assert is_done(Episode(HandWorld(), [1], task(1, "change_state", WINDOW, state="closed")))
+
+
+@pytest.mark.parametrize("change", [{"is_any": True}, {"count": 2}], ids=str)
+def test_any_that_are_so_will_do_where_no_certain_one_is_meant(change: dict[str, Any]):
+    close = task(1, "change_state", replace(WINDOW, **change), state="closed")
+    assert is_done(Episode(HandWorld(states=dict(ONE_OPEN)), [1], close))
+
+
+def test_what_an_earlier_task_was_done_with_is_changed_whatever_the_others_are():
+    tasks = task(1, "check_state", WINDOW, state="open"), task(2, "change_state", WINDOW, state="closed")
+    episode = Episode(HandWorld(states=dict(ONE_OPEN)), [1, 2], *tasks)
+    assert episode.see("kitchen_window").is_success
+
+
+def test_the_one_that_lies_where_it_is_said_is_changed_whatever_the_others_are():
+    mug = referent("mug_1", "mug_2", phrase="the mug")
+    places, states = {"mug_1": "desk", "mug_2": "sink"}, {("mug_1", "cleanliness"): "clean"}
+    wash = task(1, "change_state", mug, at=["desk"], state="clean")
+    assert is_done(Episode(HandWorld(places, states), [1], wash))
+    assert not is_done(Episode(HandWorld(places, states), [1], replace(wash, places=())))
+    assert not is_done(Episode(HandWorld({**places, "mug_2": "desk"}, states), [1], wash))
+
+
+def test_looking_which_one_is_to_be_changed_is_no_violation():
+    tasks = task(1, "change_state", WINDOW, state="closed"), task(2, "motion", goal="bedroom")
+    episode = Episode(HandWorld(states=dict(ONE_OPEN)), [1, 2], *tasks)
+    assert not episode.go("bedroom").violations
+    episode.go("living_room")
+    episode.do(Interaction.CLOSE, "living_room_window")
+    assert episode.go("bedroom").is_success
+
+
+def test_the_lamp_that_is_off_is_the_one_that_is_broken():
+    lamp = referent("living_room_lamp", "bedroom_lamp", phrase="the lamp")
+    tasks = task(1, "change_state", lamp, state="on"), task(2, "informing", recipient="user")
+    world = HandWorld(states={("living_room_lamp", "power"): "on"}, broken={"bedroom_lamp"})
+    episode = Episode(world, [{"if": 1, "else": [2]}], *tasks)
+    assert episode.say("user").is_success
+    assert episode.truths == [(1, False, "else")]
+
+
+def test_a_device_with_a_door_is_started_when_it_is_shut_as_well():
+    on, ajar = ("oven", "power"), ("oven", "aperture")
+    start = task(1, "change_state", "oven", state="on")
+    episode = Episode(HandWorld(states={on: "on", ajar: "open"}), [1], start)
+    assert not episode.verdict.is_over
+    assert episode.do(Interaction.CLOSE, "oven").is_success
+    assert is_done(Episode(HandWorld(states={on: "on"}), [1], start))
+    stop = task(1, "change_state", "oven", state="off")
+    assert is_done(Episode(HandWorld(states={ajar: "open"}), [1], stop))
+    asked = [{"if": 1, "then": [2]}], task(1, "check_state", "oven", state="on"), task(2, "informing", recipient="user")
+    episode = Episode(HandWorld(states={on: "on", ajar: "open"}), *asked)
+    assert episode.see("oven").branches[0].truth is True
+
+
+def test_closing_what_is_on_is_no_violation_where_it_is_to_be_closed_first():
+    tasks = task(1, "change_state", "oven", state="closed"), task(2, "change_state", "oven", state="on")
+    world = HandWorld(states={("oven", "power"): "on", ("oven", "aperture"): "open"})
+    assert Episode(world, [1, 2], *tasks).do(Interaction.CLOSE, "oven").is_success
 
 
 def test_all_of_a_kind_need_all_that_are_in_the_house():
@@ -569,6 +649,40 @@ def test_of_two_mugs_the_one_that_was_looked_at_decides():
     wrong.see("mug_1", "mug_2")
     wrong.take("mug_1")
     assert not wrong.put("mug_1", "cupboard").is_success
+
+
+@pytest.mark.parametrize("mug", [{}, {"is_all": True}, {"is_any": True}], ids=str)
+def test_what_is_elsewhere_is_not_what_is_said_to_be_there(mug: dict[str, Any]):
+    mugs = referent("mug_1", "mug_2", phrase="the mug", **mug)
+    tasks = task(1, "check_state", mugs, at=["desk"], state="dirty"), task(2, "change_state", mugs, state="clean")
+    flow = [{"if": 1, "then": [2]}]
+    elsewhere = Episode(HandWorld({"mug_1": "sink", "mug_2": "counter"}), flow, *tasks)
+    assert elsewhere.monitor.course.is_feasible
+    assert not elsewhere.see("mug_1", "mug_2").is_over
+    assert elsewhere.inspect("desk").is_success
+    assert elsewhere.truths == [(1, False, None)]
+    nowhere = Episode(HandWorld(), flow, *tasks)
+    assert nowhere.monitor.course.is_feasible
+    assert nowhere.inspect("desk").is_success
+    there = Episode(HandWorld({"mug_1": "sink", "mug_2": "desk"}), flow, *tasks)
+    assert not there.inspect("desk").is_over
+    there.see("mug_2")
+    assert there.truths == [(1, True, "then")]
+
+
+def test_each_of_two_that_are_said_to_be_there_must_be():
+    check = task(1, "check_state", "mug_1", "plate_1", at=["desk"], state="dirty")
+    episode = Episode(
+        HandWorld({"mug_1": "desk", "plate_1": "sink"}), [{"if": 1, "then": [2]}], check, task(2, "taking", "pen_1")
+    )
+    episode.see("mug_1", "plate_1")
+    assert episode.inspect("desk").is_success
+    assert episode.truths == [(1, False, None)]
+
+
+def test_without_a_place_a_thing_that_is_nowhere_cannot_be_looked_at():
+    tasks = task(1, "check_state", "mug_1", state="dirty"), task(2, "informing", recipient="user")
+    assert not Episode(HandWorld(), [{"if": 1, "then": [2]}], *tasks).monitor.course.is_feasible
 
 
 def test_all_are_so_only_when_each_was_looked_at():

@@ -1,7 +1,9 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 from decomplex_bt.envs import tested
-from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, WorksTest
+from decomplex_bt.envs.balance import PersonTest, PlaceTest, StateTest, Whereabouts, WorksTest
 from decomplex_bt.envs.doubles import DOMAIN, instruction, referent, task
 from decomplex_bt.planning.ground_task import HERE
 
@@ -47,6 +49,66 @@ def test_candidates_of_a_checked_phrase_agree():
     mug = referent("mug_1", "mug_2", phrase="the mug")
     tasks = task(1, "check_state", mug, state="dirty"), task(2, "change_state", mug, state="clean")
     assert derive([{"if": 1, "then": [2]}], *tasks) == (StateTest(("mug_1", "mug_2"), "cleanliness", "dirty"),)
+
+
+MUG = referent("mug_1", "mug_2", phrase="the mug")
+DIRTY = ("cleanliness", "dirty")
+THEN = [{"if": 1, "then": [2]}]
+LAST = task(2, "informing", recipient="user")
+
+
+def test_the_state_by_which_a_thing_is_told_is_tested_with_its_place():
+    dirty = replace(MUG, where=(DIRTY,), is_any=True)
+    there, anywhere = (task(1, "check_state", dirty, at=at, state=HERE) for at in (["desk"], []))
+    assert derive(THEN, there, LAST) == (PlaceTest(("mug_1", "mug_2"), (("desk",),), (DIRTY,)),)
+    assert derive(THEN, anywhere, LAST) == (PlaceTest(("mug_1", "mug_2"), ((),), (DIRTY,)),)
+    search = task(1, "searching", dirty, at=["desk"])
+    assert derive(THEN, search, LAST) == (PlaceTest(("mug_1", "mug_2"), (("desk",),), (DIRTY,)),)
+
+
+def test_the_state_of_what_is_said_to_be_somewhere_is_tested_with_its_place():
+    check = task(1, "check_state", MUG, at=["desk"], state="dirty")
+    said = PlaceTest(("mug_1", "mug_2"), (("desk",),), (DIRTY,), is_said_there=True)
+    assert derive(THEN, check, LAST) == (said,)
+    one = replace(check, objects=(replace(MUG, is_any=True),))
+    assert derive(THEN, one, LAST) == (replace(said, is_said_there=False),)
+
+
+def test_what_is_asked_of_one_in_another_state_is_no_link_of_the_chain():
+    flow = [{"if": 1, "else": [{"if": 2, "else": [3]}]}]
+    checks = [task(n, "check_state", MUG, at=["desk"], state=state) for n, state in ((1, "dirty"), (2, "full"))]
+    first, second = derive(flow, *checks, task(3, "informing", recipient="user"))
+    assert (first.where, second.where) == ((DIRTY,), (("fill", "full"),))
+
+
+def test_what_is_fixed_is_tested_by_its_state_alone():
+    windows = referent("kitchen_window", "bedroom_window", phrase="an open window", is_any=True)
+    check = task(1, "check_state", replace(windows, where=(("aperture", "open"),)), at=["kitchen"], state=HERE)
+    assert derive(THEN, check, LAST) == (StateTest(("kitchen_window",), "aperture", "open"),)
+
+
+def test_beside_what_may_be_anywhere_the_state_alone_is_tested():
+    check = task(1, "check_state", MUG, at=["pillow"], state="dirty")
+    assert derive(THEN, check, LAST) == (StateTest(("mug_1", "mug_2"), "cleanliness", "dirty"),)
+
+
+def in_room(deed, person, room):
+    who = referent(person)
+    return replace(deed, whereabouts=((who, referent(room)),))
+
+
+def test_where_somebody_is_said_to_be_is_no_question():
+    bring = in_room(task(1, "bringing", "book_1", recipient="tom"), "tom", "desk")
+    assert derive([1], bring) == (Whereabouts(("tom",), ("study",)),)
+    later = in_room(task(2, "informing", recipient="tom"), "tom", "kitchen")
+    assert derive([1, 2], bring, later) == (Whereabouts(("tom",), ("study",)),)
+
+
+def test_what_is_asked_of_somebody_is_not_said():
+    tell = in_room(task(2, "informing", recipient="tom"), "tom", "kitchen")
+    home, there = (task(1, "check_state", "tom", at=at, state=HERE) for at in ([], ["study"]))
+    assert derive(THEN, home, tell) == (PersonTest(("tom",)), Whereabouts(("tom",), ("kitchen",)))
+    assert derive(THEN, there, tell) == (PersonTest(("tom",), ("study",)),)
 
 
 def test_an_action_as_condition_hangs_on_what_it_needs():

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import pytest
+
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.planning.assumed_world import AssumedWorld
+from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.contingent import Choice, ConditionalPlan, TaskPlan, plan_conditionally
 from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
 DOMAIN = load_domain()
@@ -34,6 +38,37 @@ def test_each_branch_is_planned_from_what_it_assumes() -> None:
     assert choice.fails.reason == "the coffee is not hot"
     assert isinstance(last, TaskPlan)
     assert str(last.steps[0]) == "(move living_room_floor living_room_doorway living_room)"
+
+
+def test_what_is_said_to_be_somewhere_is_assumed_to_be_there() -> None:
+    text = (
+        "If [the cup](1:object) [is](1:check_state) [empty](1:state) [on the kitchen table](1:location), "
+        "[fill](2:change_state) [it](2:object=the cup), otherwise [wash](3:change_state) [it](3:object=the cup)."
+    )
+    made = plan(text, [{"if": 1, "then": [2], "else": [3]}])
+    (choice,) = made.nodes
+    assert isinstance(choice, Choice)
+    assert choice.fails.reason == "the cup is not empty"
+    assert "(pick cup_1 kitchen_table)" in str(made)
+
+
+@pytest.mark.parametrize(("who", "rooms"), [("Tom", ["living_room"]), ("Tom in the bathroom", ["bathroom"])])
+def test_somebody_is_looked_for_first_where_they_are_said_to_be(who: str, rooms: list[str]) -> None:
+    (tell,) = plan(f"[Tell](1:informing) [{who}](1:recipient) [hello](1:message)", [1]).nodes
+    assert isinstance(tell, TaskPlan)
+    assert [step.objects[2] for step in tell.steps if step.name == "pass" and step.objects[2] != "hallway"] == rooms
+
+
+def test_who_is_not_where_they_are_said_to_be_is_looked_for_elsewhere() -> None:
+    text = "[Tell](1:informing) [Tom in the bathroom](1:recipient) [hello](1:message)"
+    grounded = ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN)
+    belief = Belief(DOMAIN, prior=Prior.of(DOMAIN).with_people(grounded.whereabouts(), DOMAIN))
+    inside = AssumedWorld.likely(DOMAIN)
+    inside.places["tom"] = "study"
+    told = inside.run(grounded.tasks[0], belief, PyperplanPlanner(), {})
+    assert told.truth is True
+    rooms = [step.objects[2] for step in inside.steps if step.name == "pass"]
+    assert rooms.index("bathroom") < rooms.index("study")
 
 
 def test_an_action_as_condition_fails_where_the_world_does_not_allow_it() -> None:

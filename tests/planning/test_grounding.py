@@ -382,6 +382,14 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
             "what it is like somewhere",
         ),
         (
+            "If [the fan](1:object) [is](1:check_state) [broken](1:state)",
+            ImpossibleGoalError,
+            "turn on the fan",
+        ),
+        ("If [the fan](1:object) [is](1:check_state) [out of order](1:state)", ImpossibleGoalError, "by trying alone"),
+        ("If [the coffee machine](1:object) [works](1:check_state)", ImpossibleGoalError, "by trying alone"),
+        ("If [the mug](1:object) [is](1:check_state) [broken](1:state)", ImpossibleGoalError, "'broken' is no state"),
+        (
             "[Fill](1:change_state) [the bowl](1:object) [with soup](1:manner)",
             ImpossibleGoalError,
             "nothing here fills 'the bowl' 'with soup'; what there is here to fill things with: coffee, water",
@@ -495,7 +503,7 @@ def test_a_later_mention_need_not_be_a_task_of_its_own() -> None:
     said = read_markup(text, DOMAIN.ontology, flow=[{"if": [1, 2], "else": [3]}])
     assert [task.state for task in ground(said, DOMAIN).tasks] == ["on", None, None]
     alone = read_markup(text, DOMAIN.ontology, flow=[1, {"if": 2, "else": [3]}])
-    with pytest.raises(MissingArgumentError):
+    with pytest.raises(ImpossibleGoalError, match="by trying alone"):
         ground(alone, DOMAIN)
 
 
@@ -683,3 +691,16 @@ def test_things_on_one_place_go_to_the_next(goal: str, source: str | None, end: 
 def test_everything_of_nowhere_is_refused(goal: str) -> None:
     with pytest.raises(UnknownWordError):
         first(f"[Put](1:placing) [everything](1:object) [{goal}](1:goal)")
+
+
+@pytest.mark.parametrize(
+    ("text", "state"),
+    [
+        ("If [the radio](1:object) [is](1:check_state) [working](1:state)", "on"),
+        ("If [the radio](1:object) [is](1:check_state) [out](1:state)", "off"),
+        ("[Is](1:check_state) [the radio](1:object) [still working](1:state)?", "on"),
+    ],
+)
+def test_what_is_working_is_on(text: str, state: str) -> None:
+    (task,) = ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks
+    assert task.state == state

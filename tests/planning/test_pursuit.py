@@ -205,12 +205,93 @@ def test_only_those_at_the_place_are_asked_about(state: str) -> None:
     assert (checked.status, checked.truth) == (DONE, state == "clean")
 
 
+CUPS = {("cup_1", "fill"): "empty", ("cup_2", "fill"): "empty"}
+
+
+@pytest.mark.parametrize("phrase", ["the cup", "the cups", "a cup"])
+@pytest.mark.parametrize("places", [("cupboard", "coffee_table"), (None, None)])
+def test_a_cup_elsewhere_is_not_the_one_on_the_table(phrase: str, places: tuple[str | None, str | None]) -> None:
+    inside = world(dict(zip(("cup_1", "cup_2"), places, strict=True)), CUPS)
+    text = f"[Is](1:check_state) [{phrase}](1:object) [on the kitchen table](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert (check.status, check.truth) == (DONE, False)
+    assert "open-up" not in [step.name for step in inside.steps]
+
+
+@pytest.mark.parametrize("state", ["full", "empty"])
+def test_of_two_cups_the_one_on_the_table_is_asked_about(state: str) -> None:
+    inside = world({"cup_1": "coffee_table", "cup_2": "kitchen_table"}, {**CUPS, ("cup_2", "fill"): state})
+    text = "[Is](1:check_state) [the cup](1:object) [on the kitchen table](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert check.truth is (state == "empty")
+    assert bound(check)["the cup"] == ("cup_2",)
+
+
+def test_a_place_that_cannot_be_looked_at_leaves_the_state_of_what_is_there_open() -> None:
+    inside = world({"cup_1": None, "cup_2": None})
+    inside.refused = frozenset(("open-up",))
+    text = "[Is](1:check_state) [the cup](1:object) [in the cupboard](1:location) [empty](1:state)"
+    (check,) = run(text, inside)
+    assert (check.status, check.truth) == (FAILED, None)
+
+
 def test_all_the_dirty_ones_are_washed() -> None:
     values = {(f"plate_{i}", "cleanliness"): "dirty" for i in (1, 2)}
     inside = world({"plate_1": "kitchen_table", "plate_2": "sink"}, values)
     (washed,) = run("[Wash](1:change_state) [the dirty plates](1:object)", inside)
     assert washed.status is DONE
     assert {inside.values[f"plate_{i}", "cleanliness"] for i in (1, 2)} == {"clean"}
+
+
+WINDOWS = ("kitchen_window", "living_room_window", "bedroom_window")
+
+
+def windows(*open_ones: str) -> dict[tuple[str, str], str]:
+    return {(name, "aperture"): "open" if name in open_ones else "closed" for name in WINDOWS}
+
+
+@pytest.mark.parametrize("window", WINDOWS)
+def test_of_several_windows_the_one_that_is_open_is_closed(window: str) -> None:
+    inside = world(values=windows(window))
+    (closed,) = run("[Close](1:change_state) [the window](1:object)", inside)
+    assert (closed.status, bound(closed)) == (DONE, {"the window": (window,)})
+    assert names(inside)[-1] == f"(close-up {window})"
+
+
+def test_of_two_that_are_open_one_is_closed() -> None:
+    inside = world(values=windows("kitchen_window", "bedroom_window"))
+    assert run("[Close](1:change_state) [the window](1:object)", inside)[0].status is DONE
+    assert sum(step.name == "close-up" for step in inside.steps) == 1
+
+
+def test_where_all_are_so_there_is_nothing_to_change() -> None:
+    inside = world(values=windows())
+    assert run("[Close](1:change_state) [the window](1:object)", inside)[0].status is DONE
+    assert "close-up" not in [step.name for step in inside.steps]
+
+
+def test_the_window_that_was_asked_about_is_the_one_that_is_closed() -> None:
+    inside = world(values=windows("bedroom_window"))
+    inside.room, inside.at = "kitchen", "kitchen_floor"
+    question = "[Check](1:check_state) [the window](1:object) [open](1:state)"
+    check, close = run(f"{question}. [Close](2:change_state) [the window](2:object)", inside)
+    assert (check.truth, close.status) == (False, DONE)
+    assert bound(close)["the window"] == ("kitchen_window",)
+
+
+@pytest.mark.parametrize(("phrase", "washed"), [("the mug", True), ("a mug", False), ("the mug on the counter", False)])
+def test_the_mug_that_is_to_be_washed_is_a_dirty_one(phrase: str, washed: bool) -> None:
+    values = {("mug_1", "cleanliness"): "clean", ("mug_2", "cleanliness"): "dirty"}
+    inside = world({"mug_1": "counter", "mug_2": "desk"}, values)
+    inside.room, inside.at = "kitchen", "kitchen_floor"
+    assert run(f"[Wash](1:change_state) [{phrase}](1:object)", inside)[0].status is DONE
+    assert (inside.values["mug_2", "cleanliness"] == "clean") is washed
+
+
+def test_where_the_other_one_is_nowhere_the_clean_mug_will_do() -> None:
+    inside = world({"mug_1": "counter", "mug_2": None}, {("mug_1", "cleanliness"): "clean"})
+    assert run("[Wash](1:change_state) [the mug](1:object)", inside)[0].status is DONE
+    assert "pick" not in [step.name for step in inside.steps]
 
 
 def test_all_the_lights_are_switched_off() -> None:
@@ -235,6 +316,28 @@ def test_a_thing_is_filled_where_there_is_what_it_is_filled_with(drink: str, pla
     inside = world({"mug_1": "counter"}, {("mug_1", "fill"): "empty"})
     run(f"[Fill](1:change_state) [the red mug](1:object) [with {drink}](1:manner)", inside)
     assert names(inside)[-1] == f"(fill mug_1 {place})"
+
+
+@pytest.mark.parametrize(
+    ("power", "aperture", "steps"),
+    [
+        ("on", "open", ["close-up"]),
+        ("off", "open", ["close-up", "switch-on"]),
+        ("off", "closed", ["switch-on"]),
+        ("on", "closed", []),
+    ],
+)
+def test_a_device_with_a_door_is_shut_to_run(power: str, aperture: str, steps: list[str]) -> None:
+    inside = world(values={("oven", "power"): power, ("oven", "aperture"): aperture})
+    (start,) = run("[Turn](1:change_state) on [the oven](1:object)", inside)
+    assert start.status is DONE
+    assert [step.name for step in inside.steps if step.name not in ("move", "pass")] == steps
+
+
+def test_a_device_with_a_door_is_turned_off_with_the_door_as_it_is() -> None:
+    inside = world(values={("oven", "power"): "on", ("oven", "aperture"): "open"})
+    run("[Turn](1:change_state) off [the oven](1:object)", inside)
+    assert [step.name for step in inside.steps if step.name not in ("move", "pass")] == ["switch-off"]
 
 
 def test_another_device_is_tried_when_one_is_broken() -> None:
@@ -403,6 +506,33 @@ def test_a_thing_is_put_beside_another_that_is_looked_for() -> None:
     inside = world({"laptop": "bed"})
     (put,) = run("[Put](1:placing) [the red book](1:object) [next to the laptop](1:goal)", inside)
     assert (put.status, inside.places["book_1"]) == (DONE, "bed")
+
+
+@pytest.mark.parametrize(
+    ("thing", "goal", "place"),
+    [
+        ("the magazine", "on the shelf", "bookshelf"),
+        ("the red book", "on the shelf", "bookshelf"),
+        ("the glasses", "on the shelf", "bathroom_shelf"),
+        ("the white cup", "in the cupboard", "cupboard"),
+        ("the medicine", "in the cupboard", "medicine_cabinet"),
+        ("the letter", "on the table", "hallway_table"),
+        ("the magazine", "on the bathroom shelf", "bathroom_shelf"),
+        ("the magazine", "on the shelf in the bathroom", "bathroom_shelf"),
+    ],
+)
+def test_of_places_by_one_word_a_thing_is_put_where_such_things_are(thing: str, goal: str, place: str) -> None:
+    places = {"magazine": "couch", "book_1": "couch", "cup_1": "counter", "medicine": "nightstand", "letter": "desk"}
+    inside = world(places)
+    assert run(f"[Put](1:placing) [{thing}](1:object) [{goal}](1:goal)", inside)[0].status is DONE
+    assert next(step for step in inside.steps if step.name == "place").objects[1] == place
+
+
+def test_what_lies_at_any_place_of_the_word_is_put_there_already() -> None:
+    inside = world({"magazine": "bathroom_shelf"})
+    inside.room, inside.at = "bathroom", "bathroom_floor"
+    assert run("[Put](1:placing) [the magazine](1:object) [on the shelf](1:goal)", inside)[0].status is DONE
+    assert not inside.steps
 
 
 def test_a_thing_is_laid_down_on_the_floor_where_it_is_to_be() -> None:

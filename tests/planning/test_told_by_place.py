@@ -44,6 +44,39 @@ def test_a_lamp_is_of_the_room_that_the_map_tells() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "people", "where"),
+    [
+        ("[Bring](1:bringing) [the book](1:object) [to Tom in the study](1:recipient)", ("tom",), ("study",)),
+        ("[Bring](1:bringing) [the book](1:object) [to me in the study](1:recipient)", ("user",), ("study",)),
+        ("[Bring](1:bringing) [the book](1:object) [to Anna on the couch](1:goal)", ("anna",), ("couch",)),
+        ("[Bring](1:bringing) [us](1:recipient) [the soup](1:object) [to the study](1:goal)", ("user",), ("study",)),
+        ("[Tell](1:informing) [my mother in the kitchen](1:recipient) [hello](1:message)", ("relative",), ("kitchen",)),
+        ("[Go](1:motion) [to Tom in the kitchen](1:goal)", ("tom",), ("kitchen",)),
+        ("[Follow](1:following) [Anna in the hallway](1:object) [to the kitchen](1:goal)", ("anna",), ("hallway",)),
+    ],
+)
+def test_where_somebody_is_said_to_be(text: str, people: tuple[str, ...], where: tuple[str, ...]) -> None:
+    ((who, place),) = first(text).whereabouts
+    assert (who.candidates, place.candidates) == (people, where)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[Bring](1:bringing) [Tom](1:recipient) [the book](1:object) [in the study](1:source)",
+        "[Bring](1:bringing) [Tom](1:recipient) [the book in the study](1:object)",
+        "[Bring](1:bringing) [Tom](1:recipient) [the book](1:object) [on the desk](1:goal)",
+        "[Tell](1:informing) [everybody in the kitchen](1:recipient) [hello](1:message)",
+        "[Tell](1:informing) [Tom next to the laptop](1:recipient) [hello](1:message)",
+        "[Tell](1:informing) [Tom](1:recipient) [that the book is in the study](1:message)",
+        "[Go](1:motion) [to the lamp in the bedroom](1:goal)",
+    ],
+)
+def test_what_is_said_of_no_person_in_particular_is_not_where_one_is(text: str) -> None:
+    assert first(text).whereabouts == ()
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "[Turn](1:change_state) [on](1:state) [the light](1:object) [in the room](1:location) where Anna is.",
