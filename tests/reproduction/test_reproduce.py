@@ -96,7 +96,7 @@ BAD = {
     "no repeats": (["--repeats", "0"], "1 or more"),
     "more for the interpreter": (["--repeats", "1", "--interpreter-repeats", "2"], "0 to 1"),
     "no such protocol": (["--protocol", "lots"], "random, voice, both"),
-    "no jobs": (["--jobs", "0"], "--jobs 0"),
+    "no jobs": (["--jobs", "0"], "--jobs is 0"),
     "no HuRIC": (["--huric", "/nowhere/at/all"], "/nowhere/at/all"),
     "no corpus": (["--corpus", "/nowhere/at/all"], "/nowhere/at/all"),
     "plots in a file": (["--plots", "/dev/null/x"], "/dev/null/x"),
