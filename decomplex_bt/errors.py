@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from numbers import Integral
 from pathlib import Path
+from reprlib import Repr
 from typing import TYPE_CHECKING, TypeGuard
 
 if TYPE_CHECKING:
@@ -12,6 +13,8 @@ if TYPE_CHECKING:
 
 FEW = 12
 """So many names an error lists in full."""
+_SHORTENER = Repr()
+_SHORTENER.maxstring = _SHORTENER.maxother = 100
 
 
 def among(name: object, known: Iterable[str]) -> str:
@@ -44,9 +47,9 @@ def check_jobs(jobs: object, name: str = "jobs") -> None:
         raise InputError(f"{name} is {jobs!r}; expected at least one process, or -1 for one a core")
 
 
-def quoted(text: str, most: int = 100) -> str:
-    """A text as an error quotes it: of a long one so many characters."""
-    return repr(text if len(text) <= most else f"{text[: most - 3]}...")
+def quoted(value: object) -> str:
+    """A value as an error quotes it: of a long one the beginning and the end, some hundred characters."""
+    return _SHORTENER.repr(value)
 
 
 def is_whole(value: object) -> TypeGuard[int]:

@@ -9,13 +9,12 @@ from functools import lru_cache, partial
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
-from reprlib import repr as shortened
 from typing import TypeVar
 from warnings import catch_warnings
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
-from decomplex_bt.errors import InputError, check_jobs
+from decomplex_bt.errors import InputError, check_jobs, quoted
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
@@ -123,9 +122,7 @@ class Interpreter:
         unusable text; `check_text` tells beforehand.
         """
         if isinstance(texts, str) or not isinstance(texts, Iterable):
-            raise InputError(
-                f"texts is {shortened(texts)}; expected several texts, as in [text]; `interpret` reads one"
-            )
+            raise InputError(f"texts is {quoted(texts)}; expected several texts, as in [text]; `interpret` reads one")
         check_jobs(jobs)
         return self._batch(texts, jobs)
 
@@ -266,7 +263,7 @@ class Interpreter:
 def check_text(text: str) -> None:
     """Raises `InputError` where `text` cannot be an instruction: no text, empty, too long, or no valid Unicode."""
     if not isinstance(text, str):
-        raise InputError(f"the instruction is {shortened(text)}; expected a text such as 'Bring me a cup.'")
+        raise InputError(f"the instruction is {quoted(text)}; expected a text such as 'Bring me a cup.'")
     if not text.strip():
         raise InputError("the instruction is empty; expected a sentence such as 'Bring me a cup.'")
     if len(text) > MAX_CHARACTERS:

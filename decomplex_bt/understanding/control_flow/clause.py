@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from decomplex_bt.understanding.changes import change
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, WISHING
 
@@ -200,12 +201,12 @@ class Clause:
     @property
     def effects(self) -> frozenset[str]:
         """The states that an order to change something ends in."""
-        return _NEEDED.get(self.wording.state or self.verb, (_NEVER, _NEVER))[0]
+        return change(self.wording.state or self.verb).ends_in
 
     @property
     def needs(self) -> frozenset[str]:
         """The states that an order to change something ends."""
-        return _NEEDED.get(self.wording.state or self.verb, (_NEVER, _NEVER))[1]
+        return change(self.wording.state or self.verb).ends
 
     @property
     def says_answer(self) -> bool:
@@ -295,29 +296,6 @@ class Clause:
         return self.far == ("else",) and self.near[:2] == ("or", "if") and self.is_check and not self.ends_sentence
 
 
-_NEVER: frozenset[str] = frozenset()
-_NEEDED = {
-    verb: (frozenset(goals.split()), frozenset(needs.split()))
-    for verbs, goals, needs in (
-        ("on start", "on running lit", "off out"), ("off stop", "off out", "on running lit"),
-        ("open", "open ajar", "closed shut"), ("close shut", "closed shut", "open ajar"),
-        ("lock bolt", "locked bolted", "unlocked open"), ("unlock unbolt", "unlocked open", "locked bolted shut"),
-        ("heat warm reheat microwave", "hot warm", "cold cool lukewarm tepid chilly"),
-        ("cool chill", "cold cool chilled", "warm hot lukewarm"),
-        ("clean wash rinse wipe scrub mop sweep vacuum hoover dust polish", "clean washed spotless",
-         "dirty filthy muddy dusty sticky stained grubby greasy unwashed"),
-        ("fill refill run", "full", "empty low"), ("empty", "empty", "full overflowing"),
-        ("dry", "dry", "wet damp soaked"),
-        ("iron press", "ironed smooth", "wrinkled creased crumpled"),
-        ("charge recharge", "charged full", "flat low dead empty"), ("water", "wet moist damp", "dry thirsty"),
-        ("cover", "covered", "uncovered bare"), ("uncover", "uncovered bare", "covered"),
-        ("light", "lit", "unlit out"), ("blow snuff extinguish", "out unlit", "lit burning"),
-        ("make", "made", "unmade"), ("fold", "folded", "unfolded crumpled"),
-        ("plug", "plugged", "unplugged"), ("unplug", "unplugged", "plugged"),
-    )
-    for verb in verbs.split()
-}  # fmt: skip
-"""What verbs of change, or the states that they bring about, are for: the states they end in, and those they end."""
 _ANSWERS = frozenset(("yes", "no"))
 _REPLYING = frozenset("refuse decline agree accept consent object comply oblige".split())
 CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())

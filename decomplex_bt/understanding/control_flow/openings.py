@@ -54,7 +54,7 @@ _PARTING = PUNCTUATION | frozenset("and but then so or first before please just"
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
-_ARRIVING = (["you", "is", "there"], ["you", "get", "there"], ["you", "'re", "there"], ["you", "are", "there"])
+_ARRIVING = (["you", "is", "there"], ["you", "get", "there"])
 _CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | dict.fromkeys(
     ("former", "first"), "other"
 )
@@ -126,7 +126,7 @@ def of_both(document: Document, previous: int, token: int, last: int) -> str:
     """ "neither" or "either", where an "if" ahead of a verb is of none, or any, of what was asked before: "*if
     neither*, ...", "*if it isn't in either*, ...", "*if either* is, ..."; else ""."""
     words = [normal_form(t.lower) for t in document.tokens[previous + 1 : max(token, last) + 1]]
-    if "if" not in words[: token - previous]:
+    if "if" not in words[: token - previous - 1]:
         return ""
     words = words[words.index("if") :]
     if words[1] in ("neither", "none") or "neither" in words:
@@ -216,8 +216,10 @@ def opens_matter(document: Document, token: int) -> bool:
     first = document.sentences.index(document.sentences[token])
     while first < token and document.tokens[first].lower in _LEADING_IN:
         first += 1
-    is_counted = document.tokens[first].lower in _COUNTING and document.tokens[first + 1].text in (",", ":")
-    if is_counted:  # not "second, *if that went well*, ..."
+    is_counted = document.tokens[first].lower in _COUNTING
+    if (
+        is_counted and first < token and document.tokens[first + 1].text in (",", ":")
+    ):  # not "second, *if that went well*, ..."
         return first + 2 == token
     return document.tokens[first].lower in _TURNING_TO
 

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
+from decomplex_bt.understanding.changes import change
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 
-_UNDOING = {
-    verb: frozenset(states.split())
-    for verbs, states in (
-        ("empty", "full overflowing"), ("fill refill", "empty low"), ("close shut", "open ajar"),
-        ("open", "closed shut"), ("unlock", "locked"), ("lock", "unlocked"), ("charge recharge", "flat low dead"),
-        ("heat warm reheat", "cold cool lukewarm"), ("dry", "wet damp soaked"), ("defrost thaw", "frozen"),
-    )
-    for verb in verbs.split()
-}  # fmt: skip
-"""The states that a verb ends, of one thing as of any other."""
+_TO_WHOLES = "water"
+"""What is done to something for the state of what belongs to it: "the fern looks sad; if *the soil* is dry, water it"."""
 
 
 def undone(context: Context, gap: Gap) -> range:
@@ -28,7 +21,7 @@ def undone(context: Context, gap: Gap) -> range:
         return range(0)
     verb = context.lemmas[gap.task.id].split()[0]
     states = {a.value.lower().split()[-1] for a in check.arguments if a.type == "state"}
-    if states.isdisjoint(_UNDOING.get(verb, ())):
+    if verb == _TO_WHOLES or states.isdisjoint(change(verb).ends):
         return range(0)
     document = context.observed.document
     tag = ("NN", "NNP") if gap.word == "it" else ("NNS",)

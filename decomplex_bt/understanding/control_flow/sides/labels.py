@@ -12,6 +12,8 @@ OPENING = frozenset(("if", "only_if", "unless", "when"))
 TURNING = frozenset("else fail so unless either_way only_if even_if but either until whether or not".split())
 
 MOVING = frozenset(("placing", "bringing"))
+CARRYING = MOVING | {"taking"}
+PARTING = frozenset((".", ";"))
 
 
 def beside(side: str) -> str:

@@ -7,9 +7,16 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    CARRYING,
+    FAILS,
+    HOLDS,
+    OPENING,
+    TURNING,
+    beside,
+    goes_on,
+)
 
-_CARRYING = frozenset(("placing", "bringing", "taking"))
 _ANEW = frozenset(("back", "again"))
 _COMING = frozenset(("come", "arrive"))
 _TELLING = frozenset(("informing", "check_state"))
@@ -170,7 +177,7 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_set_off = is_one and check.boundary == clause.boundary == ","
     is_run_on = is_one and clause.is_and_then and check.boundary == "none"
     is_led_on = is_set_off or is_run_on  # "shut it unless Mum's in there and then feed the dog"
-    is_instead = clause.task.type == order.task.type and order.task.type in _CARRYING
+    is_instead = clause.task.type == order.task.type and order.task.type in CARRYING
     is_of_it = clause.has_pronoun and not clause.objects
     is_other = not (is_instead or is_of_it or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
     is_on = check.near == ("unless",) and clause.near in (("then",), ("and", "then")) and is_other
@@ -259,13 +266,15 @@ def gather(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 def have_found(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a sentence of its own does with what was looked for in one place and then in another, in a case that it
     tells, is done wherever it was found ("if it's not there, look in the car. *Bring it to me, unless it's wet*")."""
-    search, order = clauses[k - 2 : k] if k > 1 else (clauses[0], clauses[0])
-    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None) if k > 1 else None
-    if first is None or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition") or sides[k] not in (HOLDS, FAILS):
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition") or sides[k] not in (HOLDS, FAILS):
+        return
+    search, order = clauses[k - 2 : k]
+    first = next((j for j in range(k - 2, -1, -1) if roles[j] == "condition"), None)
+    if first is None:
         return
     is_sought = clauses[first].task.type == search.task.type == "searching" and sides[k - 2] in (HOLDS, FAILS)
     is_next = order.sentence == search.sentence + 1 == clauses[k].sentence and not (order.near or order.far)
-    is_of_it = order.is_of_it and not order.objects and order.task.type in (*_CARRYING, "change_state")
+    is_of_it = order.is_of_it and not order.objects and order.task.type in (*CARRYING, "change_state")
     if is_sought and is_next and is_of_it and sides[k - 1][:2] == ">1":
         sides[k] = beside(sides[first])
 

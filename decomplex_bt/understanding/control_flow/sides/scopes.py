@@ -17,12 +17,11 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, PARTING, TURNING, beside
 
 _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
 _ALL = frozenset(("everything", "anything", "all"))
-_PARTING = frozenset((".", ";"))
 _WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish chilly".split())
 """States in which somebody wants something, of which one keeps none from another."""
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
@@ -31,7 +30,7 @@ _ANSWERING = frozenset("know remember recall answer reply say agree refuse".spli
 def stand_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether nobody is in a place is not asked of the order before, which has nothing to do with it ("water the
     ferns. If nobody is in the study, ...")."""
-    is_next = clauses[k].boundary in _PARTING or (clauses[k].boundary == "," and clauses[k].near[:2] == ("and", "if"))
+    is_next = clauses[k].boundary in PARTING or (clauses[k].boundary == "," and clauses[k].near[:2] == ("and", "if"))
     is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and is_next
     is_instead = k + 1 < len(clauses) and "instead" in (*clauses[k + 1].near, *clauses[k + 1].behind)
     if is_behind and sides[k - 1][:2] == ">1" and is_apart_from(clauses[k], clauses[k - 1]) and not is_instead:
@@ -95,7 +94,7 @@ def wait_for(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     awaited, clause = clauses[k - 1], clauses[k]
     is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and "when" in awaited.near
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if is_awaited and first is not None and first < k - 2 and awaited.boundary in _PARTING:
+    if is_awaited and first is not None and first < k - 2 and awaited.boundary in PARTING:
         one, other = clauses[first].wording, awaited.wording
         is_same = one.state == other.state or one.is_opposite_of(other) or other.is_opposite_of(one)
         if is_same and comes_through(awaited, clauses[k - 2]) and sides[k - 1][:2] == "<1":
@@ -110,7 +109,7 @@ def wait_till_over(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
     it off*")."""
     awaited, clause = clauses[k - 1], clauses[k]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and awaited.boundary in _PARTING
+    is_awaited = (roles[k - 1], roles[k]) == ("task", "task") and awaited.is_check and awaited.boundary in PARTING
     if first is None or first == k - 2 or not is_awaited or awaited.near not in (("when",), ("after",)):
         return
     one, other = clauses[first].wording, awaited.wording
@@ -239,7 +238,7 @@ def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     """Whether it is somebody else than the one who is excepted is asked beside that ("open unless it's the salesman.
     *If it's the courier*, ...")."""
     first, clause = clauses[k - 1], clauses[k]
-    is_next = (roles[k - 1], roles[k]) == ("condition", "condition") and clause.boundary in _PARTING
+    is_next = (roles[k - 1], roles[k]) == ("condition", "condition") and clause.boundary in PARTING
     is_apart = clause.asks_who and first.asks_who and "unless" in first.near and set(clause.objects) != {*first.objects}
     if is_next and is_apart and clause.near == ("if",) and sides[k] in (HOLDS, FAILS):
         sides[k] = beside(sides[k - 1])
@@ -254,7 +253,7 @@ def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
     is_of_some = not _ALL.isdisjoint(clauses[first].thing) and clause.objects == ("rest",)
     is_rest = roles[k] == "task" and (is_all or is_of_some)
-    if is_rest and clause.boundary in _PARTING and sides[k] == HOLDS:
+    if is_rest and clause.boundary in PARTING and sides[k] == HOLDS:
         sides[k] = "top"
 
 
@@ -265,7 +264,7 @@ def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if first is None or roles[k] != "condition" or sides[k] not in (HOLDS, FAILS) or first == k - 1:
         return
     between = {word for j in range(first + 1, k) for word in clauses[j].thing}
-    is_led = clauses[k].boundary in _PARTING and clauses[k].near == ("if",)
+    is_led = clauses[k].boundary in PARTING and clauses[k].near == ("if",)
     if is_led and is_named_apart(clauses[k], clauses[first]) and not clauses[k].thing <= between:
         sides[k] = "top"
 

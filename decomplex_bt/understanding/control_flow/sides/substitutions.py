@@ -7,11 +7,18 @@ from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.failures import lacks_too
-from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, is_cleared
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on
+from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    CARRYING,
+    FAILS,
+    HOLDS,
+    MOVING,
+    PARTING,
+    TURNING,
+    goes_on,
+)
 from decomplex_bt.understanding.references.phrases import ROOM
 
-_PARTING = frozenset((".", ";"))
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))
 _WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path way passage".split())
@@ -23,11 +30,6 @@ _SERVED = frozenset(("bringing", "placing"))
 _TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
 _LEAVING = frozenset(("leave", "keep"))
 _KEEPING = _LEAVING | {"let"}
-_CARRYING = frozenset(("placing", "bringing", "taking"))
-_ROOMS = frozenset(
-    "kitchen bathroom bedroom hall hallway study office garage room nursery laundry lounge cellar attic basement "
-    "pantry shed terrace balcony garden patio ward".split()
-)
 _USELESS = frozenset(
     "dirty broken cracked torn ripped chipped empty stale sour mouldy moldy rotten used use order taken occupied gone "
     "missing lost finished flat dead".split()
@@ -64,7 +66,7 @@ def find_no_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
-    is_lacking = check.says_there_is and check.wording.is_negated and check.boundary in _PARTING
+    is_lacking = check.says_there_is and check.wording.is_negated and check.boundary in PARTING
     is_lacking = is_lacking and check.near[:1] == ("if",) and not check.names_same(order)
     is_elsewhere = order.task.type == other.task.type == "placing" and other.is_of_it and not other.objects
     is_elsewhere = is_elsewhere and bool(other.receivers) and order.receivers.isdisjoint(other.receivers)
@@ -84,7 +86,7 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
     is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
-    is_way = not _WAYS.isdisjoint(clause.objects[-1:]) and clause.boundary in _PARTING
+    is_way = not _WAYS.isdisjoint(clause.objects[-1:]) and clause.boundary in PARTING
     is_place = is_place or is_way  # "carry it upstairs. If the stairs are blocked, ..."
     is_shut = clause.wording.state in OBSTRUCTED | (_BROKEN if is_way else frozenset())
     is_shut = is_shut and not clause.wording.is_negated
@@ -112,7 +114,7 @@ def replace_there(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
         return
     order, check, other = clauses[k - 1 : k + 2]
     is_instead = "instead" in (*other.near, *other.behind) and other.sentence == check.sentence
-    is_led = check.boundary in _PARTING and "if" in check.near and not {*other.far, *other.near} & TURNING
+    is_led = check.boundary in PARTING and "if" in check.near and not {*other.far, *other.near} & TURNING
     is_place = not (order.nouns - set(order.objects)).isdisjoint(check.objects)
     is_receiver = check.is_of_person and any(kind in ("recipient", "goal") for kind, _ in order.task.arguments)
     is_moved = order.task.type in MOVING and sides[k + 1] == HOLDS
@@ -136,7 +138,7 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     before, clause, after = clauses[k - 1 : k + 2]
     is_left = before.task.type in MOVING and after.task.type == "placing" and after.verb in _LEAVING
     is_next = after.sentence == clause.sentence and after.boundary == "," and "if" in clause.near
-    is_led = clause.boundary in _PARTING and not {*clause.near, *after.near} & TURNING
+    is_led = clause.boundary in PARTING and not {*clause.near, *after.near} & TURNING
     if not (is_left and is_next and is_led and before.verb not in _LEAVING and sides[k - 1] in ("top", ">1-")):
         return
     is_turned = any("else" in (*later.far, *later.near) for later in clauses[k + 2 :])
@@ -159,27 +161,9 @@ def leave_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
     is_brought = brought.task.type in MOVING and bool(brought.receivers) and bool(brought.objects)
     is_asleep = check.is_of_person and check.wording.state in _SLEEPING and not check.wording.is_negated
     is_left = other.task.type == "placing" and other.verb in _LEAVING and other.is_of_it and not other.objects
-    is_led = check.boundary in _PARTING and check.near == ("if",) and other.sentence == check.sentence
+    is_led = check.boundary in PARTING and check.near == ("if",) and other.sentence == check.sentence
     if is_told and is_brought and is_asleep and is_left and is_led and sides[k - 2 : k + 1] == ["top"] * 3:
         sides[k - 2 : k] = ">1-", ">1-"
-
-
-def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is fetched is fetched where both of two opposite cases, told in a sentence of their own, say what is then
-    done with it ("bring in some logs. *If they're wet*, leave them here; *if they're dry*, put them in the basket")."""
-    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1] != ">1-":
-        return
-    order, check = clauses[k - 1 : k + 1]
-    second = next((j for j in range(k + 1, len(clauses)) if roles[j] != "task"), k + 1)
-    if second + 1 >= len(clauses) or roles[second] != "mention" or check.boundary not in _PARTING:
-        return
-    are_cases = check.near == ("if",) and clauses[second].near[-1:] == ("if",) and roles[second + 1] == "task"
-    is_of_it = check.takes_up(order) or check.names_same(order)
-    are_done = all(
-        c.has_pronoun and not c.objects and c.task.type in _MOVED for c in (clauses[k + 1], clauses[second + 1])
-    )
-    if are_cases and is_of_it and are_done and order.task.type in _CARRYING and not order.is_forbidden:
-        sides[k - 1] = "top"
 
 
 def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -197,7 +181,7 @@ def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
     turned = [j for j in later if clauses[j].turns and sides[j][:2] == "<1"]
     is_both = bool(turned) and turned[0] > k + 1 and sides[k + 1][:2] == "<1"
     are_moves = order.task.type == "bringing" and all(clauses[j].has_pronoun for j in (k + 1, *turned[:1]))
-    if is_both and are_moves and check.boundary in _PARTING and order.sentence < check.sentence:
+    if is_both and are_moves and check.boundary in PARTING and order.sentence < check.sentence:
         sides[k - 1] = side
     is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and check.wording.is_negated
     is_elsewhere = bool(check.places - AROUND) and not order.receivers.isdisjoint(_VESSELS - check.places)
@@ -243,7 +227,7 @@ def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
-    is_alike = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type in _CARRYING
+    is_alike = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type in CARRYING
     is_other = is_alike and not (other.near or other.behind) and not other.names_same(order)
     is_led = check.near == ("and", "if") and check.has_pronoun and not check.objects and check.is_check
     is_useless = check.wording.state in _USELESS and not check.wording.is_negated
@@ -262,7 +246,7 @@ def alter(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     is_same = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type == "change_state"
     is_same = is_same and _is_of_same(other, order) and not (order.is_forbidden or other.is_forbidden)
     measures = [{t for kind, t in c.task.arguments if kind in _MEASURES} for c in (order, other)]
-    is_led = check.boundary in _PARTING and check.near == ("if",) and other.sentence == check.sentence
+    is_led = check.boundary in PARTING and check.near == ("if",) and other.sentence == check.sentence
     is_later = check.says_still or check.is_of_it or bool(other.ways) or not set(other.behind) <= {"instead"}
     is_beside = sides[k] == sides[k - 1] and sides[k] in ("top", HOLDS, FAILS) and sides[k + 1] == HOLDS
     if is_same and all(measures) and is_led and not is_later and is_beside and check.is_check:
@@ -285,7 +269,7 @@ def do_without(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     order, clause = clauses[k - 1 : k + 1]
     is_lacking = clause.says_there_is and clause.wording.is_negated and clause.names_same(order) and not clause.places
     is_next = "if" in clause.near and "unless" not in clause.near and clause.boundary != "none"
-    is_fetched = is_next and order.task.type in _CARRYING
+    is_fetched = is_next and order.task.type in CARRYING
     if is_lacking and is_fetched and sides[k - 1] == sides[k] == "top":
         sides[k - 1] = ">1-"
     if is_fetched and lacks_too(clause, order) and sides[k - 1] in (HOLDS, FAILS):
@@ -296,43 +280,9 @@ def find_some(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     """What is fetched is fetched where there is some of it ("I'd like a pear. *Are there any?* If not, ...")."""
     order, clause = clauses[k - 1 : k + 1]
     is_some = clause.is_question and clause.verb == "be" and clause.is_of_any and not clause.wording.is_negated
-    is_fetched = (roles[k - 1], roles[k]) == ("task", "condition") and order.task.type in _CARRYING
+    is_fetched = (roles[k - 1], roles[k]) == ("task", "condition") and order.task.type in CARRYING
     if is_some and is_fetched and sides[k - 1] == ">1-":
         sides[k - 1] = ">1+"
-
-
-def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
-    locked, *unlock it*")."""
-    if (sides[k - 1], sides[k]) == (">1-", "top") and (is_cleared(clauses, roles, k) or _is_emptied(clauses, roles, k)):
-        sides[k - 1] = "top"
-
-
-def _is_emptied(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
-    """Whether what stands where something is to be put is put elsewhere in its case ("put the plates on the table; if
-    there are papers on the table, *put them in the box*")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return False
-    order, check, other = clauses[k - 1 : k + 2]
-    is_in_way = check.says_there_is and bool(check.objects) and not check.wording.is_negated
-    is_in_way = is_in_way and not check.places.isdisjoint(order.receivers) and order.nouns.isdisjoint(check.objects)
-    is_led = check.boundary in _PARTING and check.near[:1] == ("if",) and order.task.type in MOVING
-    is_removed = other.task.type in _CARRYING and other.is_of_it and other.number in ("", check.number)
-    return is_in_way and is_led and is_removed and "instead" not in (*other.near, *other.behind)
-
-
-def see_to_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is checked first, and put right where it is not so, is for the order ahead, which is carried out in any case
-    ("put the pie in the oven, but first see if it's hot, *and if it's not, turn it on*")."""
-    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
-        return
-    check, echo, order = clauses[k : k + 3]
-    is_first = check.is_asked and bool({"before", "first"} & set(check.wording.orders)) and "before" not in check.near
-    is_first = is_first and check.task.type == "check_state"
-    is_mended = order.task.type == "change_state" and order.is_of_it and not order.objects
-    is_case = "if" in echo.near and echo.sentence == order.sentence and not {*order.near} & TURNING
-    if is_first and is_mended and is_case and sides[k - 1][:2] == ">1" and sides[k] == "top" and not check.is_forbidden:
-        sides[k - 1] = "top"
 
 
 def choose_by_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -372,12 +322,7 @@ def replace_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     ahead = list(takewhile(lambda j: roles[j] == "task" and sides[j] == ">1-", range(k - 1, -1, -1)))
     alike = [j for j in ahead if clauses[j].task.type == other.task.type and _is_of_same(other, clauses[j])]
     is_instead = "instead" in (*other.near, *other.behind) and sides[k + 1] == HOLDS
-    if (
-        not is_instead
-        or not alike
-        or other.task.type not in _CARRYING
-        or clauses[k].sentence == clauses[k - 1].sentence
-    ):
+    if not is_instead or not alike or other.task.type not in CARRYING or clauses[k].sentence == clauses[k - 1].sentence:
         return
     meant = clauses[alike[0]]
     for j in ahead:
@@ -396,7 +341,7 @@ def break_down(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     clause = clauses[k]
     if roles[k] != "condition" or sides[k - 1] != ">1-" or clause.wording.state not in _FAILING or not clause.objects:
         return
-    is_led = clause.boundary in _PARTING and clause.near[-1:] == ("if",) and not clause.wording.is_negated
+    is_led = clause.boundary in PARTING and clause.near[-1:] == ("if",) and not clause.wording.is_negated
     own = [j for j in range(k - 1, -1, -1) if clauses[j].sentence == clauses[k - 1].sentence]
     ahead = list(takewhile(lambda j: roles[j] == "task" and sides[j] in (">1-", "top"), own))
     needing = [j for j in ahead if not clauses[j].nouns.isdisjoint(clause.objects)]
@@ -405,128 +350,16 @@ def break_down(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
             sides[j] = ">1-"
 
 
-def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is fetched, brought or put somewhere is so though a sentence of its own tells a case of another thing, in
-    which yet another thing is done, or nothing but said where something is ("take the coats up. If Nan is asleep,
-    *close her door*", "... If the door is locked, *the key is in the drawer*")."""
-    order, check = clauses[k - 1 : k + 1]
-    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in (".", "!")
-    is_led = is_behind and check.near[:1] == ("if",) and check.is_check
-    if not is_led or sides[k - 1][:2] != ">1" or order.is_forbidden:
-        return
-    if check.ends_sentence and check.tells_where and not check.calls_off:
-        sides[k - 1] = "top"
-    if sides[k - 1] != ">1-":
-        return
-    if check.ends_sentence or k + 1 >= len(clauses) or roles[k + 1] != "task" or not check.objects:
-        return
-    if order.task.type not in _CARRYING or (check.says_there_is and check.wording.is_negated):
-        return
-    known = order.nouns | order.places | order.receivers
-    other = clauses[k + 1]
-    is_apart = known.isdisjoint(check.nouns) and not other.has_pronoun and known.isdisjoint(other.nouns)
-    is_other = other.task.type in ("change_state", "informing") and not {*other.far, *other.near} & TURNING
-    if is_apart and is_other and "instead" not in other.behind and not check.is_of_weather:
-        sides[k - 1] = "top"
-
-
-def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done to another thing "too" or "as well" in a case keeps nobody from the order ahead of it ("take the
-    trash out. If the bin is full, *take that out too*")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_too = "also" in (*check.far, *check.near, *other.near, *other.behind) and other.sentence == check.sentence
-    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
-    is_other = bool(check.objects) and not check.names_same(order) and not other.names_same(order)
-    if is_too and is_led and is_other and not order.is_forbidden and "instead" not in other.behind:
-        sides[k - 1] = "top"
-
-
-def fetch_for_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is fetched and then put in one place in a case, and "otherwise" in another, is fetched for either ("get the
-    boots from the car and put them by the fire if they're wet; *otherwise put them in the hall*")."""
-    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
-        return
-    fetched, order, check, other = clauses[k - 2 : k + 2]
-    is_fetched = fetched.task.type in ("taking", "bringing") and bool(fetched.objects) and order.near == ("and",)
-    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
-    is_trailing = check.near == ("if",) and check.boundary == "none" and other.is_otherwise
-    is_put = order.task.type == "placing" and other.task.type in _MOVED and fetched.sentence == check.sentence
-    are_sides = sides[k - 2 : k] == [">1+", ">1+"] and sides[k + 1] == FAILS and sides[k] in ("top", HOLDS, FAILS)
-    if is_fetched and are_of_it and is_trailing and is_put and are_sides and order.boundary == "none":
-        sides[k - 2] = sides[k]
-
-
-def spare_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done with one of several things in a case keeps nobody from what is ordered of them all ("put the glasses
-    in the rack, but *if one of them is chipped*, throw it away")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_part = check.is_of_some or (check.is_check and check.is_of_any and "one" in check.thing)
-    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
-    is_of_all = order.number == "many" or order.thing <= {"they", "them"}
-    if is_part and is_led and is_of_all and other.has_pronoun and other.number != "many":
-        sides[k - 1] = "top"
-
-
-def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is put back in a case was taken before that was asked, and what is taken away again was given or put there
-    ("take the book from the shelf, but if it's the wrong one, *put it back*", "give her a biscuit, but if she leaves
-    it, *take it away*")."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    types = (order.task.type, other.task.type)
-    is_put_back = types == ("taking", "placing") and "back" in other.ways
-    is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
-    is_led = check.near == ("but", "if") and other.has_pronoun
-    if (is_put_back or is_removed) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
-        sides[k - 1] = "top"
-
-
-def have_in_hand(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What was picked up to do one thing with it, or in a case another, was picked up in either ("take the towel and
-    fold it, *unless it's damp, in which case hang it up*")."""
-    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
-        return
-    taken, order, check, other = clauses[k - 2 : k + 2]
-    is_one = taken.sentence == order.sentence == check.sentence == other.sentence
-    is_taken = is_one and taken.task.type == "taking" and bool(taken.objects) and order.near == ("and",)
-    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
-    is_turned = {sides[k - 1][-1:], sides[k + 1][-1:]} == {"+", "-"} and sides[k - 2] == sides[k - 1][:3]
-    is_done = sides[k - 2][:2] == ">1" and other.task.type in MOVING | {"change_state"}
-    if is_taken and are_of_it and is_turned and is_done:
-        sides[k - 2] = "top"
-
-
 def run_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched is not where all that there is of it is of no use, and another one is then fetched ("bring me a
     plate. If *all the plates are dirty*, wash one and bring it")."""
     order, check = clauses[k - 1 : k + 1]
-    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in _PARTING
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in PARTING
     if not is_behind or check.near[:1] != ("if",) or sides[k - 1] != "top" or sides[k] != "top":
         return
     is_of_all = check.objects[-1:] == order.objects[-1:] != () and check.number == "many" != order.number
     is_useless = check.wording.state in _USELESS or bool(check.places)
     later = [j for j in range(k + 1, len(clauses)) if goes_on(clauses, roles, sides, j, check.sentence)]
     is_replaced = any(clauses[j].task.type == order.task.type and sides[j] == HOLDS for j in later)
-    if is_of_all and is_useless and is_replaced and order.task.type in _CARRYING and not check.wording.is_negated:
+    if is_of_all and is_useless and is_replaced and order.task.type in CARRYING and not check.wording.is_negated:
         sides[k - 1] = ">1-"
-
-
-def carry_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is taken to a room is there before a case says where in it: "take the cup to the kitchen. If the dishwasher
-    is on, *put it in the sink*", not "if the kitchen is locked, put it on the mat"."""
-    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
-        return
-    order, check, other = clauses[k - 1 : k + 2]
-    is_taken = order.task.type == "bringing" and not _ROOMS.isdisjoint(order.receivers) and sides[k - 1] == ">1-"
-    is_taken = is_taken and all(kind != "recipient" for kind, _ in order.task.arguments)
-    is_put = other.task.type == "placing" and other.has_pronoun and not other.objects and bool(other.receivers)
-    is_inside = is_put and _ROOMS.isdisjoint(other.receivers) and "instead" not in other.behind
-    is_led = check.is_check and check.near[-1:] == ("if",) and not {*check.near} - {"and", "if"} and not other.near
-    is_of_room = not check.nouns.isdisjoint(order.receivers) or check.is_of_weather or check.has_pronoun
-    if is_taken and is_inside and is_led and not is_of_room and sides[k + 1] == HOLDS:
-        sides[k - 1] = "top"

@@ -1,0 +1,179 @@
+"""Exemptions: what is ordered in any case, though a case told behind it has something done."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.outcomes import is_cleared
+from decomplex_bt.understanding.control_flow.sides.labels import CARRYING, FAILS, HOLDS, MOVING, PARTING, TURNING
+
+_MOVED = MOVING | {"change_state", "taking"}
+_ROOMS = frozenset(
+    "kitchen bathroom bedroom hall hallway study office garage room nursery laundry lounge cellar attic basement "
+    "pantry shed terrace balcony garden patio ward".split()
+)
+
+
+def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched is fetched where both of two opposite cases, told in a sentence of their own, say what is then
+    done with it ("bring in some logs. *If they're wet*, leave them here; *if they're dry*, put them in the basket")."""
+    if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1] != ">1-":
+        return
+    order, check = clauses[k - 1 : k + 1]
+    second = next((j for j in range(k + 1, len(clauses)) if roles[j] != "task"), k + 1)
+    if second + 1 >= len(clauses) or roles[second] != "mention" or check.boundary not in PARTING:
+        return
+    are_cases = check.near == ("if",) and clauses[second].near[-1:] == ("if",) and roles[second + 1] == "task"
+    is_of_it = check.takes_up(order) or check.names_same(order)
+    are_done = all(
+        c.has_pronoun and not c.objects and c.task.type in _MOVED for c in (clauses[k + 1], clauses[second + 1])
+    )
+    if are_cases and is_of_it and are_done and order.task.type in CARRYING and not order.is_forbidden:
+        sides[k - 1] = "top"
+
+
+def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order is carried out though something is in its way that is then undone ("take the bin out. If the gate is
+    locked, *unlock it*")."""
+    if (sides[k - 1], sides[k]) == (">1-", "top") and (is_cleared(clauses, roles, k) or _is_emptied(clauses, roles, k)):
+        sides[k - 1] = "top"
+
+
+def _is_emptied(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether what stands where something is to be put is put elsewhere in its case ("put the plates on the table; if
+    there are papers on the table, *put them in the box*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return False
+    order, check, other = clauses[k - 1 : k + 2]
+    is_in_way = check.says_there_is and bool(check.objects) and not check.wording.is_negated
+    is_in_way = is_in_way and not check.places.isdisjoint(order.receivers) and order.nouns.isdisjoint(check.objects)
+    is_led = check.boundary in PARTING and check.near[:1] == ("if",) and order.task.type in MOVING
+    is_removed = other.task.type in CARRYING and other.is_of_it and other.number in ("", check.number)
+    return is_in_way and is_led and is_removed and "instead" not in (*other.near, *other.behind)
+
+
+def see_to_first(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is checked first, and put right where it is not so, is for the order ahead, which is carried out in any case
+    ("put the pie in the oven, but first see if it's hot, *and if it's not, turn it on*")."""
+    if k + 2 >= len(clauses) or tuple(roles[k - 1 : k + 3]) != ("task", "condition", "mention", "task"):
+        return
+    check, echo, order = clauses[k : k + 3]
+    is_first = check.is_asked and bool({"before", "first"} & set(check.wording.orders)) and "before" not in check.near
+    is_first = is_first and check.task.type == "check_state"
+    is_mended = order.task.type == "change_state" and order.is_of_it and not order.objects
+    is_case = "if" in echo.near and echo.sentence == order.sentence and not {*order.near} & TURNING
+    if is_first and is_mended and is_case and sides[k - 1][:2] == ">1" and sides[k] == "top" and not check.is_forbidden:
+        sides[k - 1] = "top"
+
+
+def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched, brought or put somewhere is so though a sentence of its own tells a case of another thing, in
+    which yet another thing is done, or nothing but said where something is ("take the coats up. If Nan is asleep,
+    *close her door*", "... If the door is locked, *the key is in the drawer*")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.boundary in (".", "!")
+    is_led = is_behind and check.near[:1] == ("if",) and check.is_check
+    if not is_led or sides[k - 1][:2] != ">1" or order.is_forbidden:
+        return
+    if check.ends_sentence and check.tells_where and not check.calls_off:
+        sides[k - 1] = "top"
+    if sides[k - 1] != ">1-":
+        return
+    if check.ends_sentence or k + 1 >= len(clauses) or roles[k + 1] != "task" or not check.objects:
+        return
+    if order.task.type not in CARRYING or (check.says_there_is and check.wording.is_negated):
+        return
+    known = order.nouns | order.places | order.receivers
+    other = clauses[k + 1]
+    is_apart = known.isdisjoint(check.nouns) and not other.has_pronoun and known.isdisjoint(other.nouns)
+    is_other = other.task.type in ("change_state", "informing") and not {*other.far, *other.near} & TURNING
+    if is_apart and is_other and "instead" not in other.behind and not check.is_of_weather:
+        sides[k - 1] = "top"
+
+
+def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done to another thing "too" or "as well" in a case keeps nobody from the order ahead of it ("take the
+    trash out. If the bin is full, *take that out too*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_too = "also" in (*check.far, *check.near, *other.near, *other.behind) and other.sentence == check.sentence
+    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    is_other = bool(check.objects) and not check.names_same(order) and not other.names_same(order)
+    if is_too and is_led and is_other and not order.is_forbidden and "instead" not in other.behind:
+        sides[k - 1] = "top"
+
+
+def fetch_for_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is fetched and then put in one place in a case, and "otherwise" in another, is fetched for either ("get the
+    boots from the car and put them by the fire if they're wet; *otherwise put them in the hall*")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    fetched, order, check, other = clauses[k - 2 : k + 2]
+    is_fetched = fetched.task.type in ("taking", "bringing") and bool(fetched.objects) and order.near == ("and",)
+    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
+    is_trailing = check.near == ("if",) and check.boundary == "none" and other.is_otherwise
+    is_put = order.task.type == "placing" and other.task.type in _MOVED and fetched.sentence == check.sentence
+    are_sides = sides[k - 2 : k] == [">1+", ">1+"] and sides[k + 1] == FAILS and sides[k] in ("top", HOLDS, FAILS)
+    if is_fetched and are_of_it and is_trailing and is_put and are_sides and order.boundary == "none":
+        sides[k - 2] = sides[k]
+
+
+def spare_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with one of several things in a case keeps nobody from what is ordered of them all ("put the glasses
+    in the rack, but *if one of them is chipped*, throw it away")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_part = check.is_of_some or (check.is_check and check.is_of_any and "one" in check.thing)
+    is_led = check.near[-1:] == ("if",) and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    is_of_all = order.number == "many" or bool(order.thing & {"they", "them"})
+    if is_part and is_led and is_of_all and other.has_pronoun and other.number != "many":
+        sides[k - 1] = "top"
+
+
+def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put back in a case was taken before that was asked, and what is taken away again was given or put there
+    ("take the book from the shelf, but if it's the wrong one, *put it back*", "give her a biscuit, but if she leaves
+    it, *take it away*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    types = (order.task.type, other.task.type)
+    is_put_back = types == ("taking", "placing") and "back" in other.ways
+    is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
+    is_led = check.near == ("but", "if") and other.has_pronoun
+    if (is_put_back or is_removed) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
+        sides[k - 1] = "top"
+
+
+def have_in_hand(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What was picked up to do one thing with it, or in a case another, was picked up in either ("take the towel and
+    fold it, *unless it's damp, in which case hang it up*")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    taken, order, check, other = clauses[k - 2 : k + 2]
+    is_one = taken.sentence == order.sentence == check.sentence == other.sentence
+    is_taken = is_one and taken.task.type == "taking" and bool(taken.objects) and order.near == ("and",)
+    are_of_it = all(c.has_pronoun and not c.objects for c in (order, check, other))
+    is_turned = {sides[k - 1][-1:], sides[k + 1][-1:]} == {"+", "-"} and sides[k - 2] == sides[k - 1][:3]
+    is_done = sides[k - 2][:2] == ">1" and other.task.type in MOVING | {"change_state"}
+    if is_taken and are_of_it and is_turned and is_done:
+        sides[k - 2] = "top"
+
+
+def carry_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is taken to a room is there before a case says where in it: "take the cup to the kitchen. If the dishwasher
+    is on, *put it in the sink*", not "if the kitchen is locked, put it on the mat"."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_taken = order.task.type == "bringing" and not _ROOMS.isdisjoint(order.receivers) and sides[k - 1] == ">1-"
+    is_taken = is_taken and all(kind != "recipient" for kind, _ in order.task.arguments)
+    is_put = other.task.type == "placing" and other.has_pronoun and not other.objects and bool(other.receivers)
+    is_inside = is_put and _ROOMS.isdisjoint(other.receivers) and "instead" not in other.behind
+    is_led = check.is_check and check.near[-1:] == ("if",) and not {*check.near} - {"and", "if"} and not other.near
+    is_of_room = not check.nouns.isdisjoint(order.receivers) or check.is_of_weather or check.has_pronoun
+    if is_taken and is_inside and is_led and not is_of_room and sides[k + 1] == HOLDS:
+        sides[k - 1] = "top"
