@@ -7,7 +7,7 @@ from decomplex_bt.understanding.references.context import ANIMATE, Context, kind
 from decomplex_bt.understanding.references.gaps import Gap
 
 _TO_WHOLES = "water"
-"""What is done to something for the state of what belongs to it: "the fern looks sad; if *the soil* is dry, water it"."""
+"""What is done to something for the state of its part: "the fern looks sad; if *the soil* is dry, water it"."""
 
 
 def undone(context: Context, gap: Gap) -> range:
