@@ -276,3 +276,56 @@ def test_what_is_said_in_passing_is_no_case(interpreter: Interpreter, text: str)
 def test_what_is_put_right_is_what_the_case_is_of(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Wash the pan. If the sink is full, empty it.")
     assert found.tasks[-1].value("object") == "the sink"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Take the stew out, and if it's frozen, defrost it, and then put it in the oven.",
+            [1, {"if": 2, "then": [3]}, 4],
+        ),
+        ("Check the soup. If it's cold, heat it, then give it to Lea.", [{"if": [1, 2], "then": [3]}, 4]),
+        (  # what a case has done is no state that was put right
+            "If it's raining, take the rugs in, then fold them.",
+            [{"if": 1, "then": [2, 3]}],
+        ),
+        (
+            "If the bowl is dirty, wash it, then bring it, otherwise leave it on the shelf.",
+            [{"if": 1, "then": [2, 3], "else": [4]}],
+        ),
+    ],
+)
+def test_what_comes_then_comes_whether_or_not_something_was_put_right(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Bring Lea the soup, but the rolls only if there are enough left.",
+            [1, {"if": 3, "then": [2]}],
+        ),
+        (
+            "Bring Lea the soup, but the rolls only if Max is up, and close the hatch.",
+            [1, {"if": 3, "then": [2]}, 4],
+        ),
+    ],
+)
+def test_what_a_but_names_hangs_on_its_own_condition(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put the bowls in the cabinet, but if one is chipped, throw it away.",
+        "Wash the bowls in the basin. If one is cracked, put it in the crate.",
+    ],
+)
+def test_one_of_several_is_what_is_so(interpreter: Interpreter, text: str) -> None:
+    tasks = interpreter.interpret(text).tasks
+    assert [value for task in tasks for value in (task.value("object"),)] == ["the bowls"] * 3

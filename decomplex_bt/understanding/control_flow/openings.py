@@ -54,7 +54,7 @@ _PARTING = PUNCTUATION | frozenset("and but then so or first before please just"
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
-_ARRIVING = (["you", "is", "there"], ["you", "get", "there"])
+_ARRIVING = (["you", "is", "there"], ["you", "are", "there"], ["you", "get", "there"])
 _CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | dict.fromkeys(
     ("former", "first"), "other"
 )

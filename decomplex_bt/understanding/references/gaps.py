@@ -90,7 +90,9 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_of(document, inner)]
     word = "'s" if form == "own" and head.lower not in _OWN else head.lower
     is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
-    return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_of_it)
+    is_one = form == "one" and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
+    is_subject = is_one and document.indices(task.span).start == inner.stop  # "if *one* is chipped"
+    return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_of_it or is_subject)
 
 
 def _is_amount(document: Document, tokens: range) -> bool:

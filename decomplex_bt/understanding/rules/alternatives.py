@@ -231,7 +231,7 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_next = not gap or ((is_too or is_afterthought) and [token.text for token in gap] == [","])
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     is_next = is_next and condition.lead == "if" and is_done
-    is_joined = (tokens[part.body.start].lower == "and" or is_too) and before.lead == "start"
+    is_joined = (tokens[part.body.start].lower in ("and", "but") or is_too) and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
 

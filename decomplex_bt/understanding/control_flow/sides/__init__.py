@@ -116,6 +116,7 @@ _RULES = (
     resumptions.gather,
     guards.confine,
     guards.withhold,
+    guards.confine_to_sentence,
     guards.guard_last,
     prohibitions.set_apart,
     scopes.go_ahead,

@@ -79,6 +79,18 @@ def guard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k - 1], sides[k] = ">1+", "top" if is_next else sides[k - 1]
 
 
+def confine_to_sentence(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A condition right behind the one order of its sentence is not of those in sentences before ("bring the tea. *Shut
+    the hatch if it's cold*")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_one = k > 1 and order.sentence == clause.sentence > clauses[k - 2].sentence and not order.covers
+    if not (is_behind and is_one and sides[k - 1][:2] == ">1") or OPENING.isdisjoint(clause.near) or order.has_pronoun:
+        return
+    for j in takewhile(lambda j: roles[j] == "task" and sides[j][:2] == ">1", range(k - 2, -1, -1)):
+        sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+
+
 def guard_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """An order in a case hangs on what is asked right behind it as well, where nothing else would ("see if the lights
     are on and turn them off *if nobody's there*")."""

@@ -11,6 +11,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     CARRYING,
     FAILS,
     HOLDS,
+    MOVING,
     OPENING,
     TURNING,
     beside,
@@ -137,8 +138,9 @@ def make_up(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 
 def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What a "then" leads on to, with another thing, behind the one order that undoes what was found to be so is done
-    in any case ("if the iron is still on, turn it off, *and then bring me the basket*"), but not a report of it."""
+    """What a "then" leads on to behind the one order that undoes what was found to be so is done in any case: with
+    another thing ("if the iron is still on, turn it off, *and then bring me the basket*"), or by moving what was put
+    right ("if it's frozen, defrost it, *and then put it in the oven*"), but not a report of it."""
     clause, order = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] not in ("task", "mention")), None) if k > 1 else None
     if first is None or roles[k - 2] not in CONDITION_ROLES or (roles[k - 1], roles[k]) != ("task", "task"):
@@ -153,7 +155,10 @@ def move_on(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_new = not clause.has_pronoun and bool(clause.nouns) and known.isdisjoint(clause.nouns)
     is_next = "then" in clause.near and {"and", "then", "please"}.issuperset(clause.near) and not clause.is_only_then
     is_plain = is_next and clause.boundary in (",", "none") and "first" not in order.behind
-    if not (is_undone and is_of_it and is_new and is_plain) or clause.task.type in _TELLING:
+    is_moved = clause.boundary == "," and clause.task.type in MOVING and clause.is_of_it and not clause.objects
+    is_turned = any("else" in (*c.far, *c.near) for c in clauses[k + 1 :] if c.sentence == clause.sentence)
+    is_mended = is_moved and not (is_turned or order.said_state)  # not "turn it off, then put it away"
+    if not (is_undone and is_of_it and (is_new or is_mended) and is_plain) or clause.task.type in _TELLING:
         return
     if last.sentence != clause.sentence or sides[k - 1] not in (HOLDS, FAILS):
         return
