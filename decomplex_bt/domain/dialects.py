@@ -6,6 +6,7 @@ meant is read; spans and values keep what was said. A "plus" that lists things i
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import product
 
@@ -77,6 +78,12 @@ _STEMS |= {
 """What a Scottish "not" is joined to, and the plain word for it."""
 _NOTS = frozenset(("nae", "na", "ny", "nay"))
 _ENGLISH = frozenset(("arena", "canny"))
+_CLIPPED = re.compile(r"[a-z]{2,}in['\u2019]")
+_NOUNS_IN = frozenset(
+    "aspirin basin bargain cabin captain coffin cousin curtain dolphin drain fountain margin mountain muffin napkin "
+    "pain penguin plain pumpkin raisin rain resin robin satin stain train violin vitamin cumin".split()
+)
+"""Behind which a quote may close, that is."""
 _ENDING = frozenset(". ! ? ; :".split())
 _DETERMINERS = frozenset("a an the some any my our your his her their this that these those another".split())
 _JOINING = frozenset(", . ; : ! ? - and but so then right okay ok".split())
@@ -85,6 +92,11 @@ _JOINING = frozenset(", . ; : ! ? - and but so then right okay ok".split())
 def joined() -> Iterator[tuple[str, str]]:
     """The two parts of each word that joins a verb to a "not" ("can" and "nae" of "cannae"), in lower case."""
     return ((stem, end) for stem, end in product(_STEMS, sorted(_NOTS)) if stem + end not in _ENGLISH)
+
+
+def is_clipped(word: str) -> bool:
+    """Whether a word is an "-ing" without its last letter: "moppin'"."""
+    return _CLIPPED.fullmatch(word.lower()) is not None and word[:-1].lower() not in _NOUNS_IN
 
 
 def plain_words(words: Sequence[str]) -> list[str] | None:
@@ -109,6 +121,8 @@ def _plain_word(words: Sequence[str], i: int) -> str | None:
         return "please" if i == 0 or words[i - 1].lower() in _JOINING else None
     if word == "plus" and _lists_on(words, i):
         return "and"
+    if is_clipped(word):
+        return f"{word[:-1]}g"
     return _PLAIN.get(word)
 
 

@@ -51,7 +51,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         # ends what a condition governs
         "either_way": (
-            "either way", "in either event", "in any event", "whichever", "whichever way", "either which way", "whatever", "no matter", "under both plans", "in both events", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
+            "either way", "in either event", "in any event", "whichever", "whichever way", "either which way", "whatever", "no matter", "under both plans", "in both events", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "even then", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
             "whatever happens", "whatever the case", "whatever you find", "whatever the outcome", "whatever the answer", "whichever it is", "come what may", "at any rate", "one way or another",
             "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
             "apart from that", "apart from this", "aside from that", "aside from this", "other than that", "independently of that", "independently of this", "independent of that", "independent of this",
@@ -412,12 +412,12 @@ _IN_CASE = ["in", "the", "case", "that"]
 def _longest(words: Sequence[str], position: int) -> tuple[int, tuple[str, ...]]:
     for length in range(min(_LONGEST, len(words) - position), 0, -1):
         names = _TABLE.get(tuple(words[position : position + length]))
-        if names is not None and _may_end(names, words, position + length):
+        if names is not None and _may_end(names, words, position, position + length):
             return length, names
     return 0, ()
 
 
-def _may_end(names: tuple[str, ...], words: Sequence[str], end: int) -> bool:
+def _may_end(names: tuple[str, ...], words: Sequence[str], position: int, end: int) -> bool:
     """A pro-form whose last word is an auxiliary stands for a whole condition only where no verb follows it; the end
     *of* something is a place or a part of it, no order."""
     if words[end : end + 1] == ["of"] and not _ORDERING.isdisjoint(names):
@@ -426,11 +426,17 @@ def _may_end(names: tuple[str, ...], words: Sequence[str], end: int) -> bool:
         return True
     if end >= len(words) or not words[end].isalpha():
         return True
+    if words[position:end] in (["if", "not"], ["and", "if", "not"], ["or", "if", "not"]) and words[end] in _ORDERED:
+        return True  # "if not *see whether ...*", but "if it does not look ripe"
     return "so" not in names and words[end] in _AFTER_PRO_FORM
 
 
 _ORDERING = frozenset(("first", "last"))
 _AUXILIARIES = frozenset(("can", "not", "does", "do", "is", "could", "will"))
+_ORDERED = frozenset(
+    "see check look find turn switch take fetch grab get make leave wait use fill wash close shut call start".split()
+)
+"""What is ordered behind an "if not" and cannot be so of anything, as "open" and "clean" can."""
 _AFTER_PRO_FORM = frozenset("then just please bring go put come tell let ask give try and or you".split())
 
 

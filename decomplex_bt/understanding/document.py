@@ -12,7 +12,7 @@ from itertools import islice
 from threading import Lock
 from typing import Any
 
-from decomplex_bt.domain.dialects import joined
+from decomplex_bt.domain.dialects import is_clipped, joined
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
 from decomplex_bt.understanding.attributes import KnownMatches
@@ -238,6 +238,7 @@ def _load_pipeline() -> Any:
         ruler.matcher = KnownMatches(ruler)
         _part_joined(nlp.tokenizer)
         _part_contracted(nlp)
+        nlp.tokenizer.token_match = is_clipped
         return nlp
     raise LanguageModelError(
         f"no English spaCy model found; install one of {', '.join(MODELS.values())} {MODEL_VERSION}x "

@@ -115,3 +115,24 @@ def test_a_wish_is_what_the_case_behind_a_question_brings(interpreter: Interpret
     assert flow(interpreter, "I'd love a coffee. Is there any milk? If not, bring it black.") == [
         {"if": 1, "else": [2]}
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Check whether the oven is on, turn it off, and if it was on, tell me.", [{"if": [1, 3], "then": [2, 4]}]),
+        ("See if the gate is locked, unlock it, and if it was, tell Lea.", [{"if": [1, 3], "then": [2, 4]}]),
+        (
+            "See if the gate is locked, unlock it, and if it isn't, tell Lea.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        (
+            "Check whether the oven is on, turn it off if it is, otherwise tell me.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+    ],
+)
+def test_what_is_asked_in_the_same_words_again_is_the_same_case(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

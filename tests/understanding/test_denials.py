@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from annotated import clauses
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
 
 
 def test_a_polite_question_denies_nothing() -> None:
@@ -114,3 +119,19 @@ def test_an_order_behind_a_statement_is_not_denied_with_it(markup: str, is_negat
 )
 def test_what_is_found_out_may_be_denied(markup: str, is_negated: bool) -> None:
     assert clauses(markup)[0].wording.is_negated == is_negated
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the tea is ready, bring me a cup, if not see whether there is coffee and if so bring me that.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        ("Is the radio on? If not turn it on.", [{"if": 1, "else": [2]}]),
+        ("If the pear does not look ripe, throw it away.", [{"if": 1, "else": [2]}]),
+        ("Look in the study, and if Max is not to be found there, look in the yard.", [{"if": [1, 2], "else": [3]}]),
+    ],
+)
+def test_a_not_is_of_the_if_it_stands_by_or_of_the_verb(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from annotated import clauses
+from readings import flow
 
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
 from decomplex_bt.understanding.control_flow.sides import stated_sides
+from decomplex_bt.understanding.interpreter import Interpreter
 
 ASK_LEA = (
     "If [Lea](1:object) [is](1:check_state) [in the attic](1:location), [ask](2:informing) [her](2:recipient) "
@@ -481,3 +485,46 @@ def test_a_case_in_a_polite_question_is_a_case(ask: str) -> None:
     )
     assert found[1].is_check
     assert not found[1].is_question
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the vet calls, bring me the phone, and if the salesman calls, lock the hatch.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        (
+            "If there is a parcel, bring it in; should there be letters, put them on the desk.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        (  # what may be in that very thing
+            "If there's a parcel, bring it in, and if there's money in it, give it to Tom.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        (
+            "Is the radio on? If it is, turn it off, and if nobody's in the kitchen turn the light off too.",
+            [{"if": [1, 2], "then": [3]}, {"if": 4, "else": [5]}],
+        ),
+        (
+            "Is the radio on? If it is, turn it off, and if it's hot unplug it too.",
+            [{"if": [1, 2], "then": [3, {"if": 4, "then": [5]}]}],
+        ),
+    ],
+)
+def test_what_is_asked_alike_of_another_is_asked_beside(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Put the book on the shelf. If you see the pencil, put it in the drawer.", [1, {"if": 2, "then": [3]}]),
+        (
+            "Put the book on the shelf. If it's dusty, put it in the drawer instead.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+    ],
+)
+def test_another_thing_that_turns_up_is_put_away_besides(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -53,9 +53,12 @@ def is_answer(document: Document, i: int) -> bool:
 
 
 def _is_told(document: Document, i: int) -> bool:
-    """Whether a "not" is of what somebody is told to do: "unless Tom asks you *not to*"."""
-    following = document.tokens[i + 1 : i + 2]
-    return document.tokens[i].lower == "not" and i > 0 and bool(following) and following[0].lower == "to"
+    """Whether a "not" is of what somebody is told to do: "unless Tom asks you *not to*", not "if she is *not to be*
+    found"."""
+    tokens = document.tokens
+    following = [token.lower for token in tokens[i + 1 : i + 3]]
+    is_found = i > 0 and tokens[i - 1].lemma == "be" and following[1:] == ["be"]
+    return tokens[i].lower == "not" and i > 0 and following[:1] == ["to"] and not is_found
 
 
 def _is_of(document: Document, negation: int, task: int, last: int) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import ENDS, Document
+from decomplex_bt.understanding.rules.digressions import digressions
 from decomplex_bt.understanding.rules.edits import (
     EDITING,
     HESITATING,
@@ -44,6 +45,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(i for tag in _tags(said) for i in tag)
     cut.update(i for opener in _additions(said) for i in opener)
     cut.update(i for remark in remarks(said) for i in remark)
+    cut.update(i for digression in digressions(said) for i in digression)
     cut.update(described(said))
     for run in said.runs:
         cut.update(put_otherwise(said, run))

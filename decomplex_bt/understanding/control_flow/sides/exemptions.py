@@ -92,6 +92,21 @@ def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1] = "top"
 
 
+def put_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is put somewhere is so though a sentence of its own tells where something else is put that may turn up ("put
+    the book on the shelf. If you see the pencil, *put it in the drawer*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_led = check.boundary in (".", "!") and check.near == ("if",) and check.task.type == "searching"
+    is_led = is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS] and not check.wording.is_negated
+    are_put = order.task.type == other.task.type == "placing" and bool(order.receivers) and bool(other.receivers)
+    is_other = bool(check.objects) and not check.names_same(order) and other.has_pronoun and not other.objects
+    is_apart = order.receivers.isdisjoint(other.receivers) and "instead" not in (*other.near, *other.behind)
+    if is_led and are_put and is_other and is_apart and not order.is_forbidden:
+        sides[k - 1] = "top"
+
+
 def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done to another thing "too" or "as well" in a case keeps nobody from the order ahead of it ("take the
     trash out. If the bin is full, *take that out too*")."""

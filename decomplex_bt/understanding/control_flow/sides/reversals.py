@@ -208,6 +208,29 @@ def affirm_ahead(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         sides[j] = FAILS
 
 
+def affirm_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done "if it was", or in the very words that were asked, is done where that is so, as what was done before
+    it is ("check if it's on, turn it off, and *if it was on*, tell me"), though `arcs.flip_of` takes such a mention for
+    the other case."""
+    if k < 2 or k + 1 == len(clauses) or roles[k] != "mention" or roles[k + 1] != "task":
+        return
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
+    if first >= k - 1 or roles[first] != "condition" or any(sides[j] != HOLDS for j in range(first + 1, k)):
+        return
+    mention, check = clauses[k], clauses[first]
+    one, other = mention.wording, check.wording
+    is_same = one.is_echo or (bool(one.state) and one.state == other.state)
+    is_plain = not (one.is_negated or other.is_negated or one.contradicts(other))
+    is_led = mention.near in (("if",), ("and", "if")) and mention.boundary != "none"
+    is_led = is_led and mention.sentence == check.sentence
+    if not (is_same and is_plain and is_led and check.is_asked):
+        return
+    for j in range(k + 1, len(clauses)):
+        if sides[j] != HOLDS or not (j == k + 1 or goes_on(clauses, roles, sides, j, mention.sentence)):
+            return
+        sides[j] = FAILS
+
+
 def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What may be done instead of the order before it is done where that fails; what goes on behind it hangs on what
     it hung on."""

@@ -234,6 +234,30 @@ def contrast(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k] = FAILS if is_rival else beside(sides[first])
 
 
+def ask_alike(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is asked alike of something else is asked whether the case before holds or not ("if the vet calls, bring me
+    the phone, *and if the salesman calls*, ...", "if there is a parcel, bring it in; *should there be letters*, ..."),
+    and what it is where it is not the other ("if it's Ann, ..., *if it's Tom*, ..."); not what is so "as well"."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k], sides[k]) != ("condition", "condition", HOLDS):
+        return
+    check, between = clauses[first], range(first + 1, k)
+    is_led = "if" in clause.near and clause.boundary != "none" and {"if", "and", "there"}.issuperset(clause.near)
+    is_plain = not ("also" in clause.behind or clause.says_still or check.wording.is_negated or clause.has_pronoun)
+    is_plain = is_plain and not clause.wording.is_negated and all(sides[j] == HOLDS for j in between)
+    if not (is_led and is_plain) or any(not clauses[j].nouns.isdisjoint(clause.nouns) for j in between):
+        return
+    are_there = clause.says_there_is and (check.says_there_is or check.is_of_whereabouts)
+    is_placed = any(kind == "location" for kind, _ in clause.task.arguments)  # not "if there's money *in it*"
+    are_there = are_there and (bool(clause.places) or not is_placed) and clause.places <= check.places
+    are_there = are_there and check.nouns.isdisjoint(clause.objects)
+    if are_there or (asks_same_of_another(clause, check) and clause.verb != "be"):
+        sides[k] = beside(sides[first])
+    elif asks_same_of_another(clause, check) and clause.identified and check.identified:
+        sides[k] = FAILS
+
+
 def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether it is somebody else than the one who is excepted is asked beside that ("open unless it's the salesman.
     *If it's the courier*, ...")."""
@@ -294,11 +318,16 @@ def do_too(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     if first is None or first == k - 1 or k + 1 >= len(clauses) or (roles[k], roles[k + 1]) != ("condition", "task"):
         return
     clause, order = clauses[k], clauses[k + 1]
-    is_plain = {"and", "if"}.issuperset(clause.near) and "if" in clause.near and not {*clause.far} & TURNING
+    leading = {*clause.near} - ({"not"} if clause.is_of_nobody else set())
+    is_plain = {"and", "if"} >= leading >= {"if"} and not {*clause.far} & TURNING
     is_too = "also" in (*order.near, *order.behind) and order.sentence == clause.sentence == clauses[k - 1].sentence
     is_other = bool(clause.objects) and clause.thing != clauses[first].thing
     if is_plain and is_too and is_other and sides[k] == FAILS:
         sides[k] = beside(sides[first])
+    asked = next((j for j in range(first, -1, -1) if roles[j] == "condition"), first)
+    is_answered = roles[first] == "mention" and sides[asked] == "top" and not clause.has_pronoun
+    if is_plain and is_too and is_answered and not clause.names_same(clauses[asked]):  # "is it on? If it is, ..."
+        sides[k] = "top"
 
 
 def be_too_much(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -1,0 +1,51 @@
+"""Clauses that order nothing and ask nothing, read past within an instruction."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Shut the hatch, because if those goats get in, I'll cry.", [1]),
+        ("Leave the porch light on so that it looks as if somebody is in.", [1]),
+        ("Turn on the heater, even if I'm out in the yard, and close the hatch.", [1, 2]),
+        ("If the tiles are wet from me mopping them, put out the mat.", [{"if": 1, "then": [2]}]),
+        ("If the fuse is out on account of that kettle acting up, tell Lea.", [{"if": 1, "then": [2]}]),
+    ],
+)
+def test_what_is_said_in_passing_is_read_past(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (  # a reason that orders something
+            "Check the kettle is plugged in, because if it isn't, you'd better plug it in.",
+            [{"if": [1, 2], "else": [3]}],
+        ),
+        (
+            "If the lamp is on, turn it off so it looks tidy, and if it's hot, tell me.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        (
+            "Turn off the lamp, and even if Tom is out, close the hatch. If it's wet, wipe it.",
+            [1, 2, {"if": 3, "then": [4]}],
+        ),
+    ],
+)
+def test_what_orders_or_asks_is_no_digression(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+def test_a_clipped_ing_is_read_as_the_whole(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("If Tom is cookin', bring him the pan.")
+    assert [task.type for task in found.tasks] == ["check_state", "bringing"]
+    assert found.tasks[0].value("state") == "cookin'"
