@@ -237,3 +237,31 @@ def test_an_um_behind_a_preposition_leaves_it_with_its_place() -> None:
     (put,) = Interpreter.load(encoder=False).interpret(text).tasks
     told = {a.type: (a.value, a.span.of(text)) for a in put.arguments if a.span is not None}
     assert told == {"object": ("the blue cup", "the um blue cup"), "goal": ("on the table", "on uh the table")}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Bring me my passport - sorry, notebook.", ["my notebook"]),
+        ("Bring me my passport, no, notebook, from the desk.", ["my notebook"]),
+        ("Bring me the coffee, no milk.", ["the coffee"]),
+        ("Close the hatch, sorry, please, and the gate.", ["the hatch", "the gate"]),
+        ("Turn off whichever of the lamp and the heater is on.", ["whichever of the lamp and the heater is on"]),
+    ],
+)
+def test_a_bare_noun_stands_in_place_of_the_last_one(interpreter: Interpreter, text: str, expected: list[str]) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert [argument.value for argument in task.arguments if argument.type == "object"] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Turn the fryer on, no, off!", "off"),
+        ("Switch the fan off - sorry, on.", "on"),
+        ("Turn the fan on, please.", "on"),
+    ],
+)
+def test_the_other_particle_stands_in_place_of_the_first(interpreter: Interpreter, text: str, expected: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert task.value("state") == expected

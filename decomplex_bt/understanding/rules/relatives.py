@@ -52,7 +52,9 @@ def told_apart(document: Document, tasks: Mapping[int, str], arguments: Sequence
                 found.append(replace(argument, tokens=range(stop, stop + 1)))
             continue
         whole = next((words for words in free if start in words and argument.type == "object"), argument.tokens)
-        found.append(replace(argument, tokens=whole) if argument.owner not in whole else argument)
+        said = replace(argument, tokens=whole) if argument.owner not in whole else argument
+        if whole not in (a.tokens for a in found if (a.owner, a.type) == (said.owner, said.type)):
+            found.append(said)  # "whichever of the lamp and the heater is on" is one, though two were found
     return found
 
 

@@ -37,6 +37,7 @@ _WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disrega
 _TAKING_UP = frozenset("it them that those this these one ones there him her".split())
 _SUBORDINATING = frozenset("before after once when if while until till unless as".split())
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
+_PARTICLES = frozenset("on off up down in out".split())
 _NAMING = frozenset(("NOUN", "PROPN", "ADJ", "NUM", "DET", "PART"))
 
 
@@ -161,6 +162,8 @@ def _phrase_before(said: Said, run: range) -> Collection[int]:
     is_led = tokens[right].pos == "ADP" or tokens[right].tag == "RP"
     is_named = words[right] in _DETERMINERS or tokens[right].pos == "NUM"
     end = next((i for i in range(right + 1, len(words)) if tokens[i].pos not in _NAMING), len(words))
+    if _is_other_word(said, left, right):
+        return range(left, right)
     is_clause = end < len(words) and tokens[end].pos in ("AUX", "VERB") and words[end] not in BREAKS
     if is_named and (is_clause or tokens[end - 1].pos not in ("NOUN", "PROPN", "NUM")):
         return range(0)
@@ -182,6 +185,20 @@ def _phrase_before(said: Said, run: range) -> Collection[int]:
             break
         first -= 1
     return range(0)
+
+
+def _is_other_word(said: Said, left: int, right: int) -> bool:
+    """Whether a bare word stands in place of the last one of what was said: the noun of a phrase with an article ("my
+    passport - sorry, *notebook*"), or the other particle ("turn the fryer on, no, *off*!")."""
+    words, tokens = said.words, said.document.tokens
+    is_last = right + 1 == len(words) or words[right + 1] in MARKS | ENDS | _COORDINATING
+    if not is_last or not said.are_together(left, right):
+        return False
+    if words[left] in _PARTICLES and words[right] in _PARTICLES:
+        return words[left] != words[right]
+    is_noun = tokens[left].tag in ("NN", "NNS") and tokens[right].tag in ("NN", "NNS")
+    is_named = left > 0 and (words[left - 1] in _DETERMINERS or tokens[left - 1].pos == "ADJ")
+    return is_noun and is_named and not said.begins_clause(left) and words[left] != words[right]
 
 
 def order_before(said: Said, run: range) -> range:
