@@ -51,7 +51,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         ),
         # ends what a condition governs
         "either_way": (
-            "either way", "in either event", "in any event", "whichever", "whichever way", "either which way", "whatever", "no matter", "under both plans", "in both events", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "even then", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
+            "either way", "in either event", "in any event", "whichever", "whichever way", "either which way", "whatever", "no matter", "under both plans", "in both events", "like it or not", "whether it does or not", "whether it is or not", "whether or no", "in any case", "in either case", "in both cases", "any case", "anyway", "anyways", "anyhow", "regardless", "regardless of that", "no matter what",
             "whatever happens", "whatever the case", "whatever you find", "whatever the outcome", "whatever the answer", "whichever it is", "come what may", "at any rate", "one way or another",
             "one way or the other", "irrespective", "in every case", "both ways", "whatever it is", "always", "in all cases", "either case",
             "apart from that", "apart from this", "aside from that", "aside from this", "other than that", "independently of that", "independently of this", "independent of that", "independent of this",

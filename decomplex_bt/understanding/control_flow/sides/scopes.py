@@ -324,9 +324,10 @@ def do_too(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_other = bool(clause.objects) and clause.thing != clauses[first].thing
     if is_plain and is_too and is_other and sides[k] == FAILS:
         sides[k] = beside(sides[first])
-    asked = next((j for j in range(first, -1, -1) if roles[j] == "condition"), first)
-    is_answered = roles[first] == "mention" and sides[asked] == "top" and not clause.has_pronoun
-    if is_plain and is_too and is_answered and not clause.names_same(clauses[asked]):  # "is it on? If it is, ..."
+    asked = first - 1  # "is it on? If it is, ...", not "..., if it isn't, ... and if it's raining, ... as well"
+    is_answered = first > 0 and (roles[asked], roles[first], sides[asked]) == ("condition", "mention", "top")
+    is_answered = is_answered and not clause.has_pronoun and not clause.names_same(clauses[asked])
+    if is_plain and is_too and is_answered:
         sides[k] = "top"
 
 
