@@ -265,9 +265,15 @@ def test_what_the_text_itself_gets_wrong_is_not_asked_for_again(monkeypatch, cap
 
 
 def test_long_texts_are_not_quoted_as_a_whole(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["plan", "Good morning. " * 140]) == 2
+    said = "Good morning. " * 140
+    assert main(["plan", said]) == 2
     (line,) = capsys.readouterr().err.splitlines()
-    assert "...' holds no task" in line
+    quoted, _, rest = line.partition(" holds no task")
+    assert rest
+    assert quoted.startswith("decomplex-bt: 'Good morning.")
+    assert quoted.endswith("'")
+    assert "..." in quoted
+    assert said.strip() not in line
     assert len(line) < 400
 
 
