@@ -27,6 +27,14 @@ def test_what_is_said_in_passing_is_read_past(interpreter: Interpreter, text: st
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        ("Leave the lamp on so that it looks like we're home and lock the hatch.", [1, 2]),
+        ("Shut the hatch, because if those goats get in, I'll cry, and feed the hens.", [1, 2]),
+        ("Wipe the tiles on account of the kids spilling juice and mop the hall.", [1, 2]),
+        ("Turn on the lamp because otherwise I can't see, and bring me the book.", [1, 2]),
+        (
+            "Bring the tea because if Tom is here he wants some, and if he isn't, drink it.",
+            [1, {"if": 2, "else": [3]}],
+        ),
         (  # a reason that orders something
             "Check the kettle is plugged in, because if it isn't, you'd better plug it in.",
             [{"if": [1, 2], "else": [3]}],
@@ -49,3 +57,8 @@ def test_a_clipped_ing_is_read_as_the_whole(interpreter: Interpreter) -> None:
     found = interpreter.interpret("If Tom is cookin', bring him the pan.")
     assert [task.type for task in found.tasks] == ["check_state", "bringing"]
     assert found.tasks[0].value("state") == "cookin'"
+
+
+def test_from_whom_something_is_taken_is_no_cause(interpreter: Interpreter) -> None:
+    (task,) = interpreter.interpret("Take the cup from the man sitting on the couch.").tasks
+    assert task.value("source") == "from the man sitting on the couch"

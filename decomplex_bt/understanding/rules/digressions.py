@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import ENDS
-from decomplex_bt.understanding.rules.edits import MARKS, Said
+from decomplex_bt.understanding.rules.edits import MARKS, Said, is_order_at
 
 _BECAUSE = frozenset("because cause cos cuz since".split())
 _LEADING_ON = frozenset("so please then".split())
+_JOINING = frozenset(("and", "but"))
 _SEEMING = frozenset("looks look seems seem sounds sound appears feels".split())
 _CONCEDING = frozenset("if though when".split())
 _SUBJECTS = frozenset("i it he she they we you that".split())
@@ -37,11 +38,13 @@ def _feared(said: Said) -> Iterator[range]:
     "because if it isn't, you'd better plug it in", "..., plug it in"."""
     words = said.words
     for i in range(1, len(words) - 2):
+        if words[i] in _BECAUSE and words[i + 1] == "otherwise" and words[i + 2] in _SUBJECTS:
+            yield range(_from_mark(said, i), _end(said, i))  # "because otherwise I can't see"
         if words[i] not in _BECAUSE or words[i + 1] != "if" or words[i + 2] in _SUBJECTS | {"not", "so"}:
             continue
         stop = i + 1
         while stop < len(words) and words[stop] not in ENDS:
-            if words[stop] in MARKS and stop + 1 < len(words) and words[stop + 1] in _LEADING_ON:
+            if words[stop] in MARKS and stop + 1 < len(words) and words[stop + 1] in _LEADING_ON | _JOINING:
                 break
             stop += 1
         if "you" not in words[i:stop] and not any(_is_order(said, j) for j in range(i, stop)):
@@ -88,7 +91,8 @@ def _caused(said: Said) -> Iterator[range]:
         if not start or start + 1 >= len(words):
             continue
         verb = start + 1 + (words[start] in _DETERMINERS)
-        is_somebody = words[start] in _OBJECTS or verb == start + 2
+        is_cause = words[i] != "from" and verb == start + 2  # not "from the man sitting there"
+        is_somebody = words[start] in _OBJECTS or is_cause
         stop = _end(said, i)
         is_doing = is_somebody and verb < stop and tokens[verb].tag == "VBG"
         if is_doing and all(token.tag not in _FINITE for token in tokens[i:stop]):
@@ -96,9 +100,13 @@ def _caused(said: Said) -> Iterator[range]:
 
 
 def _end(said: Said, start: int) -> int:
-    """The mark behind a clause, or the "and" behind which the sentence goes on."""
+    """The mark behind a clause, or the "and" behind which an order follows."""
     words = said.words
-    return next((j for j in range(start + 1, len(words)) if words[j] in MARKS | ENDS), len(words))
+    for j in range(start + 1, len(words)):
+        is_joint = words[j] in _JOINING | _LEADING_ON and j + 1 < len(words) and is_order_at(said.document, j + 1)
+        if words[j] in MARKS | ENDS or is_joint:
+            return j
+    return len(words)
 
 
 def _from_mark(said: Said, start: int) -> int:
