@@ -79,11 +79,13 @@ _STEMS |= {
 _NOTS = frozenset(("nae", "na", "ny", "nay"))
 _ENGLISH = frozenset(("arena", "canny"))
 _CLIPPED = re.compile(r"[a-z]{2,}in['\u2019]")
-_NOUNS_IN = frozenset(
-    "aspirin basin bargain cabin captain coffin cousin curtain dolphin drain fountain margin mountain muffin napkin "
-    "pain penguin plain pumpkin raisin rain resin robin satin stain train violin vitamin cumin".split()
+_ENDING_IN = frozenset(
+    "again aspirin basin begin bargain brain bulletin cabin captain certain chain chin coffin coin colin contain "
+    "cousin cumin curtain dolphin drain entertain explain fountain gelatin grain grin join kevin latin login main "
+    "maintain mandarin margin martin mountain muffin napkin obtain origin pain penguin plain plugin protein pumpkin "
+    "rain raisin remain resin robin satin skin spin stain tarpaulin thin train twin villain violin vitamin".split()
 )
-"""Behind which a quote may close, that is."""
+"""Whole words, behind which a quote may close."""
 _ENDING = frozenset(". ! ? ; :".split())
 _DETERMINERS = frozenset("a an the some any my our your his her their this that these those another".split())
 _JOINING = frozenset(", . ; : ! ? - and but so then right okay ok".split())
@@ -96,7 +98,7 @@ def joined() -> Iterator[tuple[str, str]]:
 
 def is_clipped(word: str) -> bool:
     """Whether a word is an "-ing" without its last letter: "moppin'"."""
-    return _CLIPPED.fullmatch(word.lower()) is not None and word[:-1].lower() not in _NOUNS_IN
+    return _CLIPPED.fullmatch(word.lower()) is not None and word[:-1].lower() not in _ENDING_IN
 
 
 def plain_words(words: Sequence[str]) -> list[str] | None:
