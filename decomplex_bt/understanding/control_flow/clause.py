@@ -99,6 +99,9 @@ class Clause:
     of what is said in the clause before ("unless it's *after* ten or somebody is in")."""
     calls_off: bool = False
     """Whether all that is said to be done in its case is to leave what was ordered: "but if it's wet, *leave it*"."""
+    skips: frozenset[str] = frozenset()
+    """What the verb may be, as a lemma, of the order that is not to be done in its case: "if it's clean, *skip the
+    washing*"."""
     is_new_matter: bool = False
     """Whether its sentence, of which it is the first, begins with a "now" or the like: "*Now* bring me the tea", or
     words between marks say that it is of another matter."""

@@ -32,6 +32,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     tells_where,
     turns,
 )
+from decomplex_bt.understanding.control_flow.skips import skipped
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION, Stretch
 from decomplex_bt.understanding.control_flow.wording import (
     BEING,
@@ -190,6 +191,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             if split < cue.first < token and cue.first not in said and cue.name not in _INNER
         ),
         calls_off=task.type == "check_state" and calls_off(document, previous, token, following, far + near),
+        skips=skipped(document, previous, token, following) if task.type == "check_state" else frozenset(),
         is_new_matter=previous >= 0
         and ((not is_joined and opens_matter(document, token)) or tells_matter(document, previous, token)),
         allows=task.type == "check_state" and allows(document, token, following, far + near),

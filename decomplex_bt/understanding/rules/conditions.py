@@ -9,6 +9,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
 from decomplex_bt.understanding.rules.uses import uses
 
@@ -61,7 +62,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
             be
             for i, token in enumerate(tokens)
             if token.lower in _OPENING
-            and (i == 0 or tokens[i - 1].text in MARKS or tokens[i - 1].lower in _JOINING)
+            and (i == 0 or tokens[i - 1].text in MARKS | _JOINING or _is_of_another(document, i))
             and (stop := next((j for j in range(i + 1, len(tokens)) if tokens[j].text in MARKS), len(tokens))) > i + 2
             and tasks.keys().isdisjoint(range(i, stop))
             and (be := _be(document, range(i + 1, stop))) is not None
@@ -207,4 +208,14 @@ def _is_told(document: Document, tasks: Mapping[int, str], opener: int) -> bool:
     """Whether the case is in the message of the order right before: "tell Ann, if the bus is late, to wait"."""
     before = max((i for i in tasks if i < opener), default=None)
     is_same = before is not None and document.sentences[before] == document.sentences[opener]
+    is_same = is_same and not _is_of_another(document, opener)
     return is_same and before is not None and tasks[before] == "informing"
+
+
+def _is_of_another(document: Document, opener: int) -> bool:
+    """Whether the case says when somebody else is told or given something: "call Tom, *or Anna* if he's out"."""
+    tokens = document.tokens
+    joint = next((i for i in range(opener - 1, max(opener - _LONGEST, 0), -1) if tokens[i].lower == "or"), opener)
+    named = tokens[joint + 1 + (tokens[joint + 1].lower in ("to", "for", "else")) : opener]
+    is_person = bool(named) and (named[-1].pos == "PROPN" or named[-1].lemma in PERSON_NOUNS)
+    return is_person and tokens[joint - 1].text in MARKS and named[0].pos in ("PROPN", "DET", "PRON", "NOUN", "ADJ")

@@ -33,6 +33,12 @@ _ALL = frozenset("all every each both".split())
 _SHORTEST = 2
 """The words at least of what is asked for: "a coin"."""
 STATES = frozenset("on off open closed shut".split())
+_COVERING = frozenset("blind shade shutter curtain".split())
+_STATES_OF = {
+    "out": frozenset("light lamp lantern candle torch fire".split()), "up": _COVERING, "down": _COVERING,
+    "locked": frozenset("door gate window safe shed garage".split()), "drawn": _COVERING,
+}  # fmt: skip
+"""States that are ordered of some things only: "lights *out*", "blinds *down*"."""
 NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
     "glass mask helmet apron slipper".split()
@@ -162,7 +168,7 @@ def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
     """The orders of states among the clauses from `start` to `stop`, from the first one on or behind a condition. What
     an "and" joins to a verb has that verb ("turn the tv on and the radio off")."""
     tokens = document.tokens
-    if STATES.isdisjoint(token.lower for token in tokens[start:stop]):
+    if not any(_is_state(document, i) for i in range(start + 1, stop)):
         return
     is_open = True
     for first in range(start, stop):
@@ -184,11 +190,11 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     first = start
     while first < stop and tokens[first].lower in _LEADING:
         first += 1
-    carrier = next((j for j in range(first + 1, stop) if tokens[j].lower in STATES), stop)
+    carrier = next((j for j in range(first + 1, stop) if _is_state(document, j)), stop)
     named = tokens[first:carrier]
-    if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named):
+    if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named[:-1]):
         return None
-    if named[-1].pos not in ("NOUN", "PROPN") or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
+    if not named[-1].tag.startswith(_NOUNS) or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
     is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
@@ -196,6 +202,12 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     location = range(behind[0].i, behind[-1].i + 1) if behind else range(0)
     return Fragment(range(start, stop), carrier, range(first, carrier), location, "change_state")
+
+
+def _is_state(document: Document, i: int) -> bool:
+    """Whether a word behind a noun is a state that may be ordered of it."""
+    word, thing = document.tokens[i].lower, document.tokens[i - 1]
+    return word in STATES or thing.lemma in _STATES_OF.get(word, ())
 
 
 def _placings(document: Document, start: int, stop: int) -> Iterator[Fragment]:

@@ -215,6 +215,25 @@ def call_off(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     sides[k] = "top"
 
 
+def skip(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of several orders the one whose verb is named is not done in the case that says so, and the others are done in
+    any ("wash it and put it away. If it's clean already, *skip the washing*")."""
+    check = clauses[k]
+    if not check.skips or roles[k] != "condition" or "unless" in check.near or sides[k] not in ("top", HOLDS, FAILS):
+        return
+    orders = []
+    for j in range(k - 1, -1, -1):
+        if roles[j] != "task" or sides[j] not in ("top", ">1+", ">1-"):
+            break
+        orders.append(j)
+    named = next((j for j in orders if clauses[j].verb in check.skips and not clauses[j].is_forbidden), None)
+    if named is None:
+        return
+    for j in orders:
+        sides[j] = ">1-" if j == named else "top"
+    sides[k] = "top"
+
+
 def allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is forbidden but allowed in a case is done in that ("don't open it, but if it's hot, do")."""
     if (roles[k - 1], roles[k]) != ("task", "condition") or not clauses[k].allows or not clauses[k - 1].is_forbidden:

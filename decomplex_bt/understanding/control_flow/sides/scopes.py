@@ -24,6 +24,9 @@ _ENDING = frozenset((".", "?", "!"))
 _ALL = frozenset(("everything", "anything", "all"))
 _WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish chilly".split())
 """States in which somebody wants something, of which one keeps none from another."""
+_CALLING = frozenset("call ring phone knock buzz come arrive text message visit".split())
+_RUNG = frozenset("doorbell bell phone door intercom buzzer".split())
+"""What rings without telling who it is."""
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 
 
@@ -266,6 +269,19 @@ def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_apart = clause.asks_who and first.asks_who and "unless" in first.near and set(clause.objects) != {*first.objects}
     if is_next and is_apart and clause.near == ("if",) and sides[k] in (HOLDS, FAILS):
         sides[k] = beside(sides[k - 1])
+
+
+def tell_who(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Who it is that calls is asked where somebody does ("if the bell rings, ... *If it's Tom*, ..."), and whether it is
+    somebody else where the one who was named does not ("if my mother calls, ... *If it's my boss*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
+        return
+    clause, check = clauses[k], clauses[first]
+    is_led = bool(clause.identified) and {*clause.near} <= {"if", "when", "and", "but"} and not clause.is_trailing
+    is_call = check.is_check and check.verb in _CALLING and not check.wording.is_negated and "unless" not in check.near
+    if is_led and is_call and not clause.wording.is_negated and sides[k] in ("top", HOLDS, FAILS):
+        sides[k] = HOLDS if _RUNG.issuperset(check.objects) else FAILS
 
 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
