@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.rules.certain_cases import certain_cases
 from decomplex_bt.understanding.rules.concessions import concessions
 from decomplex_bt.understanding.rules.repairs import replaced_orders
@@ -173,6 +173,8 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             length, names = 1, ()  # "put it in the case that is open"
         if length == 1 and _is_adjective(document, words, position):
             names = ()
+        if length == 1 and "if" in names and _is_request(words, position):
+            names = ("please",)
         if names == ("instead",) and _counts(document, position):
             names = ()
         if "not" in names and words[position + 1 : position + 2] == ["forget"]:
@@ -197,6 +199,20 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
 
 def _opens_case(document: Document, position: int) -> bool:
     return any(case.words.start == position for case in certain_cases(document))
+
+
+def _is_request(words: Sequence[str], position: int) -> bool:
+    """Whether an "if" only asks for something: "I should be most obliged *if* you would find it"; not "I'd be glad if
+    you would wait if he's out"."""
+    start = next((i + 1 for i in range(position - 1, -1, -1) if words[i] in ENDS), 0)
+    ahead = words[start:position]
+    is_thanked = not _THANKING.isdisjoint(ahead) and not _WOULD.isdisjoint(ahead) and "if" not in ahead
+    return (
+        is_thanked
+        and words[position + 1] == "you"
+        and words[position + 2 : position + 3] != []
+        and (words[position + 2] in _ASKED)
+    )
 
 
 def _counts(document: Document, instead: int) -> bool:
@@ -328,6 +344,12 @@ def _forbids_first(words: Sequence[str], position: int) -> bool:
     return is_so and denied + 1 < len(clause) and clause[denied + 1] not in ("forget", "hesitate", "fail")
 
 
+_THANKING = frozenset(
+    "obliged grateful appreciate appreciated thankful glad delighted pleased kind lovely wonderful great nice good "
+    "helpful help love marvellous brilliant".split()
+)
+_WOULD = frozenset("would should 'd \u2019d ll 'll will it i".split())
+_ASKED = frozenset("would could can might please kindly just found brought put took gave".split())
 _BEING = frozenset(("is", "have", "has", "m", "'m"))
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
 _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())

@@ -44,12 +44,19 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     return found
 
 
+ANSWERS = {
+    **dict.fromkeys(("yes", "yeah", "yep", "yup"), "yes"),
+    **dict.fromkeys(("no", "nah", "nope", "naw"), "no"),
+}
+"""What somebody says for a yes or a no."""
+
+
 def is_answer(document: Document, i: int) -> bool:
     """Whether a "yes" or "no" is what somebody says: "if she says no"."""
     tokens = document.tokens
     after = tokens[i + 1 : i + 2]
     is_all = not after or after[0].text in MARKS or after[0].tag not in ("NN", "NNS", "JJ", "DT", "PRP$")
-    return tokens[i].lower in ("yes", "no") and i > 0 and tokens[i - 1].lemma in _ANSWERING and is_all
+    return tokens[i].lower in ANSWERS and i > 0 and tokens[i - 1].lemma in _ANSWERING and is_all
 
 
 def _is_told(document: Document, i: int) -> bool:

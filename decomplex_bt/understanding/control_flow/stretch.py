@@ -12,6 +12,7 @@ from decomplex_bt.understanding.features import Observed
 
 PUNCTUATION = frozenset((",", ".", ";", ":", "?", "!", "-", "–", "—", "...", "…", "(", ")"))
 _FALLING_BACK = frozenset(("else", "fail"))
+_LEADING_ON = frozenset(("then", "just", "please"))
 _COORDINATORS = frozenset(("and", "but", "or"))
 
 
@@ -57,6 +58,8 @@ class Stretch:
         closing = [cue.first for cue in cues if token < cue.first < end and cue.name in GOVERNING | PRO_FORMS]
         first = max(opening or joining, default=split) + 1
         last = min([end, *closing]) - 1
+        while is_open and last > token and document.tokens[last].lower in _LEADING_ON:
+            last -= 1  # "if it is *then* shut it"
         joints = [j for j in range(token + 1, following) if document.tokens[j].lower in _COORDINATORS]
         own_last = min([last, *joints[-1:]]) if is_open else last
         return cls(

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
-from decomplex_bt.understanding.control_flow.denials import is_answer, negations
+from decomplex_bt.understanding.control_flow.denials import ANSWERS, is_answer, negations
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, OPPOSITES, normal_form
 from decomplex_bt.understanding.document import Document, Token
@@ -153,11 +153,12 @@ def _state(observed: Observed, task: MarkedTask, last: int) -> str | None:
             return None
         first = words[words.index("or") - 1] if "or" in words[1:] else words[-1]
         is_choice = words[-1] in (OPPOSITES.get(first), first) or OPPOSITES.get(words[-1]) == first
-        return first if is_choice else words[-1]  # "is it open or shut?" asks whether it is open
+        said_last = first if is_choice else words[-1]  # "is it open or shut?" asks whether it is open
+        return ANSWERS.get(said_last, said_last)
     if task.type != "check_state" or degree_asked(observed.document, task.token):
         return None
     if task.token < last and is_answer(observed.document, task.token + 1):
-        return tokens[task.token + 1].lower
+        return ANSWERS[tokens[task.token + 1].lower]
     named = {j for kind, indices in task.arguments if kind == "object" for j in indices}
     for j in range(min(task.token, last), last + 1):
         if j in named:

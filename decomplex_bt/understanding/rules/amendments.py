@@ -44,6 +44,7 @@ from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.prohibitions import let_be, prohibitions
+from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
 from decomplex_bt.understanding.rules.second_cases import second_cases
@@ -94,6 +95,7 @@ def _of_tasks(
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     idle = idle.union(*found_places(document), *pauses(document), *unsaid)
     why, meant, how = reasons(document, tasks), plans(document, tasks), means_of(document, tasks)
+    what_for = purposes(document, tasks)
 
     def is_of_task(argument: FoundArgument) -> bool:
         start, kind = argument.tokens.start, argument.type
@@ -101,7 +103,7 @@ def _of_tasks(
         return not (
             start in idle
             or (start in why and kind not in _PLACES)
-            or (start in meant and not is_place)
+            or (start in meant | what_for and not is_place)
             or (start in how and kind not in _WAYS)
         )
 

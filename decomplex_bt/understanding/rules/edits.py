@@ -29,7 +29,7 @@ _PHRASES = tuple(
 )  # fmt: skip
 """What is said while looking for words, beside single words."""
 _BEGINNINGS = frozenset(phrase[0] for phrase in _PHRASES)
-_STRONG = DENYING | {"sorry"}
+_STRONG = DENYING | {"sorry", "correction"}
 _STRONG_PHRASES = frozenset(
     (
         ("i", "mean"), ("i", "meant"), ("or", "rather"), ("or", "better"), ("better", "still"), ("better", "yet"),
@@ -62,6 +62,8 @@ STATING = frozenset("he she it they we i that".split())
 _FINITE = frozenset("'s s is are 're re 'm m has have 've ve was were had will 'll wo ca can does do did".split())
 INTERJECTIONS = frozenset("oh ok okay right now and but so erm".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
+_IDLE_SUBJECTS = TURNING | {"sorry"}
+"""What is taken for the subject of an order behind it: "no *wait* put it here"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,12 +157,18 @@ def _run(document: Document, words: Sequence[str], start: int) -> int:
         if words[i] in _BEGINNINGS:
             phrase = next((p for p in _PHRASES if tuple(words[i : i + len(p)]) == p), None)
         is_noun = words[i] == "well" and document.tokens[i].pos == "NOUN"
-        is_editing = words[i] in EDITING or (words[i] == "better" and i > start)
+        is_editing = words[i] in EDITING or (words[i] == "better" and i > start) or _is_correction(words, i)
         if phrase is None and (not is_editing or is_noun):
             break
         i += 1 if phrase is None else len(phrase)
     is_editing = any(word not in ("or", "just") for word in words[start:i])
     return i if is_editing else start
+
+
+def _is_correction(words: Sequence[str], i: int) -> bool:
+    """Whether a "correction" between marks puts something right: "on the lower shelf, *correction*, the upper"."""
+    around = [*words[i - 1 : i], *words[i + 1 : i + 2]]
+    return words[i] == "correction" and len(around) == 2 and MARKS | ENDS | {":"} >= {*around}
 
 
 def is_order_at(document: Document, i: int) -> bool:
@@ -169,7 +177,7 @@ def is_order_at(document: Document, i: int) -> bool:
     token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
     clause = next((j + 1 for j in range(i - 1, -1, -1) if document.tokens[j].text in MARKS), 0)
     near = (document.tokens[j] for j in document.children[i] if j >= clause)
-    subjects = {token.lower for token in near if token.dep in _SUBJECTS}
+    subjects = {token.lower for token in near if token.dep in _SUBJECTS} - _IDLE_SUBJECTS
     is_first = i == 0 or document.tokens[i - 1].text in ENDS
     kinds = ("NN", "NNP", "JJ") if is_first else ("NN",)
     is_named = bool(following) and following[0].tag in ("DT", "PRP$") and following[0].lower not in DENYING

@@ -40,6 +40,7 @@ from decomplex_bt.understanding.rules.precautions import precautions
 from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone, let_be
+from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
@@ -67,6 +68,7 @@ _CAN = frozenset("ca can could".split())
 _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split())
 """What may stand ahead of a "can't find", beside a mark."""
 _CASES = frozenset("if unless when only_if until before after".split())
+_NAMED = ("RB", "DT", "PRP$", "JJ", "NN", "NNP", "NNS")
 _LOOKS = frozenset(("check_state", "searching"))
 
 
@@ -83,6 +85,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     asked = {question.verb: question for question in questions(document, types_found)}
     idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
+    within_others |= purposes(document, types_found)
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
@@ -141,10 +144,13 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
 
 
 def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bool:
-    """Whether a verb says what somebody is doing where that is a check: "if Dad *is* still *mowing* the lawn"."""
+    """Whether a verb says what somebody is doing where that is a check: "if Dad *is* still *mowing* the lawn", or who
+    somebody is ("if it's Tom *bringing* the keys")."""
     is_check = check.type == "check_state" != task.type and document.tokens[check.token].lower in _BE
     between = document.tokens[check.token + 1 : task.token]
-    return is_check and is_gerund(document.tokens[task.token]) and all(token.tag == "RB" for token in between)
+    is_of_it = check.token > 0 and document.tokens[check.token - 1].lower in ("it", "that")
+    known = _NAMED if is_of_it else ("RB",)
+    return is_check and is_gerund(document.tokens[task.token]) and all(token.tag in known for token in between)
 
 
 def _asks_got(document: Document, at: int) -> bool:

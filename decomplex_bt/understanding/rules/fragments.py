@@ -194,6 +194,9 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     named = tokens[first:carrier]
     if carrier == stop or not all(token.pos in _NAMING or token.tag == "PRP$" for token in named[:-1]):
         return None
+    is_led = [token.pos == "DET" or token.tag == "PRP$" for token in named]
+    if sorted(is_led, reverse=True) != is_led:
+        return None  # "dude turn that fan off"
     if not named[-1].tag.startswith(_NOUNS) or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]

@@ -104,12 +104,15 @@ def _has_done(document: Document, at: int) -> bool:
 
 
 def is_done_by_others(document: Document, at: int) -> bool:
-    """Whether an "if" or the like asks if somebody else has done what the verb says: "if Tim has put it away"."""
+    """Whether an "if" or the like asks if somebody else has done what the verb says: "if Tim has put it away", "if the
+    cup has been rinsed"."""
     tokens = document.tokens
     have = at - 1
-    while have > 0 and tokens[have].lower in _BETWEEN:
+    while have > 0 and tokens[have].lower in _BETWEEN | {"been"}:
         have -= 1
-    if have < 0 or perfect_participle(document, have) != at:
+    if have < 0 or at not in (perfect_participle(document, have), passive_participle(document, have)):
+        return False
+    if tokens[have].lower not in _HAVE:
         return False
     for j in range(have - 1, -1, -1):
         if tokens[j].lower in _WHETHER:

@@ -24,6 +24,7 @@ _OPENING = _CASES | {"whether", "is", "are", "that"}
 _BEING = frozenset("is are was were 's 're".split())
 _MOSTLY = frozenset("usually always generally normally often mostly probably typically sometimes likely".split())
 _TAKING_UP = frozenset("it he she they there that".split())
+_THINKING = frozenset("suspect think expect bet imagine fear hope guess suppose reckon believe".split())
 _SAYING_SO = frozenset(
     "is are was were do does did has have will would may might can could 's 're 'll happens happen".split()
 )
@@ -80,13 +81,15 @@ def _is_within_case(said: Said, start: int, stop: int) -> bool:
 
 
 def _says_mostly(said: Said, inner: range) -> bool:
-    """ "And it usually is", "which it does if it rains", "as it will be by then"."""
+    """ "And it usually is", "which it does if it rains", "as it will be by then", "as I suspect it is"."""
     words = [said.words[i] for i in inner]
     if len(words) < 3 or words[0] not in ("and", "which", "as"):
         return False
-    if words[0] == "which" and words[1] in ("happens", "happen"):
+    if words[0] == "which" and (words[1] in ("happens", "happen") or words[2:] in (["doubt"], ["hope"])):
         return True
     rest = [word for word in words[1:] if word not in _MOSTLY]
+    if rest[0] in ("i", "we") and rest[1:2] != [] and rest[1] in _THINKING:
+        rest = rest[2:]
     is_so = rest[:1] != [] and rest[0] in _TAKING_UP and len(rest) > 1 and rest[1] in _SAYING_SO
     is_mostly = len(rest) < len(words) - 1
     if words[0] == "and":

@@ -35,6 +35,7 @@ _ASKING = frozenset("if whether unless when is are has does did 's".split())
 _WITHDRAWING = frozenset("forget skip scratch scrap strike cancel ignore disregard make need".split())
 """Verbs that take an order back and order nothing themselves: "no, forget the stairs", "no, make that five"."""
 _TAKING_UP = frozenset("it them that those this these one ones there him her".split())
+_THEM = dict.fromkeys(("em", "'em"), "them")
 _SUBORDINATING = frozenset("before after once when if while until till unless as".split())
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
 _PARTICLES = frozenset("on off up down in out".split())
@@ -122,7 +123,8 @@ def _is_case_of_order(said: Said, run: range) -> bool:
 
 def _denied(said: Said, run: range) -> range:
     """A phrase that is denied with its own words and another one named: "to the shed, no, not the shed, the garage";
-    where it is only pointed at, no more than the denial ("the red pan, no, *not that one,* the flat one")."""
+    where it is only pointed at, no more than the denial ("the red pan, no, *not that one,* the flat one"), and so where
+    an order goes on behind a place ("rinse it and - *no, not back to him,* put it here")."""
     words, tokens, again = said.words, said.document.tokens, run.stop + 1
     if words[again : again + 1] != [] and words[again] in _POINTING:
         stop = again + 1 + (words[again + 1 : again + 2] in (["one"], ["ones"]))
@@ -141,6 +143,10 @@ def _denied(said: Said, run: range) -> range:
         is_other = is_other and (is_marked or tokens[again + count - 1].pos != "PROPN")
         is_other = is_other and said.are_together(run.start, stop) and not said.states(stop)
         return range(run.start - count, stop) if is_other else range(0)
+    mark = next((i for i in range(again, min(again + LONGEST, len(words) - 1)) if words[i] in MARKS), None)
+    is_place = mark is not None and tokens[again].pos in ("ADP", "ADV") and said.are_together(run.start, mark + 1)
+    if mark is not None and is_place and is_order_at(said.document, mark + 1):
+        return range(run.start, mark + 1)
     return range(0)
 
 
@@ -164,6 +170,8 @@ def _phrase_before(said: Said, run: range) -> Collection[int]:
     end = next((i for i in range(right + 1, len(words)) if tokens[i].pos not in _NAMING), len(words))
     if _is_other_word(said, left, right):
         return range(left, right)
+    if kind := _other_kind(said, left, right, end):
+        return kind
     is_clause = end < len(words) and tokens[end].pos in ("AUX", "VERB") and words[end] not in BREAKS
     if is_named and (is_clause or tokens[end - 1].pos not in ("NOUN", "PROPN", "NUM")):
         return range(0)
@@ -199,6 +207,21 @@ def _is_other_word(said: Said, left: int, right: int) -> bool:
     is_noun = tokens[left].tag in ("NN", "NNS") and tokens[right].tag in ("NN", "NNS")
     is_named = left > 0 and (words[left - 1] in _DETERMINERS or tokens[left - 1].pos == "ADJ")
     return is_noun and is_named and not said.begins_clause(left) and words[left] != words[right]
+
+
+def _other_kind(said: Said, left: int, right: int, end: int) -> range:
+    """The words that told the kind of a thing, and the thing, with the run behind them, where another kind of it is
+    named bare: "off the *lower shelf, correction,* upper shelf"."""
+    words, tokens = said.words, said.document.tokens
+    is_last = end == len(words) or words[end] in MARKS | ENDS | _COORDINATING
+    is_bare = end - right > 1 and tokens[right].pos in ("ADJ", "NOUN", "PROPN") and words[end - 1] == words[left]
+    if not (is_last and is_bare and said.are_together(left, right)):
+        return range(0)
+    first = left
+    while first > 0 and tokens[first - 1].pos in ("ADJ", "NOUN", "PROPN") and left - first < LONGEST:
+        first -= 1
+    is_named = first > 0 and (words[first - 1] in _DETERMINERS or tokens[first - 1].pos == "ADP")
+    return range(first, right) if is_named and first < left else range(0)
 
 
 def order_before(said: Said, run: range) -> range:
@@ -278,4 +301,5 @@ def takes_up(said: Said, order: range, run: range) -> bool:
     end = next((i for i in range(order.stop, len(said.words)) if said.words[i] in BREAKS), len(said.words))
     replaced = said.document.tokens[order.start + 1 : run.start]
     names = any(token.pos in ("NOUN", "PROPN") or token.dep in _NAMED for token in replaced)
-    return names and not _TAKING_UP.isdisjoint(said.words[order.stop : end])
+    own = {_THEM.get(token.lower, token.lower) for token in replaced}  # "throw them in, no wait, put them by the door"
+    return names and any(_THEM.get(word, word) in _TAKING_UP - own for word in said.words[order.stop : end])

@@ -12,7 +12,7 @@ from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _OTHERS = frozenset("one ones other others rest remainder".split())
 """What stands for those of several things that nothing is to be done with."""
-_OPENING = MARKS | frozenset("and but then just please so or".split())
+_OPENING = MARKS | frozenset("and but then just please so or do".split())
 _GOING_ON = MARKS | frozenset(("and", "but"))
 _THINGS = frozenset(("it", "them", "that", "those", "these", "this"))
 _WHERE = frozenset(("where", "as", "how"))
@@ -30,7 +30,11 @@ def spared(observed: Observed) -> tuple[int, ...]:
     document = observed.document
     if "leave" not in document.words:
         return ()
-    return tuple(i for i in _leavings(document) if _is_spared(observed, i) and not _is_conditional(observed, i))
+    return tuple(
+        i
+        for i in _leavings(document)
+        if _is_spared(observed, i) and (_is_besides(document, i) or not _is_conditional(observed, i))
+    )
 
 
 def _leavings(document: Document) -> Iterator[int]:
@@ -39,6 +43,18 @@ def _leavings(document: Document) -> Iterator[int]:
         is_order = token.lower == "leave" and token.tag in ("VB", "VBP", "NNP", "NN")
         if is_order and (_begins_sentence(document, i) or tokens[i - 1].lower in _OPENING):
             yield i
+
+
+def _is_besides(document: Document, verb: int) -> bool:
+    """Whether a "but" sets something that was not named before against what is done, be that in a case: "if it's hot,
+    bring the tea, *but leave the fork where it is*"."""
+    tokens = document.tokens
+    joint = verb - 1 - (verb > 1 and tokens[verb - 1].lower == "do")
+    thing = _thing(document, verb + 1)
+    if joint < 0 or tokens[joint].lower != "but" or not thing or not _is_where_it_is(document, thing.stop):
+        return False
+    head = tokens[thing.stop - 1]
+    return head.pos in ("NOUN", "PROPN") and all(token.lemma != head.lemma for token in tokens[:joint])
 
 
 def _begins_sentence(document: Document, i: int) -> bool:

@@ -54,6 +54,7 @@ _RULES = (
     parts.find_neither,
     parts.tell_of_both,
     parts.miss_anywhere,
+    orders.request,
 )
 """One after the other, each on all tasks from left to right: a later one has the last word."""
 

@@ -10,7 +10,9 @@ from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposi
 from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import asks_needless, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
+from decomplex_bt.understanding.cues import GOVERNING
 
+_TURNING = frozenset("else fail so or instead then".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 
@@ -155,3 +157,16 @@ def ask_of_order(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_own = is_own and set(order.objects).isdisjoint(clauses[first - 1].objects) and clause.number == order.number
     if is_own or asks_of(clause, order, check):
         roles[k] = "condition"
+
+
+def request(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is politely asked for is no condition where nothing behind tells how it came out ("I'd be obliged if you
+    would *find it* and bring it to me")."""
+    order, later = clauses[k - 1], range(k, len(clauses))
+    is_asked_for = roles[k - 1] == "condition" and order.task.type != "check_state"
+    if not is_asked_for or "please" not in order.near or not GOVERNING.isdisjoint({*order.far, *order.near}):
+        return
+    is_told = any(roles[j] in CONDITION_ROLES for j in later)
+    is_turned = any(not _TURNING.isdisjoint({*clauses[j].far, *clauses[j].near}) for j in later)
+    if not (is_told or is_turned):
+        roles[k - 1] = "task"

@@ -272,8 +272,8 @@ def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 
 
 def tell_who(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Who it is that calls is asked where somebody does ("if the bell rings, ... *If it's Tom*, ..."), and whether it is
-    somebody else where the one who was named does not ("if my mother calls, ... *If it's my boss*, ...")."""
+    """Who it is that calls is asked where somebody does ("if the bell rings, ... *If it's Tom*, ..."), and whether it
+    is somebody else where the one who was named does not ("if my mother calls, ... *If it's my boss*, ...")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
         return
