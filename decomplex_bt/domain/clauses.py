@@ -9,8 +9,8 @@ from decomplex_bt.instruction import Span
 
 WEATHER = frozenset(
     "rain snow hail pour drizzle raining rains rained snowing snows snowed hailing hails pouring pours drizzling "
-    "bucketing chucking teeming lashing thundering sunny windy foggy stormy dark weekend monday tuesday wednesday "
-    "thursday friday saturday sunday".split()
+    "bucketing chucking teeming tipping pelting siling lashing thundering sunny windy foggy stormy dark "
+    "weekend monday tuesday wednesday thursday friday saturday sunday".split()
 )
 """What "it" is where it names nothing."""
 AIR = frozenset(

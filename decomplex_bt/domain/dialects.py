@@ -46,6 +46,7 @@ _WORDS = {
     "yourself": "yersel yerself",
     "myself": "masel mesel meself",
     "maybe": "mebbe mibbe mebbies",
+    "only": "nobbut",
     # wherever people talk or type fast
     "probably": "prolly probs probly",
     "definitely": "deffo defo",

@@ -41,12 +41,24 @@ def is_elsewhere_than(clause: Clause, first: Clause) -> bool:
 
 def is_rival_of(clause: Clause, first: Clause) -> bool:
     """Whether it asks what cannot be where the other holds: if it is another thing ("if it's the phone, ..., if
-    it's the doorbell, ..."), if somebody answers otherwise, or if something is so instead."""
+    it's the doorbell, ..."), if somebody answers or sits otherwise, or if something is so instead."""
     is_other = bool(clause.identified and first.identified) and clause.identified != first.identified
     is_one = clause.verb == first.verb and clause.verb in _ANSWERING
     is_other = is_other or (is_one and is_other_wish(clause, first))
+    is_other = is_other or _is_other_posture(clause, first)
     are_stated = not (clause.wording.is_negated or first.wording.is_negated)
     return clause.is_check and are_stated and (is_other or clause.says_instead)
+
+
+def _is_other_posture(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if somebody stands where the other asks if they sit: "if he's *sitting*, ..., if he's *on his
+    feet*, ..."."""
+    said, other = (_POSTURES.intersection((*c.said_state, c.verb, *c.places)) for c in (clause, first))
+    is_same = clause.is_of_somebody or clause.names_same(first)
+    return is_same and bool(said and other) and said.isdisjoint(other)
+
+
+_POSTURES = frozenset("sitting seated standing lying kneeling sit stand lie feet".split())
 
 
 def is_other_wish(clause: Clause, first: Clause) -> bool:

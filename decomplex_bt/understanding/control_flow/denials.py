@@ -31,7 +31,7 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     found = [
         i
         for i in found
-        if not (_is_polite(document, i) or is_answer(document, i) or _is_told(document, i))
+        if not (_is_polite(document, i) or is_answer(document, i) or _is_told(document, i) or _is_in_name(document, i))
         and _is_of(document, i, task, last)
     ]
     if any(token.lower == "neither" for token in document.tokens[first : last + 1]):  # "neither hot nor full": once
@@ -57,6 +57,13 @@ def is_answer(document: Document, i: int) -> bool:
     after = tokens[i + 1 : i + 2]
     is_all = not after or after[0].text in MARKS or after[0].tag not in ("NN", "NNS", "JJ", "DT", "PRP$")
     return tokens[i].lower in ANSWERS and i > 0 and tokens[i - 1].lemma in _ANSWERING and is_all
+
+
+def _is_in_name(document: Document, i: int) -> bool:
+    """Whether a "not" is part of a name or of what a sign says: "the *Do Not Disturb* sign"."""
+    around = document.tokens[i - 1 : i + 2] if i else ()
+    is_title = len(around) == 3 and all(token.text[:1].isupper() for token in around)
+    return is_title or [token.lower for token in around] == ["do", "not", "disturb"]
 
 
 def _is_told(document: Document, i: int) -> bool:

@@ -19,6 +19,7 @@ _BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".s
 _WAITING = frozenset(("as", "once", "after"))
 _HAVE = frozenset("has have had 's \u2019s".split())
 _LEFT = frozenset("gone left come arrived returned".split())
+_AM_OR_HAVE = frozenset("am 'm \u2019m m are 're \u2019re have 've \u2019ve ve".split())
 _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
@@ -58,6 +59,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         | frozenset(_of_anybody(document, tasks))
         | frozenset(_doubts(document, tasks))
         | frozenset(_of_speaker(document))
+        | frozenset(_times_of_speaker(document, tasks))
         | frozenset(
             be
             for i, token in enumerate(tokens)
@@ -142,6 +144,21 @@ def _of_speaker(document: Document) -> Iterator[int]:
         if not is_opened or (i and tokens[i - 1].lemma in ASKING_LEMMAS | _TELLING | {"even"}):
             continue
         if tokens[i + 2].lemma in _CALLING and tokens[i + 2].tag in ("VBP", "VB"):
+            yield i + 2
+
+
+def _times_of_speaker(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "am" or "have" of every clause, at the end or ahead of what is ordered, that waits for how or where the
+    speaker will be: "pass me the lamp once *I'm* through the hatch", "when *we've* left"; not "when I was a girl"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-3]):
+        is_led = token.lower in _WAITING | {"when"} and (token.lower != "as" or tokens[max(0, i - 1)].lower == "soon")
+        be = tokens[i + 2]
+        if not is_led or tokens[i + 1].lower not in ("i", "we") or be.lower not in _AM_OR_HAVE:
+            continue
+        stop = next((j for j in range(i + 3, len(tokens)) if tokens[j].lower in MARKS | {"and", "then"}), len(tokens))
+        is_free = tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i)
+        if is_free and stop > i + 3 and tokens[i + 3].tag not in ("VBG", "MD", "TO", "DT"):
             yield i + 2
 
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 
+from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
@@ -150,7 +151,9 @@ def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bo
     between = document.tokens[check.token + 1 : task.token]
     is_of_it = check.token > 0 and document.tokens[check.token - 1].lower in ("it", "that")
     known = _NAMED if is_of_it else ("RB",)
-    return is_check and is_gerund(document.tokens[task.token]) and all(token.tag in known for token in between)
+    is_doing = is_gerund(document.tokens[task.token])
+    is_doing = is_doing or (is_of_it and document.tokens[task.token].lower in WEATHER)  # "it's proper chucking it down"
+    return is_check and is_doing and all(token.tag in known for token in between)
 
 
 def _asks_got(document: Document, at: int) -> bool:
@@ -173,11 +176,13 @@ def _is_genitive(document: Document, looked: Collection[range], at: int) -> bool
 
 
 def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
-    """The tasks, those next to each other that are one check ("has *been* *put* away", "*has* *put* it") as one."""
+    """The tasks, those next to each other that are one check ("has *been* *put* away", "*has* *put* it", "*did* *eat*
+    it") as one."""
     kept = list(tasks)
     for task, following in pairwise(tasks):
         is_denied = following.token == task.token + 2 and is_denied_of_others(document, following.token)
-        if task.type == "check_state" and is_denied:
+        is_did = following.token == task.token + 1 and document.tokens[task.token].lower in ("do", "does", "did")
+        if task.type == "check_state" and (is_denied or (is_did and following.type == "check_state")):
             kept.remove(task)
         if task.type == "check_state" and following.token in (
             passive_participle(document, task.token),

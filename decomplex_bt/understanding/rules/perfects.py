@@ -6,8 +6,8 @@ from __future__ import annotations
 from decomplex_bt.understanding.document import MARKS, Document
 
 _IS_OR_HAS = frozenset(("'s", "\u2019s"))
-_HAVE = frozenset("has have had 's 've \u2019s \u2019ve".split())
-_HAVING = frozenset("has have had 've \u2019ve".split())
+_HAVE = frozenset("has have had 's 've \u2019s \u2019ve ve".split())
+_HAVING = frozenset("has have had 've \u2019ve ve".split())
 _PAST = frozenset(("VBN", "VBD"))
 _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())

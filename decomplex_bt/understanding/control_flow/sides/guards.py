@@ -127,15 +127,20 @@ def guard_both(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 
 def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether there is room is asked of the last order alone that puts things somewhere, which were taken on the way to
-    it ("take the books to the study and put them on the shelf *if there's room*, otherwise ...")."""
-    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+    it ("take the books to the study and put them on the shelf *if there's room*, otherwise ..."), or somebody went
+    there ("drive home and put the bag on the table, *provided there's room on it*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition"):
         return
-    taken, put, check, other = clauses[k - 2 : k + 2]
-    is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and check.near[:1] == ("if",)
-    is_behind = check.boundary == "none" and taken.sentence == put.sentence == check.sentence
-    is_put = put.task.type == "placing" and put.has_pronoun and not put.objects and put.near == ("and",)
-    is_taken = taken.task.type in ("bringing", "motion") and any(kind == "goal" for kind, _ in taken.task.arguments)
-    if is_room and is_behind and is_put and is_taken and other.is_otherwise and other.has_pronoun:
+    taken, put, check = clauses[k - 2 : k + 1]
+    is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and not {"if", "only_if"}.isdisjoint(check.near)
+    is_room = is_room and taken.sentence == put.sentence == check.sentence and put.task.type == "placing"
+    is_gone = taken.task.type == "motion" and "and" in put.near
+    if not is_gone:
+        is_put = put.has_pronoun and not put.objects and put.near == ("and",) and check.boundary == "none"
+        is_taken = taken.task.type == "bringing" and any(kind == "goal" for kind, _ in taken.task.arguments)
+        is_turned = k + 1 < len(clauses) and clauses[k + 1].is_otherwise and clauses[k + 1].has_pronoun
+        is_room = is_room and is_put and is_taken and is_turned and roles[k + 1] == "task"
+    if is_room:
         sides[k - 2] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
 
 
