@@ -241,7 +241,12 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
         return True
+    before = context.observed.document.tokens[max(0, candidate.tokens.start - 1)].lower
+    if candidate.type == "outside" and gap.type == "object" and before in ("before", "after", "during"):
+        return True  # "bring it to me before *my call*"
     if candidate.owner == gap.task.id and not candidate.mention:
+        return True
+    if gap.type == "object" and (_is_where(context, gap, candidate) or _is_beside_same(context, gap, candidate)):
         return True
     if gap.type == "object" and len(candidate.tokens) == 1 and _is_adverb(context.observed.document, candidate):
         return True
@@ -266,6 +271,29 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
+
+
+def _is_where(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is named again as where the thing is moved to or from: nothing is put into itself."""
+    if gap.task.type not in _HANDLING or not candidate.mention:
+        return False
+    places = [a.value.lower() for a in gap.task.arguments if a.type in ("goal", "source") and a.span is not None]
+    return any(place == candidate.text.lower() or place.endswith(f" {candidate.text.lower()}") for place in places)
+
+
+def _is_beside_same(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate further on, or in the other branch, is the place that the same pronoun is told to be put to:
+    "if *it*'s clean, it goes in the cupboard, otherwise wash *it*"."""
+    document, tokens = context.observed.document, context.observed.document.tokens
+    owner = next((task for task in context.tasks if task.id == candidate.owner), None)
+    if owner is None or candidate.mention or candidate.type == "object":
+        return False
+    paths = ((one, other) for one in context.paths.get(owner.id, ()) for other in context.paths.get(gap.task.id, ()))
+    is_elsewhere = any(one[0] == other[0] and one[1] != other[1] for one, other in paths)
+    if candidate.tokens.start <= gap.position and not is_elsewhere:
+        return False
+    objects = [document.indices(a.span) for a in owner.arguments if a.type == "object" and a.span is not None]
+    return any(len(o) == 1 and tokens[o.start].lower == gap.word for o in objects) and owner.type in _HANDLING
 
 
 def _is_adverb(document: Document, candidate: Candidate) -> bool:

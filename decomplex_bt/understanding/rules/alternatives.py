@@ -530,7 +530,11 @@ def _follows_condition(parts: Sequence[_Part], k: int, tasks: Mapping[int, str])
     """Whether the part before tells a condition, and the same sentence goes on."""
     if k == 0 or parts[k - 1].is_last:
         return False
-    return parts[k - 1].lead == "if" and any(i in tasks for i in parts[k - 1].body)
+    said = [tasks[i] for i in parts[k - 1].body if i in tasks]
+    is_alone = all(
+        kind in ("check_state", "searching") for kind in said[1:]
+    )  # not "if it's full empty it, the big one"
+    return parts[k - 1].lead == "if" and bool(said) and is_alone
 
 
 def _is_bare_turn(part: _Part) -> bool:

@@ -60,6 +60,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         | frozenset(_doubts(document, tasks))
         | frozenset(_of_speaker(document))
         | frozenset(_times_of_speaker(document, tasks))
+        | frozenset(_happenings(document, tasks))
         | frozenset(
             be
             for i, token in enumerate(tokens)
@@ -162,6 +163,17 @@ def _times_of_speaker(document: Document, tasks: Mapping[int, str]) -> Iterator[
             yield i + 2
 
 
+def _happenings(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "be" of every case of what happens to be so: "if there happens to *be* a letter"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-3]):
+        if token.lower not in ("happens", "happen") or [t.lower for t in tokens[i + 1 : i + 3]] != ["to", "be"]:
+            continue
+        opener = next((j for j in range(i - 1, max(-1, i - _LONGEST), -1) if tokens[j].lower in _OPENING), None)
+        if opener is not None and tasks.keys().isdisjoint(range(opener, i + 3)):
+            yield i + 2
+
+
 def _doubts(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
     """The "is" or "has" of what the speaker does not know, where an "if so" or "if not" right behind goes by it: "I've
     no idea whether *there's* bread. If not, ..."."""
@@ -232,7 +244,9 @@ def _is_told(document: Document, tasks: Mapping[int, str], opener: int) -> bool:
 def _is_of_another(document: Document, opener: int) -> bool:
     """Whether the case says when somebody else is told or given something: "call Tom, *or Anna* if he's out"."""
     tokens = document.tokens
-    joint = next((i for i in range(opener - 1, max(opener - _LONGEST, 0), -1) if tokens[i].lower == "or"), opener)
+    joint = next((i for i in range(opener - 1, max(opener - _LONGEST, 0), -1) if tokens[i].lower == "or"), None)
+    if joint is None:
+        return False
     named = tokens[joint + 1 + (tokens[joint + 1].lower in ("to", "for", "else")) : opener]
     is_person = bool(named) and (named[-1].pos == "PROPN" or named[-1].lemma in PERSON_NOUNS)
     return is_person and tokens[joint - 1].text in MARKS and named[0].pos in ("PROPN", "DET", "PRON", "NOUN", "ADJ")

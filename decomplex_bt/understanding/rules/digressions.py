@@ -1,5 +1,5 @@
 """Digressions: clauses within an instruction whose verbs order nothing and ask nothing, and that are read past: what is
-feared, what is to be seemed, what makes no difference, what something comes from."""
+feared, what is to be seemed, what makes no difference, what something comes from, what is sworn."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ _CONCEDING = frozenset("if though when".split())
 _SUBJECTS = frozenset("i it he she they we you that".split())
 _OBJECTS = frozenset("me him her us them you".split())
 _CAUSES = (("from",), ("because", "of"), ("on", "account", "of"), ("due", "to"), ("thanks", "to"), ("owing", "to"))
+_HEAVENS = frozenset("heaven god goodness pete christ crying".split())
 _DETERMINERS = frozenset("the my our your his her their that this".split())
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 
@@ -31,6 +32,8 @@ def digressions(said: Said) -> Iterator[range]:
         yield from _indifferent(said)
     if not {cause[0] for cause in _CAUSES}.isdisjoint(words):
         yield from _caused(said)
+    if "sake" in words:
+        yield from _sworn(said)
 
 
 def _feared(said: Said) -> Iterator[range]:
@@ -97,6 +100,19 @@ def _caused(said: Said) -> Iterator[range]:
         is_doing = is_somebody and verb < stop and tokens[verb].tag == "VBG"
         if is_doing and all(token.tag not in _FINITE for token in tokens[i:stop]):
             yield range(i, stop)
+
+
+def _sworn(said: Said) -> Iterator[range]:
+    """ "For heaven's sake"."""
+    words = said.words
+    for i in range(len(words) - 3):
+        if (
+            words[i] == "for"
+            and words[i + 1] in _HEAVENS
+            and words[i + 2] in ("'s", "'", "s")
+            and words[i + 3] == "sake"
+        ):
+            yield range(i, i + 4)
 
 
 def _end(said: Said, start: int) -> int:

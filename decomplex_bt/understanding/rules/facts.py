@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise, zip_longest
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
@@ -70,6 +70,10 @@ _MISSING = frozenset("i we and but so still just oh well sorry hey robot".split(
 """What may stand ahead of a "can't find", beside a mark."""
 _CASES = frozenset("if unless when only_if until before after".split())
 _NAMED = ("RB", "DT", "PRP$", "JJ", "NN", "NNP", "NNS")
+_DRAWING = frozenset("drop lower raise pull let draw".split())
+_COVERINGS = frozenset("blind shade shutter curtain drape".split())
+_FAVOURS = frozenset("favour favor kindness".split())
+_BESIDE_FAVOURS = _FAVOURS | frozenset("me us the a an of and to by please , big huge great".split())
 _LOOKS = frozenset(("check_state", "searching"))
 
 
@@ -124,6 +128,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (bool(found) and _is_left_of(document, found[-1], task))
             or (following is not None and _is_with_see(document, task.token, following.token))
             or (following is not None and _is_beginning(document, task.token, following.token))
+            or (following is not None and _is_favour(document, task.token, following.token))
+            or _is_event(document, task.token)
             or (bool(found) and is_light(document, found[-1].token, task.token))
             or (following is not None and is_background(document, task.token, following.token, following.type))
             or (task.type == "check_state" and _is_beside(document, task.token))
@@ -152,7 +158,8 @@ def _is_progressive(document: Document, check: FoundTask, task: FoundTask) -> bo
     is_of_it = check.token > 0 and document.tokens[check.token - 1].lower in ("it", "that")
     known = _NAMED if is_of_it else ("RB",)
     is_doing = is_gerund(document.tokens[task.token])
-    is_doing = is_doing or (is_of_it and document.tokens[task.token].lower in WEATHER)  # "it's proper chucking it down"
+    said = document.tokens[task.token].lower  # "it's proper chucking it down", not "if it's warm pour me one"
+    is_doing = is_doing or (is_of_it and said in WEATHER and said.endswith("ing"))
     return is_check and is_doing and all(token.tag in known for token in between)
 
 
@@ -230,6 +237,32 @@ def _is_beginning(document: Document, verb: int, gerund: int) -> bool:
     """Whether a verb only says to begin what the one behind it orders: "*start* cooking the rice"."""
     is_begun = document.tokens[verb].lemma in ("start", "begin") and document.tokens[verb].tag in ("VB", "VBP")
     return is_begun and gerund == verb + 1 and is_gerund(document.tokens[gerund])
+
+
+def _is_covering(said: Sequence[Token]) -> bool:
+    """Whether the first thing named is what covers a window, and no place for it: "drop *the blinds*"."""
+    noun = next((i for i, token in enumerate(said) if token.pos in ("NOUN", "PROPN")), len(said))
+    behind = said[noun + 1].lower if noun + 1 < len(said) else ""
+    return noun < len(said) and said[noun].lemma in _COVERINGS and behind not in ("on", "onto", "into", "off")
+
+
+def _is_favour(document: Document, verb: int, order: int) -> bool:
+    """Whether a verb only says that the order behind it would be kind: "*do* me the favour of heating it"."""
+    words = [token.lower for token in document.tokens[verb + 1 : order]]
+    is_asked = document.tokens[verb].lemma in ("do", "make") and not _FAVOURS.isdisjoint(words)
+    return is_asked and _BESIDE_FAVOURS.issuperset(words)
+
+
+def _is_event(document: Document, at: int) -> bool:
+    """Whether a noun only tells before or after what something is done: "bring it before my telephone *call*"."""
+    tokens = document.tokens
+    if tokens[at].tag != "NN" or tokens[at].lower.endswith("ing"):
+        return False
+    start = at
+    while start and tokens[start - 1].pos in ("NOUN", "PROPN", "ADJ"):
+        start -= 1
+    is_named = start > 1 and (tokens[start - 1].tag == "PRP$" or tokens[start - 1].pos == "DET")
+    return is_named and tokens[start - 2].lower in ("before", "after", "during")
 
 
 def _is_with_see(document: Document, verb: int, see: int) -> bool:
@@ -319,10 +352,12 @@ def _is_reported_state(document: Document, task: FoundTask, before: Sequence[Fou
 def _type(observed: Observed, task: FoundTask, following: int) -> str:
     """The type that a task has by the words up to the `following` one; its own where they settle nothing."""
     document = observed.document
-    if task.type in _HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
-        return "placing"
     said = document.tokens[task.token + 1 : following]
     lemma = document.tokens[task.token].lemma
+    if task.type in _HANDLING and lemma in _DRAWING and _is_covering(said):
+        return "change_state"
+    if task.type in _HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
+        return "placing"
     if task.type == "change_state" and lemma == "put":
         return "placing" if is_put_somewhere(said) else task.type
     if task.type == "placing" and (

@@ -14,6 +14,7 @@ _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offere
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether", "when"))
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
+_ASKING = frozenset("see check find look verify confirm".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
 _NOT = frozenset("not n't n\u2019t nt".split())
 _DO = frozenset(("do", "does", "did"))
@@ -116,6 +117,8 @@ def is_done_by_others(document: Document, at: int) -> bool:
         return False
     for j in range(have - 1, -1, -1):
         if tokens[j].lower in _WHETHER:
+            if tokens[at - 1].lower == "been" and j and tokens[j - 1].lemma in _ASKING:
+                return False  # "see if they have been washed"
             return have - j > 1 and tokens[have - 1].lower not in _SPEAKING
         if tokens[j].lower in MARKS or tokens[j].pos == "VERB":
             return False

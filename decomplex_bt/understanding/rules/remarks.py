@@ -19,7 +19,7 @@ _CHOICES = frozenset(
 )  # fmt: skip
 """What is said to leave a choice or time."""
 _CASES = frozenset("if when unless once should provided".split())
-_BEFORE_CASES = MARKS | frozenset("and but so or then now right well".split())
+_BEFORE_CASES = MARKS | {":"} | frozenset("and but so or then now right well".split())
 _OPENING = _CASES | {"whether", "is", "are", "that"}
 _BEING = frozenset("is are was were 's 're".split())
 _MOSTLY = frozenset("usually always generally normally often mostly probably typically sometimes likely".split())
@@ -99,7 +99,8 @@ def _says_mostly(said: Said, inner: range) -> bool:
 
 
 def _says_why(said: Said, inner: range) -> bool:
-    """ "For the hinges are stiff", not "for the guests"."""
+    """ "For the hinges are stiff", not "for the guests", "for heaven's sake"."""
     tokens = [said.document.tokens[i] for i in inner]
     is_led = len(tokens) > 3 and tokens[0].lower == "for" and tokens[1].pos in ("DET", "PRON", "PROPN")
+    is_led = is_led and tokens[3].lower != "sake"
     return is_led and any(token.tag in _FINITE for token in tokens[2:])

@@ -181,6 +181,8 @@ class _Words:
     def _lead(self, at: int) -> int:
         """Where the words and marks begin that say nothing ahead of a clause, in its sentence."""
         while at and not self._begins_sentence(at) and (self.said[at - 1] in _OPENERS or self.said[at - 1] in _BREAKS):
+            if self.said[at - 1] in _DENYING and at > 1 and self.said[at - 2] == "if":
+                break  # "if no, leave it"
             at -= 1
         return at
 
