@@ -30,6 +30,7 @@ from decomplex_bt.understanding.manifest import check_encoder, check_language, c
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
 from decomplex_bt.understanding.references.messages import with_messages
+from decomplex_bt.understanding.references.weather import without_weather
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.assurances import with_denied
@@ -224,7 +225,7 @@ class Interpreter:
         tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
         tasks = without_outcomes(document, with_effects(document, tasks, self.domain.lexicon), self.domain.lexicon)
         tasks = with_tries(document, tasks, flow, self.domain.lexicon)
-        return with_messages(document, tasks, flow)
+        return with_messages(document, without_weather(tasks, flow), flow)
 
     def _hints(self, observed: Observed, reading: Reading) -> Hints | None:
         if self._stages.references is None:

@@ -48,6 +48,8 @@ _STATING = frozenset("is are 's \u2019s looks smells needs has".split())
 _COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
 _COOLING = frozenset("freezer fridge refrigerator icebox".split())
 """Of the machines those that are defrosted."""
+_SKY = frozenset("cloud rain snow wind sun storm fog thunder sunshine hail".split())
+"""What nobody takes or puts anywhere."""
 _SOCKETS = frozenset(("socket", "outlet"))
 _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 """By a verb, what it is done with."""
@@ -236,6 +238,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody, is_blemish)):
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
+        return True
+    head = context.observed.document.tokens[candidate.head].lemma
+    if gap.type == "object" and gap.task.type in _HANDLING and head in _SKY:
         return True
     if gap.word not in ELSEWHERE:
         return False

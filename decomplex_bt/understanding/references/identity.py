@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import ANYBODY, PERSON_NOUNS
 
 _OPENING = frozenset("if unless when case".split())
 _POINTING = frozenset("it that this those these they".split())
@@ -41,7 +41,8 @@ class Identity:
     def is_of_person(self, document: Document) -> bool:
         """Whether it names somebody: "the plumber", "the gas man", "my cousin"."""
         last = document.tokens[self.name.stop - 1]
-        return last.lemma in PERSON_NOUNS or last.lemma.endswith(("man", "woman"))
+        is_anybody = document.tokens[self.name.start].lower in ANYBODY
+        return is_anybody or last.lemma in PERSON_NOUNS or last.lemma.endswith(("man", "woman"))
 
     def is_of_order(self, document: Document) -> bool:
         """Whether it asks which one of several it is: "the last one", "your only key"."""
@@ -94,6 +95,8 @@ def _be(document: Document, start: int) -> int | None:
 def _end(document: Document, start: int) -> int:
     """Where a definite phrase ends; its start where none begins there, or what it names goes on ("the lid of")."""
     tokens = document.tokens
+    if start < len(tokens) and tokens[start].lower in ANYBODY:
+        return start + 1 + (start + 1 < len(tokens) and tokens[start + 1].lower == "else")
     if start >= len(tokens) or tokens[start].lower not in _DEFINITE:
         return start
     stop = start + 1

@@ -33,7 +33,13 @@ from decomplex_bt.understanding.rules.corrections import (
     without_looks,
 )
 from decomplex_bt.understanding.rules.echoes import echoes
-from decomplex_bt.understanding.rules.extents import with_features, with_purposes, with_whole_places, without_questions
+from decomplex_bt.understanding.rules.extents import (
+    with_features,
+    with_purposes,
+    with_whole_clauses,
+    with_whole_places,
+    without_questions,
+)
 from decomplex_bt.understanding.rules.fronting import with_fronted
 from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
 from decomplex_bt.understanding.rules.guesses import without_guessed
@@ -114,7 +120,8 @@ def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[Fo
     """The arguments with all that belongs to the thing or the place that they name, and nothing else."""
     document = observed.document
     kept = without_cases(document, tasks, list(arguments))
-    kept = without_questions(document, tasks, with_whole_places(document, kept))
+    kept = with_whole_clauses(document, with_whole_places(document, kept))
+    kept = without_questions(document, tasks, kept)
     kept = with_uses(document, with_features(document, tasks, kept))
     kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))

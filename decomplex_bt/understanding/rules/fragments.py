@@ -30,6 +30,10 @@ _SIGNS = frozenset(("sign",))
 
 _PERCEIVING = frozenset("see spot notice find".split())
 _ALL = frozenset("all every each both".split())
+_LEVELS = frozenset("below above over under".split())
+_DEGREES = frozenset("less more fewer colder hotter warmer higher lower".split())
+_LONGEST_AMOUNT = 3
+"""The most words of an amount: "four degrees Celsius"."""
 _SHORTEST = 2
 """The words at least of what is asked for: "a coin"."""
 STATES = frozenset("on off open closed shut".split())
@@ -107,6 +111,8 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return _glimpse(document, range(start, stop), first)
     is_denied = first < stop and tokens[first].lower == "not"
     first += is_denied
+    if (threshold := _threshold(document, range(start, stop), first)) is not None:
+        return threshold
     if (of_several := _state_asked(document, range(start, stop), first)) is not None:
         return of_several
     if first >= stop or any(token.pos in ("AUX", "VERB") for token in tokens[first:stop]):
@@ -124,6 +130,17 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
         return None
     begin = first + (tokens[first].lower in _NONE)
     return Fragment(range(start, stop), carrier, range(begin, carrier), range(carrier + 1, last))
+
+
+def _threshold(document: Document, words: range, first: int) -> Fragment | None:
+    """The question whether what was looked at is above or below so much: "*below four degrees*?"."""
+    tokens = document.tokens
+    amount = first + 1 + (first + 1 < words.stop and tokens[first + 1].lower == "than")
+    is_compared = tokens[first].lower in _LEVELS if amount == first + 1 else tokens[first].lower in _DEGREES
+    is_amount = amount < words.stop <= amount + _LONGEST_AMOUNT and tokens[amount].pos == "NUM"
+    if first >= words.stop or not (is_compared and is_amount) or words.stop + 1 >= len(document):
+        return None
+    return Fragment(words, first, range(0), range(0), state=range(amount, words.stop))
 
 
 def _state_asked(document: Document, words: range, first: int) -> Fragment | None:

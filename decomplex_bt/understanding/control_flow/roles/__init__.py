@@ -22,6 +22,7 @@ _RULES = (
     replies.try_out,
     replies.look_over,
     replies.search_asked,
+    replies.search_within,
     parts.oppose,
     replies.wait,
     parts.look_after,

@@ -125,6 +125,18 @@ def search_asked(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1] = "task"
 
 
+def search_within(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Where to look for what the sentence before says to find is the same search ("find my keys. *Check the bag*, and
+    if you can't find them, ...")."""
+    found, search = clauses[k - 1 : k + 1]
+    are_searches = (roles[k - 1], roles[k]) == ("condition", "condition")
+    are_searches = are_searches and found.task.type == search.task.type == "searching"
+    is_next = search.sentence == found.sentence + 1 and not {*search.far, *search.near} - {"first", "please"}
+    is_plain = search.boundary != "?" and not search.objects and not (found.places or found.turns or found.near)
+    if are_searches and is_next and is_plain and not search.wording.is_negated:
+        roles[k] = "mention"
+
+
 def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """How what was looked for looks is asked anew ("look for the roast, and *if it looks done*, take it out")."""
     clause = clauses[k]
