@@ -22,6 +22,7 @@ _RULES = (
     replies.try_out,
     replies.look_over,
     replies.search_asked,
+    replies.come_about,
     replies.search_within,
     parts.oppose,
     replies.wait,

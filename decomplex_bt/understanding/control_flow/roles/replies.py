@@ -125,6 +125,17 @@ def search_asked(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k - 1] = "task"
 
 
+def come_about(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether a thing does what it was made to do tells how that went ("light the stove. *If it lights*, fine, if not,
+    ...")."""
+    order, clause = clauses[k - 1 : k + 1]
+    is_same = clause.is_check and clause.verb == order.verb and clause.is_of_it and not clause.objects
+    is_made = order.task.type == "change_state" and not order.is_forbidden and bool(order.objects)
+    is_led = "if" in clause.near and clause.boundary != "none" and "unless" not in clause.near
+    if is_same and is_made and is_led and roles[k - 1] == "task" and roles[k] == "condition":
+        roles[k - 1 : k + 1] = "condition", "mention"
+
+
 def search_within(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Where to look for what the sentence before says to find is the same search ("find my keys. *Check the bag*, and
     if you can't find them, ...")."""

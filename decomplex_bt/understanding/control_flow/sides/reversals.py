@@ -262,8 +262,11 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     """
     clause, before = clauses[k], clauses[k - 1]
     is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
-    is_mention = roles[k - 1] == "mention" and roles[max(0, k - 2)] == "condition"
-    is_mention = is_mention and not (k > 2 and roles[k - 3] == "task" and sides[k - 3][:2] == ">1")
+    first = next(
+        (j for j in range(k - 1, 0, -1) if roles[j] != "mention"), 0
+    )  # "... If it lights, fine. If it doesn't"
+    is_mention = roles[k - 1] == "mention" and roles[first] == "condition"
+    is_mention = is_mention and not (first and roles[first - 1] == "task" and sides[first - 1][:2] == ">1")
     is_contrary = before.wording.is_contrary or before.wording.is_negated
     is_failure = is_mention and "fail" in before.near and not is_contrary
     between = {*clause.far, *clause.near, *before.behind}
