@@ -50,3 +50,14 @@ def test_nobody_is_what_they_answer(interpreter: Interpreter) -> None:
 )
 def test_who_it_is_once_more_affirms_it(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": [2, 3], "then": [1, 4]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ask Lea if she wants a fig. If she says yeah bring her one, if she says nah come back.",
+        "Ask Tom if he's cold. If he says yep, light the stove; if he says nope, open the hatch.",
+    ],
+)
+def test_yeah_and_nah_are_yes_and_no(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [1, {"if": [2, 4], "then": [3], "else": [5]}]

@@ -152,3 +152,36 @@ def test_what_there_may_be(interpreter: Interpreter) -> None:
     found = interpreter.interpret("I've no idea whether there's wax. If not, call Kim.")
     assert found.tasks[0].value("object") == "wax"
     assert found.to_json()["flow"] == [{"if": 1, "else": [2]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("Hand us the rope once I'm through the gap.", "'m"),
+        ("Dim the lamp once I've gone to bed.", "gone"),
+        ("If there happens to be a leak, tell Lea.", "be"),
+    ],
+)
+def test_what_the_speaker_waits_for_or_happens_to_be_so_is_a_check(
+    interpreter: Interpreter, text: str, word: str
+) -> None:
+    tasks = interpreter.interpret(text).tasks
+    assert [task.span.of(text) for task in tasks if task.type == "check_state"] == [word]
+
+
+@pytest.mark.parametrize("text", ["Tell Lea I'll call when I'm home.", "When I was a girl we had a stove."])
+def test_what_is_told_or_was_once_is_none(interpreter: Interpreter, text: str) -> None:
+    assert all(task.type != "check_state" for task in interpreter.interpret(text).tasks)
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("If my flask has been rinsed, fill it.", ["check_state", "change_state"]),
+        ("See if the cups have been rinsed, and if not, rinse them.", ["check_state", "change_state"]),
+        ("If he did eat it all just bring the tray.", ["check_state", "bringing"]),
+        ("If it's Lea bringing the eggs, let her in.", ["check_state", "change_state"]),
+    ],
+)
+def test_what_was_done_or_is_being_done_is_one_check(interpreter: Interpreter, text: str, types: list[str]) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == types

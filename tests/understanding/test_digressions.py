@@ -62,3 +62,8 @@ def test_a_clipped_ing_is_read_as_the_whole(interpreter: Interpreter) -> None:
 def test_from_whom_something_is_taken_is_no_cause(interpreter: Interpreter) -> None:
     (task,) = interpreter.interpret("Take the cup from the man sitting on the couch.").tasks
     assert task.value("source") == "from the man sitting on the couch"
+
+
+def test_what_is_sworn_is_passed_over(interpreter: Interpreter) -> None:
+    text = "If the iron's on, for heaven's sake turn it off, and bring the shirts down."
+    assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == ["'s", "turn", "bring"]

@@ -107,3 +107,16 @@ def test_who_is_fed_is_what_that_is_done_to(interpreter: Interpreter) -> None:
 def test_who_is_at_the_door_is_not_the_door(interpreter: Interpreter) -> None:
     found = values(interpreter, "Get the door, and if it's the plumber, show him the boiler.", "it")
     assert "the door" not in found
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If it's clean it goes in the cupboard, otherwise it goes in the sink.", "it"),
+        ("If it's dirty, put it in the steriliser.", "it"),
+        ("Bring it to me before my call with Lea.", "it"),
+    ],
+)
+def test_nothing_is_put_into_itself_nor_is_a_time_brought(interpreter: Interpreter, text: str, value: str) -> None:
+    orders = [task for task in interpreter.interpret(text).tasks if task.type != "check_state"]
+    assert {task.value("object") for task in orders} == {value}

@@ -265,3 +265,28 @@ def test_a_bare_noun_stands_in_place_of_the_last_one(interpreter: Interpreter, t
 def test_the_other_particle_stands_in_place_of_the_first(interpreter: Interpreter, text: str, expected: str) -> None:
     (task,) = interpreter.interpret(text).tasks
     assert task.value("state") == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Throw them in the hamper, no wait just put em on the bench.", "put em on the bench."),
+        ("Set it on the sill, no wait, set it on the stool.", "set it on the stool."),
+        (
+            "Take the jar off the lower rack, correction, upper rack, and open it.",
+            "Take the jar off the upper rack, and open it.",
+        ),
+        ("Bring me the green scarf, sorry, grey scarf.", "Bring me the grey scarf."),
+        ("Peel it and - no, not on the rug, set it on the bench.", "Peel it and set it on the bench."),
+    ],
+)
+def test_what_is_put_right_in_a_few_words(parser: Parser, text: str, meant: str) -> None:
+    document = parser.parse(text)
+    assert without(document, repaired(document)).text == meant
+
+
+@pytest.mark.parametrize(
+    "text", ["Close the hatch, no wait, leave it open.", "Make the correction, then bring me the sheet."]
+)
+def test_what_takes_up_the_order_before_or_is_a_thing_is_no_repair(parser: Parser, text: str) -> None:
+    assert not repaired(parser.parse(text))

@@ -528,3 +528,28 @@ def test_what_is_asked_alike_of_another_is_asked_beside(interpreter: Interpreter
 )
 def test_another_thing_that_turns_up_is_put_away_besides(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Find Lea. Should she be sitting, bring her tea, and should she be on her feet, follow her.",
+            [1, {"if": 2, "then": [3], "else": [{"if": 4, "then": [5]}]}],
+        ),
+        (
+            "Go to the shed and put the sack on the bench, if there's room on it.",
+            [1, {"if": 3, "then": [2]}],
+        ),
+        (
+            "If the Do Not Disturb sign's on the door leave it and come back, if not strip the bed.",
+            [{"if": 1, "then": [2], "else": [3]}],
+        ),
+        (
+            "Don't light the stove unless it's cold, if it is then shut the hatch and light it.",
+            [{"if": [2, 3], "then": [{"same": [1, 5]}, 4]}],
+        ),
+    ],
+)
+def test_postures_room_signs_and_echoes(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected

@@ -50,3 +50,16 @@ def test_what_is_left_somewhere_or_goes_away_is_a_task(interpreter: Interpreter,
 def test_a_warning_tells_what_must_not_be_left(interpreter: Interpreter) -> None:
     warnings = interpreter.interpret("Wash the pan and don't leave the others.").warnings
     assert any("prohibition" in warning for warning in warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "verbs"),
+    [
+        ("If the stew is hot, serve it, but do leave the ladle where it is.", ["is", "serve"]),
+        ("Bring the stew, but if it's cold, leave it where it is.", ["Bring", "'s", "leave"]),
+    ],
+)
+def test_what_was_not_named_before_is_spared_in_a_case_too(
+    interpreter: Interpreter, text: str, verbs: list[str]
+) -> None:
+    assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == verbs

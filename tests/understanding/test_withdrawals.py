@@ -195,3 +195,8 @@ def test_no_leave_it_somewhere_is_an_order_itself(interpreter: Interpreter) -> N
 )
 def test_what_is_skipped_by_its_verb_is_taken_back(interpreter: Interpreter, text: str, expected: list[str]) -> None:
     assert tasks(interpreter.interpret(text)) == expected
+
+
+def test_an_if_no_takes_nothing_back(interpreter: Interpreter) -> None:
+    text = "Is it dry? Then hang them in the shed, if no, leave them there."
+    assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == ["Is", "hang", "leave"]

@@ -153,10 +153,14 @@ def _times_of_speaker(document: Document, tasks: Mapping[int, str]) -> Iterator[
     speaker will be: "pass me the lamp once *I'm* through the hatch", "when *we've* left"; not "when I was a girl"."""
     tokens = document.tokens
     for i, token in enumerate(tokens[:-3]):
-        is_led = token.lower in _WAITING | {"when"} and (token.lower != "as" or tokens[max(0, i - 1)].lower == "soon")
+        is_led = token.lower in ("once", "when", "as") and (
+            token.lower != "as" or tokens[max(0, i - 1)].lower == "soon"
+        )
         be = tokens[i + 2]
         if not is_led or tokens[i + 1].lower not in ("i", "we") or be.lower not in _AM_OR_HAVE:
             continue
+        if (i and tokens[i - 1].lower == "for") or tokens[i + 3].lower in ("done", "finished", "ready"):
+            continue  # "keep some for when I'm back"; what is done with being done is left to the models
         stop = next((j for j in range(i + 3, len(tokens)) if tokens[j].lower in MARKS | {"and", "then"}), len(tokens))
         is_free = tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i)
         if is_free and stop > i + 3 and tokens[i + 3].tag not in ("VBG", "MD", "TO", "DT"):

@@ -261,7 +261,7 @@ def _is_event(document: Document, at: int) -> bool:
     start = at
     while start and tokens[start - 1].pos in ("NOUN", "PROPN", "ADJ"):
         start -= 1
-    is_named = start > 1 and (tokens[start - 1].tag == "PRP$" or tokens[start - 1].pos == "DET")
+    is_named = start > 1 and (tokens[start - 1].tag == "PRP$" or tokens[start - 1].lower in ("the", "a", "an"))
     return is_named and tokens[start - 2].lower in ("before", "after", "during")
 
 

@@ -57,9 +57,9 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
         return tuple(sorted(passed))
     cues = [cue.first for cue in observed.cues if cue.name in CONDITIONAL]
     conditional = {document.sentences[cue] for cue in cues}
-    found = passed + [
-        i for verb in needless if document.sentences[verb] not in conditional for i in (verb, *_joined(document, verb))
-    ]
+    ordered = [token.lemma for token in tokens if token.tag in ("VB", "VBP")]
+    is_passed = {v: document.sentences[v] not in conditional or ordered.count(tokens[v].lemma) > 1 for v in needless}
+    found = passed + [i for verb in needless if is_passed[verb] for i in (verb, *_joined(document, verb))]
     for i in negations:
         # of what an "otherwise" forbids only what stands behind may say more
         governing = [cue for cue in cues if cue > i] if is_behind_otherwise(observed, i) else cues

@@ -15,6 +15,8 @@ _CARING = tuple(
     tuple(phrase.split())
     for phrase in ("care not to", "careful not to", "so as to", "so as not to", "in order to", "trying not to")
 )
+_LOOKING = frozenset("look see check".split())
+"""What is found out by the way, which is ordered: "switch the lamp on *to look* at it"."""
 _OBLIGING = frozenset("you me him her us have has had need needs want wants ask got".split())
 """What a "to" behind them belongs to: "I need you *to* wash it"."""
 
@@ -27,7 +29,11 @@ def purposes(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     found: set[int] = set()
     for to in (i for i in range(1, len(tokens) - 1) if tokens[i].lower == "to"):
         verb = to + 1 + (tokens[to + 1].tag == "RB" and to + 2 < len(tokens))
-        if tokens[verb].tag in _ORDERS and (_is_care(document, to) or _is_of_order(document, to, tasks)):
+        if (
+            tokens[verb].tag in _ORDERS
+            and tokens[verb].lemma not in _LOOKING
+            and (_is_care(document, to) or _is_of_order(document, to, tasks))
+        ):
             found.update(_clause(document, to))
     return frozenset(found)
 

@@ -12,7 +12,7 @@ from decomplex_bt.understanding.control_flow.outcomes import asks_needless, need
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import GOVERNING
 
-_TURNING = frozenset("else fail so or instead then".split())
+_TURNING = GOVERNING | frozenset("else fail so or instead then".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
 
 

@@ -101,7 +101,7 @@ def _is_asked_after(clause: Clause, before: Clause, earlier: Sequence[Clause]) -
     if clause.says_too and clause.is_of_person:
         return False  # "and if she isn't in *either*"
     checks = [one for one in earlier if one.is_of_whereabouts or one.wording.is_echo]
-    checks = [one for one in checks if one.objects or one.is_of_person == clause.is_of_person]
+    checks = [one for one in checks if one.objects or one.may_be_of_person or one.is_of_person == clause.is_of_person]
     return any(not (before.receivers and one.objects) or not before.receivers.isdisjoint(one.objects) for one in checks)
 
 

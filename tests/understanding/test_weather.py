@@ -1,0 +1,32 @@
+"""The weather, which names nothing, also where it is mentioned again or said in other words."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Is it hailing? If it is, bring the pots in.",
+        "If it's raining, shut the hatch. If it isn't, leave it open.",
+    ],
+)
+def test_a_mention_of_the_weather_names_nothing(interpreter: Interpreter, text: str) -> None:
+    checks = [task for task in interpreter.interpret(text).tasks if task.type == "check_state"]
+    assert len(checks) == 2
+    assert all(check.value("object") is None for check in checks)
+
+
+@pytest.mark.parametrize(
+    "text", ["If it's proper chucking it down, bring the rugs in.", "If it's tipping down, bring the rugs in."]
+)
+def test_how_it_rains_is_no_order(interpreter: Interpreter, text: str) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == ["check_state", "bringing"]
+
+
+def test_what_is_in_the_sky_is_not_moved(interpreter: Interpreter) -> None:
+    text = "The quilts are airing on the wall. If there are clouds, bring them all in."
+    assert interpreter.interpret(text).tasks[-1].value("object") == "The quilts"
