@@ -290,3 +290,20 @@ def test_what_is_put_right_in_a_few_words(parser: Parser, text: str, meant: str)
 )
 def test_what_takes_up_the_order_before_or_is_a_thing_is_no_repair(parser: Parser, text: str) -> None:
     assert not repaired(parser.parse(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Bring me the mug (the blue one) and the plate.", "Bring me the mug and the plate."),
+        ("Bring me the mug (and the plate).", "Bring me the mug and the plate."),
+    ],
+)
+def test_what_brackets_only_name_again_or_add(parser: Parser, text: str, meant: str) -> None:
+    document = parser.parse(text)
+    assert without(document, repaired(document)).text == meant
+
+
+@pytest.mark.parametrize("text", ["Water the ferns (not the cactus!).", "Get the rope (ask Lea first) and tie it up."])
+def test_what_brackets_except_or_order_stays(parser: Parser, text: str) -> None:
+    assert not repaired(parser.parse(text))

@@ -24,6 +24,10 @@ _OPENING = _CASES | {"whether", "is", "are", "that"}
 _BEING = frozenset("is are was were 's 're".split())
 _MOSTLY = frozenset("usually always generally normally often mostly probably typically sometimes likely".split())
 _TAKING_UP = frozenset("it he she they there that".split())
+_NAMING_AGAIN = frozenset("the my our his her their that those these this".split())
+_NOMINAL = frozenset("DET NOUN PROPN ADJ NUM PRON PART ADV".split())
+_LONGEST = 5
+"""The most words in brackets that only name a thing again."""
 _THINKING = frozenset("suspect think expect bet imagine fear hope guess suppose reckon believe".split())
 _SAYING_SO = frozenset(
     "is are was were do does did has have will would may might can could 's 're 'll happens happen".split()
@@ -42,6 +46,22 @@ def remarks(said: Said) -> Iterator[range]:
         is_choice = tuple(words[i + 1 : stop]) in _CHOICES
         if is_choice or (_is_within_case(said, i, stop) and (_says_mostly(said, inner) or _says_why(said, inner))):
             yield range(i, stop)
+
+
+def bracketed(said: Said) -> Iterator[int]:
+    """The words in brackets that only name a thing again ("the cup *(the blue one)* and the plate"), or the brackets
+    around what is added to it ("the cup *(*and the plate*)*"); nothing of what is not meant."""
+    words, tokens = said.words, said.document.tokens
+    for i in (i for i in range(1, len(words) - 2) if words[i] == "(" and tokens[i - 1].pos in ("NOUN", "PROPN")):
+        stop = next((j for j in range(i + 1, len(words)) if words[j] in (")", *ENDS)), len(words))
+        inner = tokens[i + 1 : stop]
+        is_named = 1 < len(inner) <= _LONGEST and stop < len(words) and words[stop] == ")"
+        if not is_named or any(token.pos not in _NOMINAL for token in inner[1:]):
+            continue
+        if inner[0].lower in _NAMING_AGAIN:
+            yield from range(i, stop + 1)
+        elif inner[0].lower in ("and", "plus"):
+            yield from (i, stop)
 
 
 def described(said: Said) -> Iterator[int]:

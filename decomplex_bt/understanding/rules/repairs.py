@@ -21,7 +21,7 @@ from decomplex_bt.understanding.rules.edits import (
     Said,
     is_order_at,
 )
-from decomplex_bt.understanding.rules.remarks import described, remarks
+from decomplex_bt.understanding.rules.remarks import bracketed, described, remarks
 from decomplex_bt.understanding.rules.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.restarts import said_over
 
@@ -47,6 +47,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(i for remark in remarks(said) for i in remark)
     cut.update(i for digression in digressions(said) for i in digression)
     cut.update(described(said))
+    cut.update(bracketed(said))
     for run in said.runs:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
