@@ -190,7 +190,7 @@ def _come_first(
     clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
 ) -> None:
     """What is to be done "first" in any case goes ahead of the cases told just before."""
-    is_behind = any(roles[j] != "task" and clauses[j].sentence == clauses[k].sentence for j in range(k))
+    is_behind = any(roles[j] != "task" and clauses[j].sentence >= clauses[k].sentence - 1 for j in range(k))
     if not (is_behind and clauses[k].is_first_anyway and roles[k] == "task" and sides[k] == "top"):
         return
     orders[k] = "before" if orders[k] in ("keep", "last", "after") else orders[k]
