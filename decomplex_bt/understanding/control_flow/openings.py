@@ -216,11 +216,9 @@ def opens_matter(document: Document, token: int) -> bool:
     first = document.sentences.index(document.sentences[token])
     while first < token and document.tokens[first].lower in _LEADING_IN:
         first += 1
-    is_counted = document.tokens[first].lower in _COUNTING
-    if (
-        is_counted and first < token and document.tokens[first + 1].text in (",", ":")
-    ):  # not "second, *if that went well*, ..."
-        return first + 2 == token
+    is_counted = document.tokens[first].lower in _COUNTING and first < token
+    if is_counted and document.tokens[first + 1].text in (",", ":"):
+        return first + 2 == token  # not "second, *if that went well*, ..."
     return document.tokens[first].lower in _TURNING_TO
 
 
