@@ -21,7 +21,6 @@ _EXISTING = frozenset(("there", "have", "got", "has"))
 _STILL = frozenset("still already now all both".split())
 _CUT_OFF = frozenset("in on at by under within behind".split())
 _PLACES = frozenset(("location", "source", "goal"))
-_ANYWHERE = frozenset("anywhere somewhere everywhere nowhere".split())
 _CLAUSE_OPENERS = frozenset("whether if that".split())
 _ASKING = frozenset("can will could would".split())
 _OPENING = frozenset("after once when before if as while".split())
@@ -131,21 +130,17 @@ def with_whole_places(document: Document, arguments: Sequence[FoundArgument]) ->
 
 
 def with_whole_clauses(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
-    """The arguments with the "anywhere" of a place ("*anywhere* in the lane") and the clause of which a message has no
-    more than the first word ("whether *she has it*"); without what is no place but a purpose."""
+    """The arguments with the clause of which a message has no more than the first word ("whether *she has it*");
+    without what somebody has come for as a place ("has he come *to tune the piano*")."""
     tokens, found = document.tokens, []
-    taken = {i for a in arguments for i in a.tokens}
     for a in arguments:
-        words = [tokens[i].lower for i in a.tokens]
-        start, stop = a.tokens.start, a.tokens.stop
-        is_infinitive = words[0] == "to" and a.type in _PLACES and tokens[start + 1 : start + 2] != ()
-        if words == ["to"] or (is_infinitive and tokens[start + 1].tag == "VB"):
-            continue  # "has he come *to* tune the piano"
-        if a.type in _PLACES and start - 1 not in taken and start and tokens[start - 1].lower in _ANYWHERE:
-            start -= 1
+        words, stop = [tokens[i].lower for i in a.tokens], a.tokens.stop
+        is_infinitive = a.type == "location" and words[0] == "to" and stop < len(tokens)
+        if is_infinitive and tokens[a.tokens.start + 1].tag == "VB":
+            continue
         if a.type == "message" and len(words) == 1 and words[0] in _CLAUSE_OPENERS:
             stop = next((i for i in range(stop, len(tokens)) if tokens[i].text in MARKS), len(tokens))
-        found.append(replace(a, tokens=range(start, stop)))
+        found.append(replace(a, tokens=range(a.tokens.start, stop)))
     return found
 
 
