@@ -188,6 +188,10 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
     kept = list(tasks)
     for task, following in pairwise(tasks):
         is_denied = following.token == task.token + 2 and is_denied_of_others(document, following.token)
+        is_next = following.token == task.token + 1 and following.type == "check_state"
+        if task.type == "check_state" and is_next and _is_over(document, task.token):
+            kept.remove(following)
+            continue
         is_did = following.token == task.token + 1 and document.tokens[task.token].lower in ("do", "does", "did")
         if task.type == "check_state" and (is_denied or (is_did and following.type == "check_state")):
             kept.remove(task)
@@ -198,6 +202,13 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
             kept[kept.index(following)] = replace(following, type="check_state")
             kept.remove(task)
     return kept
+
+
+def _is_over(document: Document, at: int) -> bool:
+    """Whether a verb says that what the next one does is over, or begun: "has it *finished* proving?"."""
+    tokens = document.tokens
+    is_told = tokens[at].lemma in ("finish", "stop", "start", "begin", "quit", "keep")
+    return is_told and at + 1 < len(tokens) and tokens[at + 1].tag == "VBG"
 
 
 def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collection[str]) -> tuple[FoundTask, ...]:

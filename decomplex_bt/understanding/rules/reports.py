@@ -35,6 +35,8 @@ _OTHERWISE_DONE = frozenset("him her them if unless when".split())
 """What tells that a second order is not of who is asked, or leaves that open."""
 _TOLD_NEXT = frozenset("the a an this there his her hers its their theirs my mine our ours your yours to that".split())
 """What may begin what somebody is told who is named right ahead of it."""
+_GOING = frozenset("run pop nip head drive".split())
+"""Ways on which somebody is sent to do something."""
 _TAKEN_UP = {"it": frozenset(("NN", "NNP")), "them": frozenset(("NNS", "NNPS"))}
 """By the word that takes up what was named, how that is tagged."""
 
@@ -188,8 +190,12 @@ def _is_of_request(document: Document, request: range, at: int) -> bool:
     behind = tokens[at + 1 + len(particles) : at + 2 + len(particles)]
     word = behind[0].lower if behind else ""
     rest = {token.lower for token in tokens[at + 2 + len(particles) : _clause_end(document, at)]}
-    if word not in _TAKEN_UP or tokens[at].lower != tokens[at].lemma or rest & _OTHERWISE_DONE:
+    if tokens[at].lower != tokens[at].lemma or rest & _OTHERWISE_DONE:
         return False  # "... and give them to him", "... and bring it if it's dry"
+    if tokens[request.start].lemma in _GOING and tokens[at].tag in ("VB", "VBP"):
+        return True  # "ask Tom to run next door *and borrow some eggs*"
+    if word not in _TAKEN_UP:
+        return False
     named = [tokens[chunk.stop - 1].tag for chunk in noun_chunks(document) if set(chunk) & set(request)]
     return any(tag in _TAKEN_UP[word] for tag in named)
 

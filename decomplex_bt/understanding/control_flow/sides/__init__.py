@@ -81,6 +81,7 @@ _RULES = (
     guards.guard_other,
     guards.guard_both,
     guards.guard_room,
+    guards.guard_within,
     scopes.ask_first,
     substitutions.ask_ahead,
     substitutions.do_without,

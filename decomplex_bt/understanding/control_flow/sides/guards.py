@@ -144,6 +144,19 @@ def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 2] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
 
 
+def guard_within(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is asked in the midst of an order is asked of that one alone ("clean the filter and lay it, *when it is
+    dry*, into its frame")."""
+    order, check = clauses[k - 1], clauses[k]
+    is_within = any(indices.start > check.task.token for _, indices in order.task.arguments if len(indices))
+    if not is_within or (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != ">1":
+        return
+    for j in range(k - 2, -1, -1):
+        if not hangs_ahead(clauses, roles, sides, j, check.sentence):
+            return
+        sides[j] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
+
+
 def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Of orders in a row, each with a condition of its own thing right behind it, each hangs on its own ("switch the
     stove off if it's on, *close the door if it's open*, and come here"), be it the other side of the one before ("bring

@@ -29,17 +29,19 @@ _GOING_ON = frozenset("and then also after_that last".split())
 
 def disregard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done whether something is so or not hangs on no more than what that hangs on ("if you find it, bring it,
-    and *whether you find it or not*, come back"), nor does what ", and" adds to an "otherwise" that only forbids
-    ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess ("if it's not here, it must be
-    in the hall. *Bring it to me*") or, of something else, behind a case that only says where something is ("if he
-    asks, the key is in the drawer. *Offer him tea*")."""
+    and *whether you find it or not*, come back", "..., and close the door *regardless*"), nor does what ", and" adds to
+    an "otherwise" that only forbids ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess
+    ("if it's not here, it must be in the hall. *Bring it to me*") or, of something else, behind a case that only says
+    where something is ("if he asks, the key is in the drawer. *Offer him tea*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
     clause = clauses[k]
     if first is None:
         return
     is_past_place = first == k - 1 and clauses[first].tells_where and clause.sentence == clauses[first].sentence + 1
     is_past_place = is_past_place and bool(clause.objects) and TURNING.isdisjoint((*clause.far, *clause.near))
-    if clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess or is_past_place:
+    is_at_last = roles[k] == "task" and "either_way" in clause.behind and clause.ends_sentence
+    is_at_last = is_at_last and roles[k - 1] == "task" and clause.sentence == clauses[k - 1].sentence
+    if clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess or is_past_place or is_at_last:
         _take_out(clauses, roles, sides, k, sides[first])
 
 
