@@ -195,7 +195,8 @@ def _come_first(
         return
     orders[k] = "before" if orders[k] in ("keep", "last", "after") else orders[k]
     for j in range(k):  # the "first" is not theirs
-        if roles[j] != "task" and orders[j] in ("before", "first") and not clauses[j].wording.orders:
+        is_near = clauses[j].sentence == clauses[k].sentence
+        if is_near and roles[j] != "task" and orders[j] in ("before", "first") and not clauses[j].wording.orders:
             orders[j] = "keep"
 
 

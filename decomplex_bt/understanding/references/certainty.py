@@ -48,7 +48,7 @@ _STATING = frozenset("is are 's \u2019s looks smells needs has".split())
 _COOKING = frozenset("bake cook defrost fry grill reheat roast thaw toast".split())
 _COOLING = frozenset("freezer fridge refrigerator icebox".split())
 """Of the machines those that are defrosted."""
-_SKY = frozenset("cloud rain snow wind sun storm fog thunder sunshine hail".split())
+_SKY = frozenset("cloud wind sun fog thunder sunshine".split())
 """What nobody takes or puts anywhere."""
 _SOCKETS = frozenset(("socket", "outlet"))
 _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
@@ -247,8 +247,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
         return True
     before = context.observed.document.tokens[max(0, candidate.tokens.start - 1)].lower
-    if candidate.type == "outside" and gap.type == "object" and before in ("before", "after", "during"):
-        return True  # "bring it to me before *my call*"
+    if candidate.type == "outside" and gap.type == "object" and before in ("before", "during"):
+        return gap.word not in _SOMEBODY  # "bring it to me before *my call*"
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
     if gap.type == "object" and (_is_where(context, gap, candidate) or _is_beside_same(context, gap, candidate)):

@@ -225,7 +225,7 @@ def asks_there_is(document: Document, task: Task) -> bool:
     return task.type == "check_state" and "there" in around
 
 
-_BEFORE_ORDERS = frozenset(("please", "then", "just"))
+_BEFORE_ORDERS = frozenset(("please", "then"))
 
 
 def is_bare_being(document: Document, verb: int) -> bool:

@@ -95,8 +95,8 @@ def _be(document: Document, start: int) -> int | None:
 def _end(document: Document, start: int) -> int:
     """Where a definite phrase ends; its start where none begins there, or what it names goes on ("the lid of")."""
     tokens = document.tokens
-    if start < len(tokens) and tokens[start].lower in ANYBODY:
-        return start + 1 + (start + 1 < len(tokens) and tokens[start + 1].lower == "else")
+    if start + 1 < len(tokens) and tokens[start].lower in ANYBODY:
+        return start + 2 if tokens[start + 1].lower == "else" else start
     if start >= len(tokens) or tokens[start].lower not in _DEFINITE:
         return start
     stop = start + 1

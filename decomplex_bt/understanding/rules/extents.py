@@ -135,8 +135,8 @@ def with_whole_clauses(document: Document, arguments: Sequence[FoundArgument]) -
     tokens, found = document.tokens, []
     for a in arguments:
         words, stop = [tokens[i].lower for i in a.tokens], a.tokens.stop
-        is_infinitive = a.type == "location" and words[0] == "to" and stop < len(tokens)
-        if is_infinitive and tokens[a.tokens.start + 1].tag == "VB":
+        behind = [token.tag for token in tokens[a.tokens.start + 1 : a.tokens.start + 3]]
+        if a.type == "location" and words[0] == "to" and behind in (["VB", "DT"], ["VB", "PRP$"]):
             continue
         if a.type == "message" and len(words) == 1 and words[0] in _CLAUSE_OPENERS:
             stop = next((i for i in range(stop, len(tokens)) if tokens[i].text in MARKS), len(tokens))

@@ -17,6 +17,7 @@ _CARING = tuple(
 )
 _LOOKING = frozenset("look see check".split())
 """What is found out by the way, which is ordered: "switch the lamp on *to look* at it"."""
+_OBJECTS = frozenset("DT PRP PRP$ NN NNS".split())
 _OBLIGING = frozenset("you me him her us have has had need needs want wants ask got".split())
 """What a "to" behind them belongs to: "I need you *to* wash it"."""
 
@@ -29,13 +30,16 @@ def purposes(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     found: set[int] = set()
     for to in (i for i in range(1, len(tokens) - 1) if tokens[i].lower == "to"):
         verb = to + 1 + (tokens[to + 1].tag == "RB" and to + 2 < len(tokens))
-        if (
-            tokens[verb].tag in _ORDERS
-            and tokens[verb].lemma not in _LOOKING
-            and (_is_care(document, to) or _is_of_order(document, to, tasks))
-        ):
+        if _is_deed(document, verb) and (_is_care(document, to) or _is_of_order(document, to, tasks)):
             found.update(_clause(document, to))
     return frozenset(found)
+
+
+def _is_deed(document: Document, verb: int) -> bool:
+    """Whether a word behind a "to" is done to something; not "set it to *low*", "go to *room* 12"."""
+    token, behind = document.tokens[verb], document.tokens[verb + 1 : verb + 2]
+    is_deed = token.tag in _ORDERS and token.lemma not in _LOOKING and behind != ()
+    return is_deed and behind[0].tag in _OBJECTS and behind[0].lower != "number"
 
 
 def _is_care(document: Document, to: int) -> bool:
