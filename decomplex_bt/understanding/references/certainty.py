@@ -251,6 +251,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return gap.word not in _SOMEBODY  # "bring it to me before *my call*"
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
+    if gap.type == "object" and not candidate.mention and _is_cut_off(context.observed.document, candidate):
+        return True
     if gap.type == "object" and (_is_where(context, gap, candidate) or _is_beside_same(context, gap, candidate)):
         return True
     if gap.type == "object" and len(candidate.tokens) == 1 and _is_adverb(context.observed.document, candidate):
@@ -276,6 +278,12 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
+
+
+def _is_cut_off(document: Document, candidate: Candidate) -> bool:
+    """Whether a candidate lacks the "of ..." that says which thing it is: "*the last slice* of pie"."""
+    behind = document.tokens[candidate.tokens.stop : candidate.tokens.stop + 2]
+    return len(behind) > 1 and behind[0].lower == "of" and behind[1].tag not in ("PRP", "WDT", "WP")
 
 
 def _is_where(context: Context, gap: Gap, candidate: Candidate) -> bool:
