@@ -207,12 +207,8 @@ def _is_request(words: Sequence[str], position: int) -> bool:
     start = next((i + 1 for i in range(position - 1, -1, -1) if words[i] in ENDS), 0)
     ahead = words[start:position]
     is_thanked = not _THANKING.isdisjoint(ahead) and not _WOULD.isdisjoint(ahead) and "if" not in ahead
-    return (
-        is_thanked
-        and words[position + 1] == "you"
-        and words[position + 2 : position + 3] != []
-        and (words[position + 2] in _ASKED)
-    )
+    you, verb = [*words[position + 1 : position + 3], "", ""][:2]
+    return is_thanked and you == "you" and verb in _ASKED
 
 
 def _counts(document: Document, instead: int) -> bool:
@@ -348,7 +344,7 @@ _THANKING = frozenset(
     "obliged grateful appreciate appreciated thankful glad delighted pleased kind lovely wonderful great nice good "
     "helpful help love marvellous brilliant".split()
 )
-_WOULD = frozenset("would should 'd \u2019d ll 'll will it i".split())
+_WOULD = frozenset("would should could 'd \u2019d will 'll \u2019ll".split())
 _ASKED = frozenset("would could can might please kindly just found brought put took gave".split())
 _BEING = frozenset(("is", "have", "has", "m", "'m"))
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))

@@ -247,8 +247,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if candidate.type == "outside" and len(candidate.tokens) == 1 and candidate.head in context.verbs:
         return True
     before = context.observed.document.tokens[max(0, candidate.tokens.start - 1)].lower
-    if candidate.type == "outside" and gap.type == "object" and before in ("before", "during"):
-        return gap.word not in _SOMEBODY  # "bring it to me before *my call*"
+    is_thing = gap.type == "object" and gap.word not in _SOMEBODY
+    if candidate.type == "outside" and is_thing and before in ("before", "during"):
+        return True  # "bring it to me before *my call*"
     if candidate.owner == gap.task.id and not candidate.mention:
         return True
     if gap.type == "object" and not candidate.mention and _is_cut_off(context.observed.document, candidate):

@@ -232,11 +232,8 @@ def is_bare_being(document: Document, verb: int) -> bool:
     """Whether a pronoun is said to be, or not to be, and no more: "if it is", "if they aren't turn them on"."""
     tokens = document.tokens
     before = next((token for token in reversed(tokens[:verb]) if token.lower not in _YET), None)
-    if (
-        (tokens[verb].lemma not in ("be", "'s") and tokens[verb].lower not in ("s", "re"))
-        or before is None
-        or before.lower not in PRONOUNS - {"there"}
-    ):
+    is_being = tokens[verb].lemma in ("be", "'s") or tokens[verb].lower in ("s", "re")
+    if not is_being or before is None or before.lower not in PRONOUNS - {"there"}:
         return False
     behind = next((token for token in tokens[verb + 1 :] if token.lower not in DENYING | _YET), None)
     # what stands in its base form behind a "be" is an order

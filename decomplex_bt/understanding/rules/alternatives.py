@@ -531,9 +531,8 @@ def _follows_condition(parts: Sequence[_Part], k: int, tasks: Mapping[int, str])
     if k == 0 or parts[k - 1].is_last:
         return False
     said = [tasks[i] for i in parts[k - 1].body if i in tasks]
-    is_alone = all(
-        kind in ("check_state", "searching") for kind in said[1:]
-    )  # not "if it's full empty it, the big one"
+    # not "if it's full empty it, the big one"
+    is_alone = all(kind in ("check_state", "searching") for kind in said[1:])
     return parts[k - 1].lead == "if" and bool(said) and is_alone
 
 

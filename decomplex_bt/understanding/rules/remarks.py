@@ -108,7 +108,7 @@ def _says_mostly(said: Said, inner: range) -> bool:
     if words[0] == "which" and (words[1] in ("happens", "happen") or words[2:] in (["doubt"], ["hope"])):
         return True
     rest = [word for word in words[1:] if word not in _MOSTLY]
-    if rest[0] in ("i", "we") and rest[1:2] != [] and rest[1] in _THINKING:
+    if rest[:1] in (["i"], ["we"]) and not _THINKING.isdisjoint(rest[1:2]):
         rest = rest[2:]
     is_so = rest[:1] != [] and rest[0] in _TAKING_UP and len(rest) > 1 and rest[1] in _SAYING_SO
     is_mostly = len(rest) < len(words) - 1

@@ -262,9 +262,8 @@ def follow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     """
     clause, before = clauses[k], clauses[k - 1]
     is_denied = before.wording.is_negated and not _IFS.isdisjoint(before.near)
-    first = next(
-        (j for j in range(k - 1, 0, -1) if roles[j] != "mention"), 0
-    )  # "... If it lights, fine. If it doesn't"
+    # "light it. If it lights, fine. If it doesn't, ..."
+    first = next((j for j in range(k - 1, 0, -1) if roles[j] != "mention"), 0)
     is_mention = roles[k - 1] == "mention" and roles[first] == "condition"
     is_mention = is_mention and not (first and roles[first - 1] == "task" and sides[first - 1][:2] == ">1")
     is_contrary = before.wording.is_contrary or before.wording.is_negated
