@@ -78,17 +78,19 @@ class SensingConfig:
 
 @dataclass(frozen=True, slots=True)
 class HouseholdConfig:
-    """How an environment is set up. `max_seconds` of simulated time, `balance` in [0, 0.5], `reward` "success" or
-    "progress"; what the robot can do, and how it sees, also as mappings of their fields."""
+    """How an environment is set up. `max_seconds` of simulated time (None: what houses of its size take), `balance` in
+    [0, 0.5], `reward` "success" or "progress"; what the robot can do, and how it sees, also as mappings of their
+    fields."""
 
-    max_seconds: float = 600.0
+    max_seconds: float | None = None
     balance: float = 0.3
     reward: str = "success"
     world: WorldConfig = field(default_factory=WorldConfig)
     sensing: SensingConfig = field(default_factory=SensingConfig)
 
     def __post_init__(self) -> None:
-        _check(self, number, "max_seconds", high=float("inf"))
+        if self.max_seconds is not None:
+            _check(self, number, "max_seconds", high=float("inf"))
         _check(self, number, "balance", high=0.5)
         _check(self, choice, "reward", choices=REWARDS)
         object.__setattr__(self, "world", read_config(self.world, WorldConfig, "world"))

@@ -61,7 +61,8 @@ class Episode:
         options = recording.options
         self._config = config
         self._codes, self._shown_text = encode(text), shown(text)
-        self._max_seconds = config.max_seconds if options.max_seconds is None else options.max_seconds
+        limits = (options.max_seconds, config.max_seconds, home.seconds)
+        self._max_seconds = next(limit for limit in limits if limit is not None)
         self._is_progress_rewarded = (options.reward or config.reward) == "progress"
         self._result = Result.NONE
         self._path_length, self._shortest_length = 0.0, UNKNOWN_LENGTH

@@ -29,9 +29,9 @@ class Home:
     """A house of those that the arguments of an environment allow.
 
     `domain`, `setting` and `stage` are those of the house of now; `rows` (of the entity table) and `bounds` [m] hold
-    every house there may be. `seed`: of the houses to come, None where each is drawn. `house`: path or seed of the
-    house of now, as it was chosen last. Raises `InputError` for arguments that name no house, `DataFileError` where a
-    file of the domain or the house is broken.
+    every house there may be, `seconds` is the time limit that one takes. `seed`: of the houses to come, None where each
+    is drawn. `house`: path or seed of the house of now, as it was chosen last. Raises `InputError` for arguments that
+    name no house, `DataFileError` where a file of the domain or the house is broken.
     """
 
     def __init__(
@@ -49,6 +49,7 @@ class Home:
         self._residence = Residence(self.base, path=path, size=size)
         self._settle(self._residence.domain(self.seed))
         self.rows, self.bounds = self._residence.extent(self.setting.geometry)
+        self.seconds = self._residence.seconds
 
     def choose(self, options: Mapping[str, Any] | None, request: Request | None, rng: Generator) -> None:
         """Moves into the house that the options name, or that is due, or that is drawn.

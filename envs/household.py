@@ -98,8 +98,8 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     ## Termination and truncation
     `terminated`: everything due is done (success), a task was done that was not due (violation), or the robot said
-    `finish`. `truncated`: the time limit, 600 s of simulated time by default. After either, `step` raises
-    `gymnasium.error.ResetNeeded` until the next reset.
+    `finish`. `truncated`: the time limit, by default 600 s of simulated time, 1800 s in large houses. After either,
+    `step` raises `gymnasium.error.ResetNeeded` until the next reset.
 
     ## Arguments
     Of `HouseholdEnv` and, after the id, of `gym.make`. They hold for all episodes; what is of one episode alone

@@ -44,11 +44,13 @@ ATTEMPTS = 30
 
 @dataclass(frozen=True, slots=True)
 class HouseSize:
-    """A class of houses. `rooms`: from, to. `rows` of the entity table and `bounds` [m] hold them all."""
+    """A class of houses. `rooms`: from, to. `rows` of the entity table and `bounds` [m] hold them all; `seconds` of
+    simulated time are enough to look everywhere in one."""
 
     rooms: tuple[int, int]
     rows: int
     bounds: float
+    seconds: float = 600.0
 
     def draw(self, domain: Domain, seed: int) -> House:
         """The house of this seed."""
@@ -60,7 +62,7 @@ class HouseSize:
 SIZES = {
     "small": HouseSize((2, 4), rows=128, bounds=32.0),
     "medium": HouseSize((6, 10), rows=192, bounds=48.0),
-    "large": HouseSize((20, 40), rows=640, bounds=96.0),
+    "large": HouseSize((20, 40), rows=640, bounds=96.0, seconds=1800.0),
 }
 """The sizes that environments come in."""
 

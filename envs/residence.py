@@ -11,6 +11,10 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.geometry import Geometry, Rect
 
 
+SECONDS = 600.0
+"""The time limit in a house that was not generated [s]."""
+
+
 class Residence:
     """The house of the domain, one from a file (`path`), or any that is generated in a `size`.
 
@@ -61,6 +65,15 @@ class Residence:
 
         size = SIZES[self._size]
         return size.rows, (0.0, 0.0, size.bounds, size.bounds)
+
+    @property
+    def seconds(self) -> float:
+        """The simulated time that an episode in such a house takes at most, if nothing else is said [s]."""
+        if self._size is None:
+            return SECONDS
+        from decomplex_bt.envs.houses import SIZES
+
+        return SIZES[self._size].seconds
 
     def check(self, geometry: Geometry, rows: int, bounds: Rect) -> None:
         """Raises `InputError` where a house does not fit into spaces made for others."""

@@ -483,3 +483,13 @@ def test_the_default_house_has_no_seed():
         HouseholdEnv().reset(seed=0, options={"house_seed": 1})
     with pytest.raises(InputError, match="small, medium, large"):
         HouseholdEnv(size="vast")
+
+
+@pytest.mark.parametrize(("size", "is_over"), [("small", True), ("large", False)])
+def test_large_houses_take_longer(size, is_over):
+    env = HouseholdEnv(BRING, size=size, house_seed=5)
+    env.reset(seed=0)
+    rest = {"drive": np.zeros(2, dtype=np.float32), "interact": 0, "target": 0}
+    for _ in range(6000):  # 600 s
+        *_, truncated, _ = env.step(rest)
+    assert truncated is is_over
