@@ -23,6 +23,20 @@ def test_what_is_said_without_a_verb(interpreter: Interpreter, text: str, expect
     assert flow(interpreter, text) == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("The front door is open. Close it.", "The front door"),
+        ("The garage light is on. Turn it off.", "The garage light"),
+        ("My radio's off. Turn it on.", "My radio"),
+        ("The fridge door stays open. Close it.", "The fridge door"),
+    ],
+)
+def test_a_state_that_is_told_is_no_order(interpreter: Interpreter, text: str, thing: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert [a.value for a in task.arguments if a.type == "object"] == [thing]
+
+
 def test_a_verb_ahead_of_a_pointing_word_is_no_noun(interpreter: Interpreter) -> None:
     (task,) = interpreter.interpret("mate turn that box fan off").tasks
     assert task.span.of("mate turn that box fan off") == "turn"

@@ -43,6 +43,7 @@ _STATES_OF = {
     "locked": frozenset("door gate window safe shed garage".split()), "drawn": _COVERING,
 }  # fmt: skip
 """States that are ordered of some things only: "lights *out*", "blinds *down*"."""
+_THINGS = frozenset().union(*_STATES_OF.values())
 NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
     "glass mask helmet apron slipper".split()
@@ -214,7 +215,9 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     is_led = [token.pos == "DET" or token.tag == "PRP$" for token in named]
     if sorted(is_led, reverse=True) != is_led:
         return None  # "dude turn that fan off"
-    if not named[-1].tag.startswith(_NOUNS) or named[-1].lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
+    thing = named[-1]
+    is_thing = thing.pos in ("NOUN", "PROPN") or thing.lemma in _THINGS  # "*blinds* down", which is tagged as a verb
+    if not is_thing or thing.lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
     is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
