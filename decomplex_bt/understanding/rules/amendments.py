@@ -10,6 +10,7 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundAr
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.relatives import found_places
+from decomplex_bt.understanding.rules.accounts import without_accounts
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons
 from decomplex_bt.understanding.rules.assurances import with_assured
@@ -23,6 +24,7 @@ from decomplex_bt.understanding.rules.corrections import (
     is_bare_preposition,
     is_of_nobody,
     is_of_wish,
+    is_one_who_asks,
     is_said_again,
     told_behind,
     with_choices_as_one,
@@ -187,7 +189,8 @@ def _beside_each_other(observed: Observed, tasks: Tasks, arguments: Sequence[Fou
     kept = with_either_place(document, tasks, with_choices_as_one(document, arguments))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
     kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
-    kept = with_purposes(document, tasks, without_places_of_others(observed, tasks, kept))
+    kept = without_accounts(document, tasks, without_places_of_others(observed, tasks, kept))
+    kept = with_purposes(document, tasks, kept)
     kept = [up_to_order(document, tasks, a) for a in kept]
     kept = without_guessed(document, with_nearer_places(document, tasks, kept))
-    return [a for a in kept if not is_bare_preposition(document, a)]
+    return [a for a in kept if not (is_bare_preposition(document, a) or is_one_who_asks(document, tasks, a))]

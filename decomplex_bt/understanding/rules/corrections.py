@@ -214,6 +214,13 @@ def is_bare_preposition(document: Document, argument: FoundArgument) -> bool:
     return is_single and document.tokens[argument.tokens.start].lower in PREPOSITIONS - {"to", "for", "with"}
 
 
+def is_one_who_asks(document: Document, tasks: Mapping[int, str], argument: FoundArgument) -> bool:
+    """Whether it is the "I" that asks for an order: "if *I* asked you to go"."""
+    is_single = len(argument.tokens) == 1 and argument.type == "object"
+    is_speaker = is_single and document.tokens[argument.tokens.start].lower in ("i", "we")
+    return is_speaker and tasks.get(argument.owner) not in (None, "check_state")
+
+
 def with_either_place(
     document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
 ) -> list[FoundArgument]:

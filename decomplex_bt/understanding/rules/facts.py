@@ -12,6 +12,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.references.relatives import found_places
+from decomplex_bt.understanding.rules.accounts import accounts
 from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
@@ -90,7 +91,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     asked = {question.verb: question for question in questions(document, types_found)}
     idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
-    within_others |= purposes(document, types_found)
+    within_others |= purposes(document, types_found) | accounts(document, types_found)
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
@@ -258,10 +259,14 @@ def _is_covering(said: Sequence[Token]) -> bool:
 
 
 def _is_favour(document: Document, verb: int, order: int) -> bool:
-    """Whether a verb only says that the order behind it would be kind: "*do* me the favour of heating it"."""
-    words = [token.lower for token in document.tokens[verb + 1 : order]]
-    is_asked = document.tokens[verb].lemma in ("do", "make") and not _FAVOURS.isdisjoint(words)
-    return is_asked and _BESIDE_FAVOURS.issuperset(words)
+    """Whether a verb only says that the order behind it would be kind: "*do* me the favour of heating it", "would you
+    mind if I *asked* you to heat it"."""
+    tokens = document.tokens
+    words = [token.lower for token in tokens[verb + 1 : order]]
+    is_favour = tokens[verb].lemma in ("do", "make") and not _FAVOURS.isdisjoint(words)
+    ahead = [token.lower for token in tokens[max(0, verb - 3) : verb]]
+    is_asked = tokens[verb].lemma == "ask" and ahead[-2:] in (["if", "i"], ["if", "we"]) and ahead[:1] == ["mind"]
+    return (is_favour and _BESIDE_FAVOURS.issuperset(words)) or (is_asked and words == ["you", "to"])
 
 
 def _is_event(document: Document, at: int) -> bool:
@@ -277,10 +282,14 @@ def _is_event(document: Document, at: int) -> bool:
 
 
 def _is_with_see(document: Document, verb: int, see: int) -> bool:
-    """Whether a verb is one with the "see" behind it: "*check* to see if", "*look* and see whether"."""
+    """Whether a verb is one with the "see" behind it: "*check* to see if", "*look* and see whether", or what it asks is
+    what one sees: "*check* whether you find one"."""
     tokens = document.tokens
     is_look = tokens[verb].lemma in ("check", "look") and tokens[verb].tag in ("VB", "VBP")
-    return is_look and see == verb + 2 and tokens[see].lemma == "see" and tokens[verb + 1].lower in ("to", "and")
+    between = [token.lower for token in tokens[verb + 1 : see]]
+    is_joined = tokens[see].lemma == "see" and between in (["to"], ["and"])
+    is_found = tokens[see].lemma in ("see", "find") and between[:2] in (["if", "you"], ["whether", "you"])
+    return is_look and (is_joined or (is_found and between[2:] in ([], ["can"], ["could"])))
 
 
 def _is_wish_for(document: Document, task: FoundTask, following: FoundTask) -> bool:

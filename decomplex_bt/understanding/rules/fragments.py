@@ -264,7 +264,8 @@ def _placing(document: Document, words: range) -> Fragment | None:
     """What goes where: "any toys in the box"."""
     said = [token for token in document.tokens[words.start : words.stop] if token.lower not in _LEADING]
     carrier = next((token.i for token in reversed(said[1:]) if token.lower in _PUT), None)
-    if carrier is None or any(token.pos in ("VERB", "AUX", "PRON") and token.tag not in _NOUNS for token in said):
+    is_told = any(t.pos == "AUX" or (t.pos in ("VERB", "PRON") and t.tag not in _NOUNS) for t in said)
+    if carrier is None or is_told:
         return None
     thing, place = (range(said[0].i, carrier), range(carrier + 1, said[-1].i + 1))
     are_named = all(phrase and document.tokens[phrase[-1]].tag.startswith(_NOUNS) for phrase in (thing, place))

@@ -128,6 +128,16 @@ def opened_if_not(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> in
     return first if is_behind else None
 
 
+def go_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Going to where something is looked for is no condition of the look ("*go to the hall* and look for my keys. If
+    you can't find them, ...")."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_look = roles[k] in CONDITION_ROLES and clause.task.type in ("searching", "check_state")
+    is_led = clause.near in ((), ("and",), ("then",), ("and", "then")) and clause.sentence == order.sentence
+    if roles[k - 1] == "condition" and order.task.type in ("motion", "following") and is_look and is_led:
+        roles[k - 1] = "task"
+
+
 def find_first(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What is fetched of what was checked to be there hangs on that ("see if there's any milk and *bring me some*")."""
     if (roles[k - 1], roles[k]) == ("task", "task") and needs_found(clauses[k], clauses[k - 1]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
-from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, PRESENT, Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_content_of,
@@ -233,6 +233,27 @@ def find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     roles[k] = "condition"
     if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
         roles[first] = "task"
+
+
+def find_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That something cannot be found which was not spoken of is no failure of an order that looks for nothing ("wash
+    the pan. If you can't find *the phone*, ..."), nor of the search for another thing that hangs on it ("find the pen
+    if you can't find *the pencil*")."""
+    clause = clauses[k]
+    if roles[k] != "mention" or clause.task.type != "searching" or not clause.objects or clause.has_pronoun:
+        return
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k - 1)
+    order = clauses[first]
+    named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
+    is_idle = order.task.type in LEADING | {"change_state"} and roles[first] == "condition"
+    is_led = first == k - 1 and clause.boundary == "none" and clause.near == ("if",) and clause.wording.is_negated
+    is_for_it = is_led and order.task.type == "searching" and bool(order.objects)
+    if not (is_idle or is_for_it) or not named.isdisjoint(clause.objects):
+        return
+    if _STANDING_FOR.isdisjoint((*clause.objects, *order.objects)):
+        roles[k] = "condition"
+        if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
+            roles[first] = "task"
 
 
 def miss_anywhere(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
