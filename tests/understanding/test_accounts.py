@@ -29,6 +29,8 @@ def test_what_two_clauses_tell_is_no_case(interpreter: Interpreter, text: str, t
     ("text", "expected"),
     [
         ("Tom is in the garden and Anna is in the kitchen. Bring them the tea.", [1]),
+        ("You can find the screws in the shed. Bring me five of them.", [1]),
+        ("If you can find the screws in the shed, bring me five of them.", [{"if": 1, "then": [2]}]),
         ("The oven is on and the kettle is off. If the kettle is hot, turn the oven off.", [{"if": 1, "then": [2]}]),
         (
             "Is the oven on and the kettle off? Then turn the oven off.",
@@ -65,3 +67,8 @@ def test_asking_for_a_favour_is_no_case(interpreter: Interpreter) -> None:
     text = "Would you mind if I asked you to go to the shed? And then put the rake on the shelf."
     assert flow(interpreter, text) == [1, 2]
     assert {a.type for task in interpreter.interpret(text).tasks for a in task.arguments} == {"goal", "object"}
+
+
+def test_who_is_said_to_be_somewhere_is_not_joined_to_the_place_before(interpreter: Interpreter) -> None:
+    (task,) = interpreter.interpret("Tom is in the garden and Anna is in the kitchen. Bring them the tea.").tasks
+    assert "garden" not in next(a.value for a in task.arguments if a.type == "recipient")

@@ -450,16 +450,24 @@ def _whole_words(document: Document) -> Iterator[range]:
 
 
 def _coordinations(document: Document, chunks: Sequence[range]) -> Iterator[range]:
-    """Noun phrases in a row with nothing but commas and "and" between them ("the mop, the bucket and the cloth")."""
+    """Noun phrases in a row with nothing but commas and "and" between them ("the mop, the bucket and the cloth"); not
+    where a clause of its own begins with the last one ("Tom is in *the garden and Anna* is out")."""
     start = 0
     for k in range(1, len(chunks) + 1):
         if k < len(chunks) and _is_listed(document, range(chunks[k - 1].stop, chunks[k].start)):
             continue
-        if k - start > 1:
+        if k - start > 1 and not _begins_clause(document, chunks[start], chunks[k - 1]):
             yield range(chunks[start].start, chunks[k - 1].stop)
         if k - start > 2:
             yield range(chunks[k - 2].start, chunks[k - 1].stop)
         start = k
+
+
+def _begins_clause(document: Document, first: range, last: range) -> bool:
+    """Whether the last noun phrase of a row is what something is said of, and the first stands behind a preposition."""
+    tokens = document.tokens
+    is_subject = last.stop < len(tokens) and tokens[last.stop].tag in ("VBZ", "VBP", "VBD", "MD")
+    return is_subject and first.start > 0 and tokens[first.start - 1].pos == "ADP"
 
 
 def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[range]:
