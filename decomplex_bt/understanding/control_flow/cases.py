@@ -12,6 +12,7 @@ from decomplex_bt.understanding.cues import OPPOSITES, are_alike
 
 _MANY = 3
 """From so many cases on even opposites are states among others: "hot", "lukewarm", "cold"."""
+_LEVELS = frozenset("below above under over".split())
 _OPENING = frozenset(("if", "when"))
 _TURNING = frozenset(("unless", "only_if", "even_if", "or"))
 
@@ -46,11 +47,15 @@ def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[
 
 
 def _are_of_one_matter(run: Sequence[Clause]) -> bool:
-    """Whether states are known to be of one matter: by their words, or as what somebody wishes."""
+    """Whether states are known to be of one matter: by their words, as levels ("*below* 18", "*above* 25"), or as what
+    somebody wishes."""
     states = [clause.wording.state or "" for clause in run]
     is_wish = len(run) > 1 and all(clause.is_wish for clause in run)
-    return is_wish or any(
-        are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2)
+    levels = {clause.said_state[0] for clause in run if clause.said_state and clause.said_state[0] in _LEVELS}
+    return (
+        is_wish
+        or len(levels) > 1
+        or any(are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2))
     )
 
 
