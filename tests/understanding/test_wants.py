@@ -88,3 +88,17 @@ def test_a_wanted_state_is_brought_about(interpreter: Interpreter, text: str, th
 )
 def test_what_is_wanted_elsewhere_changes_no_state(interpreter: Interpreter, text: str) -> None:
     assert "change_state" not in [task.type for task in interpreter.interpret(text).tasks]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I need my scarf. If it isn't on the hook, bring the shawl.",
+        "I need the ladder. It should be in the shed, but if it isn't, ask Tom.",
+        "I want my boots. If they aren't under the bench, look in the hall.",
+    ],
+)
+def test_what_is_done_where_it_is_not_found_leaves_the_want_standing(interpreter: Interpreter, text: str) -> None:
+    want, check, _ = interpreter.interpret(text).tasks
+    assert (want.type, check.type) == ("bringing", "check_state")
+    assert want.value("object") == check.value("object")

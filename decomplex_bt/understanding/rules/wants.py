@@ -192,12 +192,17 @@ def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[in
 
 
 def _is_in_its_place(document: Document, who: range, order: int) -> bool:
-    """Whether an order of the next sentence is for where there is none of what is wanted: "I need a saw. If there is
-    none, *bring* the axe"."""
+    """Whether an order of the next sentence is for where there is none of what is wanted, or it is not where it is
+    thought to be: "I need a saw. If there is none, *bring* the axe", "I need my pen. If it isn't on the desk, *ask*
+    Tom"."""
     tokens, sentences = document.tokens, document.sentences
-    ahead = [t.lower for t in tokens[who.stop : order] if sentences[t.i] == sentences[order]]
-    is_next = sentences[order] == sentences[who.start] + 1
-    return is_next and ahead[:1] == ["if"] and "there" in ahead and not _LACKING.isdisjoint(ahead)
+    ahead = [t.lower for t in tokens[who.stop : order + 2] if sentences[t.i] == sentences[order]]
+    if sentences[order] != sentences[who.start] + 1 or "if" not in ahead:
+        return False
+    case = ahead[ahead.index("if") + 1 :]
+    is_none = ahead[:1] == ["if"] and "there" in case
+    is_elsewhere = case[:1] in (["it"], ["they"]) and not _LEADING.isdisjoint(ahead)
+    return (is_none or is_elsewhere) and not _LACKING.isdisjoint(case)
 
 
 def _is_case(document: Document, check: int) -> bool:
