@@ -63,6 +63,20 @@ def test_what_is_seen_is_asked_once(interpreter: Interpreter) -> None:
     assert flow(interpreter, text) == [{"if": 1, "then": [2], "else": [3]}]
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If you don't know where the salt is, ask me.", [{"if": 1, "else": [2]}]),
+        ("If you don't know what it is, leave it there.", [{"if": 1, "else": [2]}]),
+        ("See who is at the gate, and if it's Lea, let her in.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_whether_one_knows_is_a_case_and_what_one_is_to_see_is_none(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected
+
+
 def test_asking_for_a_favour_is_no_case(interpreter: Interpreter) -> None:
     text = "Would you mind if I asked you to go to the shed? And then put the rake on the shelf."
     assert flow(interpreter, text) == [1, 2]

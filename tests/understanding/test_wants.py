@@ -16,6 +16,9 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("I need something to dig with.", "I", "something to dig with"),
         ("If it rains, I need an umbrella.", "I", "an umbrella"),
         ("I'm soaked, I need a towel.", "I", "a towel"),
+        ("I need water.", "I", "water"),
+        ("I don't need the hammer, I need the saw.", "I", "the saw"),
+        ("I don't want the red cup, I want the blue one.", "I", "the blue cup"),
         ("Lea needs her scarf.", "Lea", "her scarf"),
         ("My grandma wants a cup of tea.", "My grandma", "a cup of tea"),
         ("The twins are here. The kids want some juice.", "The kids", "some juice"),
@@ -35,6 +38,7 @@ def test_a_thing_may_be_needed_somewhere(interpreter: Interpreter) -> None:
     "text",
     [
         "I need a nap.",
+        "I need sleep.",
         "I need some help.",
         "I need more patience, and quietness.",
         "We need a new fridge.",

@@ -197,7 +197,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         allows=task.type == "check_state" and allows(document, token, following, far + near),
         is_had_done=is_had_done(document, stretch.cues, token),
         said_state=_said_state(document, task),
-        asks_open=task.type in FINDING_OUT and asks_open(document, token),
+        asks_open=task.type in FINDING_OUT and "if" not in near and asks_open(document, token),
         ability=ability(document, ahead, token),
         is_only_then=any(cue.name == "then" and document.tokens[cue.first].lower == "only" for cue in ahead),
         is_unwilling=_is_unwilling(observed, task, first, own_last),

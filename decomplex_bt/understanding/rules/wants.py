@@ -39,6 +39,7 @@ _GOING_ON = frozenset(("and", "also"))
 _INDEFINITE = frozenset("a an some another more something".split())
 _OWN = frozenset("my our his her their its".split())
 _SOMETHING = frozenset(("something", "anything"))
+_ONES = frozenset(("one", "ones"))
 _NOMINAL = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _NAMING = frozenset(("NOUN", "PROPN"))
 _JOINING = frozenset(("and", "of"))
@@ -106,7 +107,8 @@ def _wanting(document: Document, verb: int) -> range:
     first = next(i for i in range(verb + 1) if sentences[i] == sentences[verb])
     ahead = [i for i in range(first, start) if tokens[i].lower not in OPENING]
     is_second = any(tokens[i].lower in _NEEDING for i in ahead)
-    is_behind = bool(ahead) and not is_second and tokens[start - 1].text == ","  # "I'm soaked, I need a towel"
+    is_denied = not _LACKING.isdisjoint(tokens[i].lower for i in ahead)  # "I don't want this one, I want that one"
+    is_behind = bool(ahead) and (not is_second or is_denied) and tokens[start - 1].text == ","  # "I'm soaked, I need"
     is_joined = is_second and tokens[start - 1].lower == "and"
     return range(start, stop) if not ahead or is_behind or is_joined else range(0)
 
@@ -240,6 +242,8 @@ def _named(document: Document, verb: int) -> range:
         is_joined = stop + 1 < len(tokens) and tokens[stop].lower == "and" and tokens[stop + 1].lower in _SOMETHING
         return range(start, _named(document, stop).stop or stop) if is_joined else range(start, stop)
     is_led = tokens[start].lower in _INDEFINITE | _OWN or tokens[start].pos == "NUM" or tokens[start].lower == "the"
+    if _is_stuff(document, start):
+        return range(start, start + 1)
     stop = start + 1
     while stop < len(tokens) and is_led:
         is_joint = tokens[stop].lower in _JOINING and tokens[stop - 1].pos in _NAMING and stop + 1 < len(tokens)
@@ -249,7 +253,15 @@ def _named(document: Document, verb: int) -> range:
             stop += 1
         else:
             break
-    return range(start, stop) if is_led and tokens[stop - 1].pos in _NAMING else range(0)
+    is_named = tokens[stop - 1].pos in _NAMING or (stop > start + 1 and tokens[stop - 1].lower in _ONES)
+    return range(start, stop) if is_led and is_named else range(0)
+
+
+def _is_stuff(document: Document, i: int) -> bool:
+    """Whether a noun stands alone, as that of a stuff does: "I need *water*", not "a water bottle"."""
+    tokens = document.tokens
+    is_ended = i + 1 >= len(tokens) or tokens[i + 1].text in MARKS or tokens[i + 1].lower in _CLOSING
+    return tokens[i].tag == "NN" and is_ended
 
 
 def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool) -> bool:
@@ -259,7 +271,7 @@ def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool
     used = {i for use in uses(observed.document) for i in use.words}
     nouns = [tokens[i] for i in thing if tokens[i].pos in _NAMING and i not in used]
     heads = [noun for noun in nouns if noun.i + 1 == thing.stop or tokens[noun.i + 1].pos not in _NAMING]
-    if tokens[thing.start].lower in _SOMETHING:
+    if tokens[thing.start].lower in _SOMETHING or tokens[thing.stop - 1].lower in _ONES:
         return who == "i"
     if not heads or any(token.lemma in NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
         return False
@@ -268,6 +280,8 @@ def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool
     if is_fixed or not PERSON_NOUNS.isdisjoint(token.lemma for token in heads):
         return False
     is_known = "thing" in kinds
+    if len(thing) == 1 and not is_known:
+        return False  # "I need quiet"
     if who == "we":
         return is_known and is_told
     return who == "i" or is_known or tokens[thing.start].lower in _OWN
