@@ -73,6 +73,18 @@ _FRAMES: list[tuple[str, Any, list[str | None]]] = [
         [1, {"if": [2, 3], "else": [4]}],
         [None, "my {thing}", "my {thing}"],
     ),
+    (
+        "Bring me the {thing} if it's raining or a hat if it's sunny.",
+        [{"if": 2, "then": [1], "else": [{"if": 4, "then": [3]}]}],
+        ["the {thing}", None, "a hat", None],
+    ),
+    (
+        "Turn on the {device} if {person} is up, or the oven if {person} is out.",
+        [{"if": 2, "then": [1], "else": [{"if": 4, "then": [3]}]}],
+        ["the {device}", None, "the oven", None],
+    ),
+    ("I need my {thing}. If it isn't {place}, ask {person}.", [{"if": [1, 2], "else": [3]}], ["my {thing}"] * 2),
+    ("If you don't know where the {thing} is, ask {person}.", [{"if": 1, "else": [2]}], ["the {thing}"]),
     ("Check whether you see the {thing}. If so, bring it to me.", _IF, ["the {thing}", "the {thing}"]),
     ("Could you check if my {thing} is {place} and if so bring it here?", _IF, ["my {thing}", "my {thing}"]),
     ("Take the {thing} to the {room}, then close the {opening}, and call {person}.", [1, 2, 3], ["the {thing}"]),

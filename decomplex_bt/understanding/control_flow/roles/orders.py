@@ -48,7 +48,9 @@ def ask_ahead_of_other(clauses: Sequence[Clause], roles: list[str], k: int) -> N
         return
     order, check, clause, other = clauses[k - 2 : k + 2]
     is_behind = check.boundary == "none" and check.near == ("if",) and roles[k - 1] == "condition"
-    is_led = clause.boundary == "," and clause.near == ("or", "if") and other.boundary == "," and not other.near
+    is_of_verb = (other.verb, other.task.type) == (order.verb, order.task.type)  # "tea if it's cold or *juice* if ..."
+    is_set_off = clause.boundary == "," or (clause.boundary == "none" and is_of_verb)
+    is_led = is_set_off and clause.near == ("or", "if") and other.boundary == "," and not other.near
     if is_behind and is_led and order.sentence == clause.sentence == other.sentence:
         roles[k] = "mention" if is_opposite_of(clause, check) else "condition"
 
