@@ -149,7 +149,8 @@ def calls_off(document: Document, previous: int, token: int, following: int, lea
     tokens, sentence = document.tokens, document.sentences[token]
     words = [normal_form(t.lower) for t in tokens[token + 1 : following] if document.sentences[t.i] == sentence]
     for i in range(1, len(words)):
-        if words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
+        is_else = i > 1 and words[i - 1] == "else" and words[i - 2] in PUNCTUATION | {"or"}
+        if is_else or words[i - 1] in OTHERWISE or words[i - 2 : i] == ["if", "not"]:
             return False
         said = _leaves(words[i:])
         if said is not None:
