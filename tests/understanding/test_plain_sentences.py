@@ -88,6 +88,8 @@ _FRAMES: list[tuple[str, Any, list[str | None]]] = [
     ("Wash the {thing} if it's dirty, else leave it.", [{"if": 2, "then": [1]}], ["the {thing}"] * 2),
     ("Close the {opening} if it's cold, otherwise leave it.", [{"if": 2, "then": [1]}], ["the {opening}"]),
     ("Close the {opening}, but leave it if {person} is up.", [{"if": 2, "else": [1]}], ["the {opening}"]),
+    ("If dirty, wash the {thing}.", [{"if": 1, "then": [2]}], ["the {thing}"] * 2),
+    ("Unless closed, close the {opening}.", [{"if": 1, "else": [2]}], ["the {opening}"] * 2),
     ("Check whether you see the {thing}. If so, bring it to me.", _IF, ["the {thing}", "the {thing}"]),
     ("Could you check if my {thing} is {place} and if so bring it here?", _IF, ["my {thing}", "my {thing}"]),
     ("Take the {thing} to the {room}, then close the {opening}, and call {person}.", [1, 2, 3], ["the {thing}"]),

@@ -241,8 +241,12 @@ def is_bare_being(document: Document, verb: int) -> bool:
 
 
 def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
-    """Whether a check says how something is without saying what: "if is still wet", "if it is dry but isn't folded"."""
+    """Whether a check says how something is without saying what: "if is still wet", "if it is dry but isn't folded",
+    "*if dirty*, wash the cup"."""
     tokens = observed.document.tokens
+    if task.type == "check_state" and 0 < verb < len(tokens) - 1 and tokens[verb - 1].lower in _OPENING:
+        is_state = tokens[verb].pos == "ADJ" or tokens[verb].tag == "VBN"
+        return is_state and tokens[verb + 1].text == "," and tokens[verb].lower not in WEATHER | _AIR
     if task.type != "check_state" or tokens[verb].lemma not in _BEING or verb == 0:
         return False
     spans = [argument.span for argument in task.arguments if argument.span is not None]
