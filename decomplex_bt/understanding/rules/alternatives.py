@@ -559,9 +559,7 @@ def _is_either(document: Document, before: Sequence[_Part], part: _Part, conditi
     tokens = document.tokens
     if not before:
         return False
-    if (
-        before[-1].lead == "if"
-    ):  # "to Ann if she's up, or *to Tom* if she isn't", "tea if it's cold or *juice* if it's hot"
+    if before[-1].lead == "if":  # "tea if it's cold or *juice* if it's hot"
         is_order = document.tokens[part.body.start].pos == "VERB"
         return len(before) == 2 and before[0].lead == "start" and not is_order
     if tokens[part.opening.start - 1].text in MARKS or tokens[before[-1].body.start].lower == "either":
