@@ -244,16 +244,23 @@ def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
     """Whether a check says how something is without saying what: "if is still wet", "if it is dry but isn't folded",
     "*if dirty*, wash the cup"."""
     tokens = observed.document.tokens
-    if task.type == "check_state" and 0 < verb < len(tokens) - 1 and tokens[verb - 1].lower in _OPENING:
-        is_state = tokens[verb].pos == "ADJ" or tokens[verb].tag == "VBN"
-        return is_state and tokens[verb + 1].text == "," and tokens[verb].lower not in WEATHER | _AIR
-    if task.type != "check_state" or tokens[verb].lemma not in _BEING or verb == 0:
+    if task.type != "check_state" or verb == 0:
         return False
+    if tokens[verb].lemma not in _BEING:
+        return _is_bare_state(observed.document, verb)
     spans = [argument.span for argument in task.arguments if argument.span is not None]
     words = {tokens[i].lower for span in spans for i in observed.document.indices(span)}
     is_of_place = any(argument.type == "location" for argument in task.arguments)
     is_told = bool(words) and not is_of_place and (WEATHER | _AIR).isdisjoint(words)
     return tokens[verb - 1].lower in _OPENING and is_told
+
+
+def _is_bare_state(document: Document, at: int) -> bool:
+    """Whether a state stands alone between an "if" and a comma: "*if dirty,* wash the cup", not "if dark, ..."."""
+    tokens = document.tokens
+    is_set_off = 0 < at < len(tokens) - 1 and tokens[at - 1].lower in _OPENING and tokens[at + 1].text == ","
+    is_state = tokens[at].pos == "ADJ" or tokens[at].tag == "VBN"
+    return is_set_off and is_state and tokens[at].lower not in WEATHER | _AIR
 
 
 def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:
