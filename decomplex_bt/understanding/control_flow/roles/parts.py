@@ -237,23 +237,19 @@ def find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def find_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """That something cannot be found which was not spoken of is no failure of an order that looks for nothing ("wash
-    the pan. If you can't find *the phone*, ..."), nor of the search for another thing that hangs on it ("find the pen
-    if you can't find *the pencil*")."""
+    the pan. If you can't find *the phone*, ...")."""
     clause = clauses[k]
-    if roles[k] != "mention" or clause.task.type != "searching" or not clause.objects or clause.has_pronoun:
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    is_found = roles[k] == "mention" and clause.task.type == "searching" and not clause.has_pronoun
+    if first is None or roles[first] != "condition" or not (is_found and clause.objects):
         return
-    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k - 1)
     order = clauses[first]
-    named = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)}
-    is_idle = order.task.type in LEADING | {"change_state"} and roles[first] == "condition"
-    is_led = first == k - 1 and clause.boundary == "none" and clause.near == ("if",) and clause.wording.is_negated
-    is_for_it = is_led and order.task.type == "searching" and bool(order.objects)
-    if not (is_idle or is_for_it) or not named.isdisjoint(clause.objects):
+    known = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)} | _STANDING_FOR
+    if order.task.type not in LEADING | {"change_state"} or not known.isdisjoint(clause.objects):
         return
-    if _STANDING_FOR.isdisjoint((*clause.objects, *order.objects)):
-        roles[k] = "condition"
-        if roles[first] == "condition" and "mention" not in roles[first + 1 :]:
-            roles[first] = "task"
+    roles[k] = "condition"
+    if "mention" not in roles[first + 1 :]:
+        roles[first] = "task"
 
 
 def miss_anywhere(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
