@@ -8,7 +8,7 @@ some of them twice and some in another place.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Task
@@ -38,6 +38,7 @@ _WHEREABOUTS = frozenset(("location", "source"))
 _WHERE = frozenset("from in on under at behind beside by off near inside above below".split())
 """What tells of a thing where it is: "the one *from* the shelf" is not from where the first one was."""
 _FROM = frozenset(("from", "off", "out"))
+_NOMINAL = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
@@ -54,6 +55,17 @@ class Retelling:
     kinds: frozenset[int] = frozenset()
 
 
+@dataclass(frozen=True, slots=True)
+class _Specified:
+    """Of an order at the token `verb` the `kind` of thing that it names, and behind a `mark` the `words` that tell which
+    one is meant; tokens."""
+
+    verb: int
+    kind: range
+    mark: int
+    words: range
+
+
 def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     """The text of an instruction that has alternatives without a verb or ahead of their condition, told in full; None
     where it has none. `instruction`: how the text was read as it stands."""
@@ -64,11 +76,13 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
     verbs: dict[int, int] = {}
     same = list(likewise(document))
     alike = {i for found in same for i in (*found.words, *(() if found.is_bare else found.other))}
+    specified = list(_specified(observed, tasks))
+    marks = {found.mark for found in specified}
     for found in alternatives(observed, {i: task.type for i, task in tasks.items()}):
         place, end = found.tokens.start, found.tokens.stop
         if place in alike:
             continue
-        order = None if found.is_verbal else _antecedent(observed, tasks, found)
+        order = None if found.is_verbal else _antecedent(observed, tasks, found, marks)
         if order is not None and found.praise and not _serves(observed, tasks[order], found.tokens):
             continue
         words = None if order is None else _repeated(observed, tasks[order], found.tokens, place)
@@ -102,11 +116,12 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         start, stop = (one.words.stop,) * 2 if one.is_bare else (one.other.start, one.other.stop)
         insertions[start] += [Told(i, one.carrier, carriers.get(i)) for i in (*ahead, *other)]
         insertions[stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
-    kinds = list(_specified(observed, tasks))
-    for kind, mark in kinds:
-        moved.update((*kind, mark))
-        beginning = next(i for i in range(len(document)) if document.sentences[i] == document.sentences[mark])
-        insertions[beginning] += [*map(Told, kind), Told(COMMA)]
+    for which in specified:
+        moved.update((*which.kind, which.mark, *which.words))
+        insertions[which.kind.start] += map(Told, which.words)
+        beginning, joints = _beginning(observed, tasks, which)
+        moved.update(joints)
+        insertions[beginning][:0] = [*([Told(STOP)] if joints else ()), *map(Told, which.kind), Told(COMMA)]
     if not insertions:
         return None
     sequence = [
@@ -114,23 +129,53 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         for i in range(len(document) + 1)
         for word in (*insertions.get(i, ()), *([Told(i)] if i < len(document) and i not in moved else ()))
     ]
-    return Retelling(told(document, sequence), verbs, frozenset(document.tokens[kind.start].start for kind, _ in kinds))
+    return Retelling(told(document, sequence), verbs, frozenset(document.tokens[w.kind.start].start for w in specified))
 
 
-def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[tuple[range, int]]:
-    """Of every object of which only the kind is said, and behind a mark with a condition which one, the kind and the
-    mark: "bring me *a towel*, the big one if it's dry", told as "a towel, bring me the big one if it's dry"."""
+def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Specified]:
+    """Every object of which only the kind is said and, behind a mark and with a condition, which one: "bring me *a
+    towel*, the big one if it's dry", told as "a towel, bring me the big one if it's dry"; a full stop is such a mark,
+    too, where the sentence ends with that order."""
     document, tokens = observed.document, observed.document.tokens
-    openings = {cue.first for cue in observed.cues if cue.name in _OPENING}
+    openings = sorted(cue.first for cue in observed.cues if cue.name in _OPENING)
     for verb, task in tasks.items():
         for kind in (document.indices(a.span) for a in task.arguments if a.type == "object" and a.span is not None):
-            mark = kind.stop
             if task.type == "check_state" or verb > kind.start or tokens[kind.start].lower not in _INDEFINITE:
                 continue
-            rest = tokens[mark + 1 : next((i for i in sorted(openings) if i > mark), mark)]
-            is_one = bool(rest) and rest[0].lower == "the" and rest[-1].lower in ("one", "ones")
-            if is_one and tokens[mark].text in _APPOSING and all(token.text not in MARKS for token in rest):
-                yield kind, mark
+            mark = next((t.i for t in tokens[kind.stop :] if t.text in MARKS), len(tokens) - 1)
+            until = next((i for i in openings if i > kind.start), mark)
+            is_apposed = tokens[mark].text == "." or (tokens[mark].text in _APPOSING and mark == kind.stop)
+            is_last = not any(kind.stop <= other < mark for other in tasks)
+            if is_apposed and is_last and _tells_which(observed, range(mark + 1, until)):
+                yield _Specified(verb, kind, mark, range(mark + 1, until))
+
+
+def _tells_which(observed: Observed, words: range) -> bool:
+    """Whether words ahead of a condition name one of a kind: "the big one", or "juice" where an "otherwise" follows."""
+    tokens = observed.document.tokens[words.start : words.stop]
+    if not tokens or any(token.text in MARKS for token in tokens):
+        return False
+    if tokens[0].lower == "the" and tokens[-1].lower in ("one", "ones"):
+        return True
+    sentences = observed.document.sentences
+    turns = (cue.first for cue in observed.cues if cue.name in _TURNING and cue.first > words.stop)
+    is_chosen = any(sentences[turn] == sentences[words.start] for turn in turns)
+    is_noun = tokens[-1].pos in ("NOUN", "PROPN") and all(t.pos in _NOMINAL for t in tokens[:-1])
+    return is_chosen and is_noun
+
+
+def _beginning(observed: Observed, tasks: Mapping[int, Task], which: _Specified) -> tuple[int, range]:
+    """Where the kind of a thing is told ahead of its order: at the beginning of the sentence; at the verb where another
+    order comes before that on which nothing hangs, in place of what joins the two."""
+    document, sentence = observed.document, observed.document.sentences[which.verb]
+    start = next(i for i in range(len(document)) if document.sentences[i] == sentence)
+    is_second = any(start <= other < which.verb for other in tasks)
+    is_governed = any(cue.name in _GOVERNING and start <= cue.first < which.verb for cue in observed.cues)
+    first = which.verb
+    while first > start and document.tokens[first - 1].lower in _JOINING:
+        first -= 1
+    joints = range(first, which.verb)
+    return (which.verb, joints) if is_second and joints and not is_governed else (start, range(0))
 
 
 def _carrier(document: Document, words: range) -> int:
@@ -138,9 +183,12 @@ def _carrier(document: Document, words: range) -> int:
     return words.start if document.tokens[words.start].lower in PREPOSITIONS else head_of(document, words)
 
 
-def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternative) -> int | None:
+def _antecedent(
+    observed: Observed, tasks: Mapping[int, Task], found: Alternative, marks: Collection[int]
+) -> int | None:
     """The order that an alternative without a verb repeats: the last one before it that is no condition, in its
-    sentence or, where that begins with its condition or an "otherwise", in one before.
+    sentence or, where that begins with its condition or an "otherwise" or, behind one of the `marks`, with what tells
+    which thing is meant, in one before.
 
     A search of one place, otherwise another, is one search.
     """
@@ -159,6 +207,7 @@ def _antecedent(observed: Observed, tasks: Mapping[int, Task], found: Alternativ
         return last if is_near and _is_alike(observed, tasks[last], found.tokens) else None
     is_of_question = bool(found.praise) and sentences[last] + 2 == sentences[place]  # "No luck? Then the radio will do"
     is_added = sentences[last] + 1 == sentences[place] and _is_afterthought(observed.document, found)
+    is_added |= any(last < mark < place and sentences[mark] + 1 == sentences[place] for mark in marks)
     is_near = sentences[last] == sentences[place] or is_of_question or is_added
     if not is_near and next(begins, None) is None:
         return None

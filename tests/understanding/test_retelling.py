@@ -43,6 +43,12 @@ from decomplex_bt.understanding.interpreter import Interpreter
          [{"if": 2, "then": [1], "else": [3]}]),
         ("Bring Tom a cup, the tall one if it's clean, otherwise the small one.", "one", "the small cup",
          [{"if": 2, "then": [1], "else": [3]}]),
+        ("Hand Tom a cup. The tall one if it's clean, otherwise the small one.", "one", "the small cup",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Take a rug to Ada. The thick one if it's dry, if not the thin one. Then shut the gate.", "one", "the thin rug",
+         [{"if": 2, "then": [1], "else": [3]}, 4]),
+        ("Get me some fruit. A plum if there is one, otherwise a fig.", "fig", "a fig",
+         [{"if": 2, "then": [1], "else": [3]}]),
         ("bring me the tall glass or if its dirty the short one", "one", "the short glass",
          [{"if": 2, "then": [3], "else": [1]}]),
         ("put the mail on the shelf or if theres no room on the stairs", "on", "on the stairs",
@@ -107,6 +113,14 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
     assert all(found.span is None for found in task.arguments)
     starts = [task.span.start for task in instruction.tasks]
     assert starts == sorted(set(starts))
+
+
+def test_which_one_is_meant_hangs_on_its_condition_alone(interpreter: Interpreter) -> None:
+    """What is ordered ahead of a thing of which only the kind is said is done in any case."""
+    instruction = interpreter.interpret(
+        "Shut the gate and take a rug to Ada. The thick one if it's dry, if not the thin one."
+    )
+    assert instruction.flow.to_json() == [1, {"if": 3, "then": [2], "else": [4]}]
 
 
 @pytest.mark.parametrize(

@@ -297,3 +297,15 @@ def test_what_was_picked_up_is_worked_on_otherwise(interpreter: Interpreter) -> 
 def test_an_oh_adds_as_an_and_does(interpreter: Interpreter) -> None:
     text = "Can you bring me the salt? Oh, and the pepper too, if it's on the bench."
     assert flow(interpreter, text) == [1, {"if": 3, "then": [2]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If Lea is here, hand me the tall jug if it's full, otherwise hand me the small one.",
+        "If it snows, bring me the thick coat if it's dry, otherwise bring me the thin one.",
+        "If Lea is here, bring me a jug, the tall one if it's full, otherwise the small one.",
+    ],
+)
+def test_a_choice_within_a_case_is_made_by_the_condition_behind_it(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [2], "else": [4]}]}]

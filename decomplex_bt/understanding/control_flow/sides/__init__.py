@@ -77,6 +77,7 @@ _RULES = (
     prohibitions.permit,
     guards.list_all,
     guards.guard,
+    guards.guard_choice,
     guards.guard_each,
     guards.guard_other,
     guards.guard_both,

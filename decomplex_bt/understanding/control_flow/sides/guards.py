@@ -102,6 +102,17 @@ def guard_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1], sides[k] = ">1+", sides[k - 1]
 
 
+def guard_choice(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order in a case hangs on what is asked right behind it where an "otherwise" says what is done if that is not
+    so ("if Lea is in, hang it up *if it's wet, otherwise* fold it")."""
+    if k < 2 or k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_behind = check.boundary == "none" and check.near in (("if",), ("unless",)) and order.sentence == other.sentence
+    if is_behind and other.is_otherwise and other.boundary == "," and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1], sides[k], sides[k + 1] = ">1+", sides[k - 1], FAILS
+
+
 def guard_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "or if" opens behind an order and its case is asked where that is not so, with its own order ("hang it up
     if it's wet, *or if it's torn, mend it*")."""
