@@ -178,14 +178,7 @@ class Interpreter:
         whole = restored(again, observed.document.text, full.told.places, full.told.turns, full.verbs)
         numbers = {task.span.start: task.id for task in whole.tasks}
         said = {carrier: numbers.get(verb, 0) for carrier, verb in full.verbs.items()}
-        tasks = (
-            replace(
-                task,
-                repeats=said.get(task.span.start, 0),
-                arguments=tuple(a for a in task.arguments if a.span is None or a.span.start not in full.kinds),
-            )
-            for task in whole.tasks
-        )
+        tasks = (replace(task, repeats=said.get(task.span.start, 0)) for task in whole.tasks)
         return replace(whole, tasks=tuple(self._with_state(whole, task) for task in tasks))
 
     def _with_state(self, instruction: Instruction, task: Task) -> Task:

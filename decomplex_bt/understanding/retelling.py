@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import (
@@ -38,8 +38,10 @@ _WHEREABOUTS = frozenset(("location", "source"))
 _WHERE = frozenset("from in on under at behind beside by off near inside above below".split())
 """What tells of a thing where it is: "the one *from* the shelf" is not from where the first one was."""
 _FROM = frozenset(("from", "off", "out"))
+_ONE = frozenset(("one", "ones"))
 _NOMINAL = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
 _INDEFINITE = frozenset(("a", "an", "some"))
+_DETERMINING = _INDEFINITE | {"the"}
 _APPOSING = frozenset((",", ":", "-", "–", "—"))
 _POINTING = frozenset(("this", "that", "these", "those"))
 _SPEAKING = frozenset(("i", "we"))
@@ -48,19 +50,16 @@ _SPEAKING = frozenset(("i", "we"))
 @dataclass(frozen=True, slots=True)
 class Retelling:
     """`told`: the whole; `verbs`: of the orders that the text leaves unsaid, where the word stands that carries each,
-    with the place of the verb that it has; `kinds`: where words begin that only tell the kind of what is then named."""
+    with the place of the verb that it has."""
 
     told: Remainder
     verbs: Mapping[int, int]
-    kinds: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
 class _Specified:
-    """Of an order at the token `verb` the `kind` of thing that it names, and behind a `mark` the `words` that tell which
-    one is meant; tokens."""
+    """Tokens: the `kind` of thing that an order names, and behind a `mark` the `words` that tell which one is meant."""
 
-    verb: int
     kind: range
     mark: int
     words: range
@@ -118,10 +117,7 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         insertions[stop] += [Told(i, one.carrier, carriers.get(i)) for i in behind]
     for which in specified:
         moved.update((*which.kind, which.mark, *which.words))
-        insertions[which.kind.start] += map(Told, which.words)
-        beginning, joints = _beginning(observed, tasks, which)
-        moved.update(joints)
-        insertions[beginning][:0] = [*([Told(STOP)] if joints else ()), *map(Told, which.kind), Told(COMMA)]
+        insertions[which.kind.start] += _with_noun(document, which)
     if not insertions:
         return None
     sequence = [
@@ -129,53 +125,54 @@ def retold(observed: Observed, instruction: Instruction) -> Retelling | None:
         for i in range(len(document) + 1)
         for word in (*insertions.get(i, ()), *([Told(i)] if i < len(document) and i not in moved else ()))
     ]
-    return Retelling(told(document, sequence), verbs, frozenset(document.tokens[w.kind.start].start for w in specified))
+    return Retelling(told(document, sequence), verbs)
 
 
 def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Specified]:
-    """Every object of which only the kind is said and, behind a mark and with a condition, which one: "bring me *a
-    towel*, the big one if it's dry", told as "a towel, bring me the big one if it's dry"; a full stop is such a mark,
-    too, where the sentence ends with that order."""
+    """Every object of which only the kind is said and, behind a mark, which one: "bring me *a towel*, the big one if
+    it's dry", told as "bring me the big towel if it's dry"; a full stop is such a mark, too, where the sentence ends
+    with that order."""
     document, tokens = observed.document, observed.document.tokens
     openings = sorted(cue.first for cue in observed.cues if cue.name in _OPENING)
     for verb, task in tasks.items():
         for kind in (document.indices(a.span) for a in task.arguments if a.type == "object" and a.span is not None):
-            if task.type == "check_state" or verb > kind.start or tokens[kind.start].lower not in _INDEFINITE:
+            if task.type == "check_state" or verb > kind.start or tokens[kind.start].lower not in _DETERMINING:
                 continue
             mark = next((t.i for t in tokens[kind.stop :] if t.text in MARKS), len(tokens) - 1)
-            until = next((i for i in openings if i > kind.start), mark)
+            end = next((t.i for t in tokens[mark + 1 :] if t.text in ENDS), len(tokens))
+            words = range(mark + 1, next((i for i in openings if mark < i < end), end))
             is_apposed = tokens[mark].text == "." or (tokens[mark].text in _APPOSING and mark == kind.stop)
-            is_last = not any(kind.stop <= other < mark for other in tasks)
-            if is_apposed and is_last and _tells_which(observed, range(mark + 1, until)):
-                yield _Specified(verb, kind, mark, range(mark + 1, until))
+            is_last = not any(kind.stop <= other < words.stop for other in tasks)
+            is_bare = head_of(document, kind) == kind.stop - 1  # not "the cup with the flowers, the tall one"
+            if is_apposed and is_last and is_bare and _tells_which(observed, kind, words, is_whole=words.stop == end):
+                yield _Specified(kind, mark, words)
 
 
-def _tells_which(observed: Observed, words: range) -> bool:
-    """Whether words ahead of a condition name one of a kind: "the big one", or "juice" where an "otherwise" follows."""
-    tokens = observed.document.tokens[words.start : words.stop]
-    if not tokens or any(token.text in MARKS for token in tokens):
+def _tells_which(observed: Observed, kind: range, words: range, *, is_whole: bool) -> bool:
+    """Whether words, which are the rest of a sentence or stand ahead of a condition, name one of a kind: "the big one",
+    or "juice" where an "otherwise" follows. "The big one" of "the towels" may be an exception."""
+    document, sentences = observed.document, observed.document.sentences
+    said = document.tokens[words.start : words.stop]
+    if not said or any(token.text in MARKS for token in said):
         return False
-    if tokens[0].lower == "the" and tokens[-1].lower in ("one", "ones"):
-        return True
-    sentences = observed.document.sentences
+    is_indefinite = document.tokens[kind.start].lower in _INDEFINITE
+    if said[0].lower == "the" and said[-1].lower in _ONE:
+        return is_indefinite or document.tokens[head_of(document, kind)].tag in ("NN", "NNP")
     turns = (cue.first for cue in observed.cues if cue.name in _TURNING and cue.first > words.stop)
-    is_chosen = any(sentences[turn] == sentences[words.start] for turn in turns)
-    is_noun = tokens[-1].pos in ("NOUN", "PROPN") and all(t.pos in _NOMINAL for t in tokens[:-1])
-    return is_chosen and is_noun
+    is_chosen = not is_whole and any(sentences[turn] == sentences[words.start] for turn in turns)
+    is_noun = said[-1].pos in ("NOUN", "PROPN") and all(token.pos in _NOMINAL for token in said[:-1])
+    return is_indefinite and is_chosen and is_noun
 
 
-def _beginning(observed: Observed, tasks: Mapping[int, Task], which: _Specified) -> tuple[int, range]:
-    """Where the kind of a thing is told ahead of its order: at the beginning of the sentence; at the verb where another
-    order comes before that on which nothing hangs, in place of what joins the two."""
-    document, sentence = observed.document, observed.document.sentences[which.verb]
-    start = next(i for i in range(len(document)) if document.sentences[i] == sentence)
-    is_second = any(start <= other < which.verb for other in tasks)
-    is_governed = any(cue.name in _GOVERNING and start <= cue.first < which.verb for cue in observed.cues)
-    first = which.verb
-    while first > start and document.tokens[first - 1].lower in _JOINING:
-        first -= 1
-    joints = range(first, which.verb)
-    return (which.verb, joints) if is_second and joints and not is_governed else (start, range(0))
+def _with_noun(document: Document, which: _Specified) -> Iterator[Told]:
+    """The words that tell which one of a kind is meant, with its noun for "one"."""
+    head = head_of(document, which.kind)
+    noun = [
+        i for i in which.kind if i == head or (document.tokens[i].dep == "compound" and document.tokens[i].head == head)
+    ]
+    for i in which.words:
+        is_one = document.tokens[i].lower in _ONE
+        yield from (Told(n, i, i) for n in noun) if is_one else (Told(i),)
 
 
 def _carrier(document: Document, words: range) -> int:

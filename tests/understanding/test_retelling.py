@@ -45,7 +45,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
          [{"if": 2, "then": [1], "else": [3]}]),
         ("Hand Tom a cup. The tall one if it's clean, otherwise the small one.", "one", "the small cup",
          [{"if": 2, "then": [1], "else": [3]}]),
-        ("Take a rug to Ada. The thick one if it's dry, if not the thin one. Then shut the gate.", "one", "the thin rug",
+        ("Take a rug to Ada. The thick one if it's dry, if not the thin one. Then come.", "one", "the thin rug",
          [{"if": 2, "then": [1], "else": [3]}, 4]),
         ("Get me some fruit. A plum if there is one, otherwise a fig.", "fig", "a fig",
          [{"if": 2, "then": [1], "else": [3]}]),
@@ -113,6 +113,27 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
     assert all(found.span is None for found in task.arguments)
     starts = [task.span.start for task in instruction.tasks]
     assert starts == sorted(set(starts))
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Hand me the lamp. The red one.", "the red lamp"),
+        ("Water the plant, the tall one.", "the tall plant"),
+        ("Turn on a light in the hall. The small one.", "the small light"),
+    ],
+)
+def test_which_one_is_meant_may_follow_alone(interpreter: Interpreter, text: str, thing: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert task.value("object") == thing
+
+
+def test_an_exception_does_not_tell_which_one_is_meant(interpreter: Interpreter) -> None:
+    """Of several things the one that has a condition need not be all that are meant."""
+    assert (
+        interpreter.interpret("Water the plants. The tall one only if it is dry.").tasks[0].value("object")
+        == "the plants"
+    )
 
 
 def test_which_one_is_meant_hangs_on_its_condition_alone(interpreter: Interpreter) -> None:
