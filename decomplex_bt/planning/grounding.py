@@ -6,14 +6,13 @@ gives are errors, each with the task's number; nothing is guessed from words tha
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.errors import ImpossibleGoalError, InputError, UnknownWordError
 from decomplex_bt.instruction import Argument, Instruction, Task
-from decomplex_bt.planning.abilities import bringable_values, states_of
+from decomplex_bt.planning.abilities import states_of
 from decomplex_bt.planning.completion import Ask, Completion
 from decomplex_bt.planning.devices import devices_named, steps_elsewhere, without_devices
 from decomplex_bt.planning.distribution import distributed
@@ -21,7 +20,7 @@ from decomplex_bt.planning.exclusions import with_clauses, without_exclusion
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 from decomplex_bt.planning.objects import Objects
 from decomplex_bt.planning.passing_on import passed_on
-from decomplex_bt.planning.phrases import read_phrases, rooms_of
+from decomplex_bt.planning.phrases import read_phrases
 from decomplex_bt.planning.pouring import wrong_fillings
 from decomplex_bt.planning.prepositions import split_preposition
 from decomplex_bt.planning.questions import question_of
@@ -30,6 +29,7 @@ from decomplex_bt.planning.sent import with_place_sent, with_room_entered
 from decomplex_bt.planning.served import with_served
 from decomplex_bt.planning.sources import with_source
 from decomplex_bt.planning.state_words import read_state
+from decomplex_bt.planning.states import States
 from decomplex_bt.planning.told_by_place import with_places_told
 from decomplex_bt.planning.wording import Wording
 
@@ -41,8 +41,6 @@ GIVEN_AT = frozenset(("to", "into"))
 """Prepositions of where somebody gets a thing, unlike those of where it lies."""
 
 _ASKED_FOR = frozenset(("who", "who is", "who's", "who\u2019s"))
-_JOINED = re.compile(r"(?<!\bnice )(?<!\bgood )(?<!\blovely )\b(?:and|or|but)\b")
-"""What joins two states into words that are none: "clean and dry", not "nice and warm"."""
 
 
 def ground(instruction: Instruction, domain: Domain, *, ask: Ask | None = None) -> GroundInstruction:
@@ -87,40 +85,16 @@ class _Grounder:
         )
         self.completion = Completion(instruction, domain, self.wording, self.mentions, ask)
         self.objects = Objects(domain, self.referents)
+        self.states = States(instruction, domain, self.referents, self.objects)
 
     def ground(self, task: Task) -> GroundTask:
         """The grounded task. Raises `InputError`s without the task's number."""
         self.referents.others.begin(task.id)
         task, left_out = without_exclusion(self.instruction, with_clauses(self.instruction, task))
-        task = with_places_told(self.instruction, with_source(task, self.domain), self.domain)
-        task = with_served(task, self.domain)
-        task = with_place_sent(self.instruction, with_room_entered(self.instruction, task, self.domain), self.domain)
-        if self._is_emptying(task):
-            objects = tuple(argument for argument in task.arguments if argument.type == "object")
-            task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
-        # nothing is put onto itself: "pick up the ball and drop it" does not say where
-        is_circle = [a.type == "goal" and a.span is None and a.value in task.values("object") for a in task.arguments]
-        task = replace(task, arguments=tuple(a for a, c in zip(task.arguments, is_circle, strict=True) if not c))
-        sense = self.wording.sense(task)
-        state = sense.state if sense is not None and task.type == "change_state" else None
-        if (
-            task.type == "change_state"
-            and state is None
-            and task.value("state") is None
-            and self.wording.is_state(task)
-        ):
-            # a verbless order is marked on its state: "lamp off"
-            task = replace(task, arguments=(*task.arguments, Argument("state", task.span.of(self.instruction.text))))
-        if sense is not None and sense.goal is not None and task.value("goal") is None:
-            task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
-        if self.wording.is_of_nobody(task):
-            others = tuple(argument for argument in task.arguments if argument.type != "object")
-            task = replace(task, arguments=(*others, Argument("object", self._nobody_of(task))))
-        elif self.wording.is_of_anything(task):
-            task = replace(task, arguments=(*task.arguments, Argument("object", ANYTHING)))
+        task = self._with_verb_told(self._with_places(task))
+        state = self._state_of_verb(task)
         task = self.completion.complete(task, state is not None)
-        bare = self._bare(task)
-        grounded = _BY_TYPE.get(task.type, _Grounder._other)(self, task, bare, state)
+        grounded = _BY_TYPE.get(task.type, _Grounder._other)(self, task, self._bare(task), state)
         self.objects.note(grounded)
         if left_out is None:
             return grounded
@@ -130,6 +104,39 @@ class _Grounder:
             if not left_out.is_aside:
                 raise
             return grounded
+
+    def _with_places(self, task: Task) -> Task:
+        """A task with the places that other words tell: those of things, of who is served, of where it is sent."""
+        task = with_places_told(self.instruction, with_source(task, self.domain), self.domain)
+        task = with_served(task, self.domain)
+        task = with_place_sent(self.instruction, with_room_entered(self.instruction, task, self.domain), self.domain)
+        # nothing is put onto itself: "pick up the ball and drop it" does not say where
+        is_circle = [a.type == "goal" and a.span is None and a.value in task.values("object") for a in task.arguments]
+        return replace(task, arguments=tuple(a for a, c in zip(task.arguments, is_circle, strict=True) if not c))
+
+    def _with_verb_told(self, task: Task) -> Task:
+        """A task with what its verb alone tells: a state, a goal, an object such as "nobody"."""
+        if self._is_emptying(task):
+            objects = tuple(argument for argument in task.arguments if argument.type == "object")
+            task = replace(task, type="change_state", arguments=(*objects, Argument("state", EMPTY)))
+        is_stateless = task.value("state") is None and self._state_of_verb(task) is None
+        if task.type == "change_state" and is_stateless and self.wording.is_state(task):
+            # a verbless order is marked on its state: "lamp off"
+            task = replace(task, arguments=(*task.arguments, Argument("state", task.span.of(self.instruction.text))))
+        sense = self.wording.sense(task)
+        if sense is not None and sense.goal is not None and task.value("goal") is None:
+            task = replace(task, arguments=(*task.arguments, Argument("goal", sense.goal)))
+        if self.wording.is_of_nobody(task):
+            others = tuple(argument for argument in task.arguments if argument.type != "object")
+            return replace(task, arguments=(*others, Argument("object", self._nobody_of(task))))
+        if self.wording.is_of_anything(task):
+            return replace(task, arguments=(*task.arguments, Argument("object", ANYTHING)))
+        return task
+
+    def _state_of_verb(self, task: Task) -> str | None:
+        """The state that the verb of a task implies: "open", "heat"."""
+        sense = self.wording.sense(task)
+        return sense.state if sense is not None and task.type == "change_state" else None
 
     def _nobody_of(self, task: Task) -> str:
         """Whom a check of nobody asks of: at a place that is said the one who speaks may be, too."""
@@ -263,11 +270,12 @@ class _Grounder:
     def _change_state(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "location", "source")
         words = task.value("state")
-        objects, inner = self._stateful(task, places, words, state)
-        pair, value = self._value_of(objects, words, state, task)
-        objects = tuple(self._as_it_is(referent, pair) for referent in objects)
+        objects, inner = self.states.find(task, places, words, state)
+        pair, value = self.states.value_of(objects, words, state, task)
+        objects = tuple(self.states.as_it_is(referent, pair) for referent in objects)
         fits = tuple(
-            self.referents.narrowed(referent, lambda name: self._can_become(name, pair, value)) for referent in objects
+            self.referents.narrowed(referent, lambda name: self.states.can_become(name, pair, value))
+            for referent in objects
         )
         for referent, fit in zip(objects, fits, strict=True):
             if fit is None:
@@ -305,9 +313,9 @@ class _Grounder:
         if words is None or (self.wording.is_presence(words) and not self._is_state_of_objects(task, words)):
             objects, inner = self.objects.find(task, lambda name: True, "be looked for")
             return self._presence(replace(bare, objects=objects, places=places + inner, state=HERE), task)
-        objects, inner = self._stateful(task, places, words, state)
-        _, value = self._value_of(objects, words, state, task)
-        objects = tuple(self._as_it_is(referent) for referent in objects)
+        objects, inner = self.states.find(task, places, words, state)
+        _, value = self.states.value_of(objects, words, state, task)
+        objects = tuple(self.states.as_it_is(referent) for referent in objects)
         there = places + inner if self.referents.may_move(objects) else ()
         return replace(bare, objects=objects, places=there, state=value)
 
@@ -428,82 +436,8 @@ class _Grounder:
             return False
         names = self._named(task)
         return bool(names) and all(
-            self.referents.is_fixed(name) and self._can_become(name, FILL, EMPTY) for name in names
+            self.referents.is_fixed(name) and self.states.can_become(name, FILL, EMPTY) for name in names
         )
-
-    def _stateful(
-        self, task: Task, places: tuple[Referent, ...], words: str | None, state: str | None
-    ) -> tuple[tuple[Referent, ...], tuple[Referent, ...]]:
-        """The objects of a task about a state: of what a phrase may name, what can be in that state."""
-        if words is not None and _JOINED.search(words):
-            raise ImpossibleGoalError(f"{words!r} is more than one state; say each ('if it is open and it is dirty')")
-        pairs = self._pairs_meant(words, state)
-        if words is not None and not pairs and state is None:
-            known = sorted({value for pair in self.domain.kinds.state_pairs.values() for value in pair.values})
-            raise ImpossibleGoalError(
-                f"{words!r} is no state that anything here can be in; known states: {', '.join(known)}"
-            )
-
-        def has_state(name: str) -> bool:
-            return name not in self.house.rooms and bool(pairs & set(states_of(name, self.domain)))
-
-        rooms = {room for place in places for name in place.candidates for room in rooms_of(name, self.domain)}
-        values = " or ".join(value for pair in sorted(pairs) for value in self.domain.kinds.state_pairs[pair].values)
-        verb = task.span.of(self.instruction.text).lower()
-        is_said = words is not None or state is None or state in verb or verb in state
-        label = f"be {state or words}{'' if is_said else f' (so {verb!r} is read)'}: being {values}"
-        label += " is not modelled for {}"
-        objects, inner = self.objects.find(task, has_state, label, rooms=rooms)
-        return tuple(one for referent in objects for one in self._each_in(referent, places)), inner
-
-    def _each_in(self, referent: Referent, places: tuple[Referent, ...]) -> tuple[Referent, ...]:
-        """One of several things of a kind for each of several places that "and" joins: "close the window in the kitchen
-        and in the study"; the referent itself where a place has none of its own."""
-        own = [
-            tuple(n for n in referent.candidates if not rooms.isdisjoint(rooms_of(n, self.domain)))
-            for place in places
-            for rooms in [{room for name in place.candidates for room in rooms_of(name, self.domain)}]
-        ]
-        is_one_of_each = len(own) > 1 and all(own) and len({*sum(own, ())}) == sum(map(len, own))
-        if referent.is_all or not is_one_of_each or not all(map(self.referents.is_fixed, referent.candidates)):
-            return (referent,)
-        return tuple(replace(referent, candidates=names) for names in own)
-
-    def _as_it_is(self, referent: Referent, *pairs: str) -> Referent:
-        """A referent that is the only one of its kind, whatever its state (one of `pairs`, if given): "wash the dirty
-        shirt", where there is one shirt, is done when that shirt is clean."""
-        if len(referent.candidates) > 1 or referent.is_all or referent.is_any:
-            return referent
-        as_it_is = replace(referent, where=tuple(w for w in referent.where if pairs and w[0] not in pairs))
-        self.referents.settle(referent, as_it_is)
-        return as_it_is
-
-    def _pairs_meant(self, words: str | None, state: str | None) -> set[str]:
-        kinds = self.domain.kinds
-        if words is not None:
-            meant = {pair for pair in kinds.state_pairs if read_state(words, (pair,), self.domain) is not None}
-            if meant or state is None:
-                return meant
-        return {kinds.pair_of(state)} if state is not None else set()
-
-    def _value_of(
-        self, objects: tuple[Referent, ...], words: str | None, state: str | None, task: Task
-    ) -> tuple[str, str]:
-        """State pair and value for these objects. Raises `ImpossibleGoalError` where they have no such state."""
-        pairs = [
-            pair
-            for pair in self.domain.kinds.state_pairs
-            if all(pair in states_of(r.candidates[0], self.domain) for r in objects)
-        ]
-        found = read_state(words, pairs, self.domain) if words is not None else None
-        if found is None and state is not None and self.domain.kinds.pair_of(state) in pairs:
-            found = (self.domain.kinds.pair_of(state), state)
-        if found is None:
-            raise ImpossibleGoalError(f"{words or state!r} is no state that {objects[0].phrase!r} can be in")
-        return found
-
-    def _can_become(self, name: str, pair: str, value: str) -> bool:
-        return pair in states_of(name, self.domain) and value in bringable_values(name, pair, self.domain)
 
     def _places(self, task: Task, *names: str) -> tuple[Referent, ...]:
         """The referents of the places that these arguments name."""
