@@ -21,6 +21,7 @@ from decomplex_bt.understanding.rules.edits import (
     Said,
     is_order_at,
 )
+from decomplex_bt.understanding.rules.introductions import introductions
 from decomplex_bt.understanding.rules.remarks import bracketed, described, remarks
 from decomplex_bt.understanding.rules.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.restarts import said_over
@@ -28,22 +29,20 @@ from decomplex_bt.understanding.rules.restarts import said_over
 _TAGGING = frozenset("is are was were do does did has have had ai".split())
 _NOTS = frozenset(("n't", "nt"))
 _TAGGED = frozenset("it he she they there we you i that".split())
-_OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 
 
 def repaired(document: Document) -> frozenset[int]:
     """The tokens that are put otherwise in the same sentence, with what stands between.
 
     Words that are said over again; phrases, clauses and orders that others stand in place of behind a "no, sorry" or
-    the like; what breaks off at an article; a "tell you what"; the tag of a question, whose "not" denies nothing. An
+    the like; what breaks off at an article; what only opens what is then said; the tag of a question, whose "not" denies nothing. An
     order that is to be done *first* or *before* stands in place of none.
     """
     said = Said.of(document)
     cut = {i for stretch in said_over(said) for i in stretch}
-    cut.update(i for opener in _openers(said) for i in opener)
+    cut.update(introductions(said))
     cut.update(i for sound in _hesitations(said) for i in sound)
     cut.update(i for tag in _tags(said) for i in tag)
-    cut.update(i for opener in _additions(said) for i in opener)
     cut.update(i for remark in remarks(said) for i in remark)
     cut.update(i for digression in digressions(said) for i in digression)
     cut.update(described(said))
@@ -52,34 +51,6 @@ def repaired(document: Document) -> frozenset[int]:
         cut.update(put_otherwise(said, run))
         cut.update(_dropped(said, run))
     return frozenset(cut)
-
-
-def _openers(said: Said) -> Iterator[range]:
-    """Every "(I'll) tell you what" that only opens what is then ordered: not "tell you what happened"."""
-    words, tokens = said.words, said.document.tokens
-    for i in range(len(words) - 3):
-        if words[i : i + 3] != ["tell", "you", "what"]:
-            continue
-        start, stop = i, i + 3
-        while start and words[start - 1] in ("i", "'ll", "will"):
-            start -= 1
-        is_marked = words[stop] in MARKS | {":", "."}
-        while stop < len(words) and words[stop] in MARKS | {":", "."}:
-            stop += 1
-        if stop == len(words) or not said.may_begin(start):
-            continue
-        is_order = tokens[stop].pos == "VERB" and words[stop] == tokens[stop].lemma
-        if is_marked or is_order or words[stop] in _OPENING_ORDERS:
-            yield range(start, stop)
-
-
-def _additions(said: Said) -> Iterator[range]:
-    """Every "oh," that begins a sentence that goes on with an "and" ("*Oh,* and the lamp, too, if it's on")."""
-    words, sentences = said.words, said.document.sentences
-    for i in range(len(words) - 2):
-        is_first = i == 0 or sentences[i - 1] != sentences[i]
-        if is_first and words[i : i + 3] == ["oh", ",", "and"]:
-            yield range(i, i + 2)
 
 
 def _hesitations(said: Said) -> Iterator[range]:
