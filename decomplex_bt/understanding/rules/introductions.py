@@ -1,5 +1,5 @@
-"""Introductions: words that say nothing and only open what is then said ("tell you what, ...", "the trouble is that ...",
-"what I need is ...", "oh, and ...")."""
+"""Introductions: words that say nothing and only open what is then said ("tell you what, ...", "the trouble is that
+...", "what I need is ...", "oh, and ...")."""
 
 from __future__ import annotations
 

@@ -35,8 +35,8 @@ def repaired(document: Document) -> frozenset[int]:
     """The tokens that are put otherwise in the same sentence, with what stands between.
 
     Words that are said over again; phrases, clauses and orders that others stand in place of behind a "no, sorry" or
-    the like; what breaks off at an article; what only opens what is then said; the tag of a question, whose "not" denies nothing. An
-    order that is to be done *first* or *before* stands in place of none.
+    the like; what breaks off at an article; what only opens what is then said; the tag of a question, whose "not"
+    denies nothing. An order that is to be done *first* or *before* stands in place of none.
     """
     said = Said.of(document)
     cut = {i for stretch in said_over(said) for i in stretch}
