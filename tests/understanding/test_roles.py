@@ -670,3 +670,11 @@ def test_behind_the_order_of_a_case_an_if_you_cant_is_of_that_order(case: str, r
         f"{case}, [open](2:change_state) [the gate](2:object). If you can't, [tell](3:informing) [me](3:recipient)."
     )
     assert stated_roles(found, ("condition", "task", "task"))[1] == role
+
+
+def test_an_if_you_cant_behind_an_if_you_can_answers_the_same_question() -> None:
+    found = clauses(
+        "Can you [open](1:change_state) [the jug](1:object)? If you can, [fill](2:change_state) [it](2:object); if you "
+        "can't, [tell](3:informing) [me](3:recipient)."
+    )
+    assert stated_roles(found, ("condition", "condition", "task")) == ("condition", "task", "task")

@@ -114,8 +114,8 @@ class Clause:
     asks_open: bool = False
     """Whether it orders to find out what no yes or no answers: "see who it is", "check what the boys are doing"."""
     ability: str = ""
-    """Whether it is "asked" if its verb can be done ("if you can find it"), or "denied" that what was asked of can be
-    ("if you can't, ...")."""
+    """Whether it is "asked" if its verb can be done ("if you can find it"), or "answered" or "denied" that what was
+    asked of can be ("if you can, ...", "if you can't, ...")."""
     is_unwilling: bool = False
     """Whether it says that somebody won't do something: "if he won't come"."""
     is_only_then: bool = False

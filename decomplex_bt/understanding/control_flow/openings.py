@@ -66,11 +66,14 @@ OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 
 
 def ability(document: Document, ahead: Sequence[Cue], token: int) -> str:
-    """Whether what opens a clause asks if the listener is able (`asked`: "if you can") or denies it (`denied`)."""
+    """Whether what opens a clause asks if the listener is able ("asked": "if you can find it"), says that it is
+    ("answered": "can you find it? If you can, ..."), or denies it ("denied")."""
     said = [[normal_form(t.lower) for t in document.tokens[cue.first : cue.last + 1]] for cue in ahead]
     for cue, words in zip(ahead, said, strict=True):
         if cue.name == "fail" and not _ABLE.isdisjoint(words):
             return "denied"
+        if cue.name == "so" and not _ABLE.isdisjoint(words):
+            return "answered"
         between = {normal_form(t.lower) for t in document.tokens[cue.last + 1 : token]}
         if cue.name in ("if", "when") and "you" in between and between & _ABLE and between <= _ABLE | _BESIDE_ABLE:
             return "asked"

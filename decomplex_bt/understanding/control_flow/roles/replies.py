@@ -297,8 +297,11 @@ def lack_too(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def be_able(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Behind "if you can ..., do this" an "if you can't" is of that, and not of what is done ("if you can find it,
-    bring it; if you can't, tell me")."""
-    if clauses[k].ability != "denied" or roles[k - 1] != "condition" or clauses[k - 1].ability:
+    bring it; if you can't, tell me", "can you lift it? If you can, *turn it*; if you can't, ...")."""
+    if clauses[k].ability != "denied" or roles[k - 1] != "condition" or clauses[k - 1].ability == "asked":
+        return
+    if clauses[k - 1].ability == "answered":
+        roles[k - 1] = "task"
         return
     first = next((j for j in range(k - 2, -1, -1) if roles[j] != "task"), None)
     if first is not None and roles[first] == "condition" and clauses[first].ability == "asked":
