@@ -1,17 +1,18 @@
-"""Cases of which only a noun is said."""
+"""Cases of which only a noun or a state is said."""
 
 from __future__ import annotations
 
 import pytest
+from annotated import DOMAIN, PARSER
 
-from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.verbless import verbless_cases
 
 
-@pytest.fixture(scope="module")
-def parser() -> Parser:
-    return Parser()
+def observed(text: str) -> Observed:
+    return Observed(PARSER.parse(text), Gazetteer.of(DOMAIN.lexicon, DOMAIN.kinds))
 
 
 @pytest.mark.parametrize(
@@ -40,16 +41,20 @@ def parser() -> Parser:
         ("If the soup, no, the stew is hot, bring it.", []),
         ("If the guest-room door is open, shut it.", []),
         ("If the bread is stale, toast it.", []),
+        ("When dark, draw the blinds.", ["dark"]),
+        ("Empty the crate when full.", ["full"]),
+        ("If still damp, hang the rug up.", ["damp"]),
+        ("Come back when done.", []),
+        ("Tell me when ready.", []),
     ],
 )
-def test_a_noun_that_stands_alone_is_a_case(parser: Parser, text: str, carriers: list[str]) -> None:
-    document = parser.parse(text)
-    assert [document.tokens[case.carrier].text for case in verbless_cases(document, ())] == carriers
+def test_what_stands_alone_is_a_case(text: str, carriers: list[str]) -> None:
+    found = observed(text)
+    assert [found.document.tokens[case.carrier].text for case in verbless_cases(found, ())] == carriers
 
 
-def test_what_has_a_task_of_its_own_is_none(parser: Parser) -> None:
-    document = parser.parse("If the tall lamp flickers, switch it off.")
-    assert not list(verbless_cases(document, {2}))
+def test_what_has_a_task_of_its_own_is_none() -> None:
+    assert not list(verbless_cases(observed("If the tall lamp flickers, switch it off."), {2}))
 
 
 @pytest.mark.parametrize(
@@ -58,6 +63,9 @@ def test_what_has_a_task_of_its_own_is_none(parser: Parser) -> None:
         ("Look in the pot. If soup, bring me the ladle.", [1, {"if": 2, "then": [3]}], ("soup", None)),
         ("If no jam, fetch a jar from the cellar.", [{"if": 1, "else": [2]}], ("jam", None)),
         ("If no bread left, toast two crumpets.", [{"if": 1, "else": [2]}], ("bread", None)),
+        ("Turn the lantern on when dark.", [{"if": 2, "then": [1]}], (None, None)),
+        ("Serve the stew when ready.", [{"if": 2, "then": [1]}], ("the stew", None)),
+        ("If not too heavy, bring me the crate.", [{"if": 1, "else": [2]}], ("the crate", None)),
         ("Unless Friday, lock the gate and bring the key.", [{"if": 1, "else": [2, 3]}], (None, "Friday")),
         ("If a letter, bring it to me, otherwise shut the box.",
          [{"if": 1, "then": [2], "else": [3]}], ("a letter", None)),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.domain.clauses import AIR, WEATHER
 from decomplex_bt.domain.ontology import Ontology
 from decomplex_bt.instruction import Argument, Task
+from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import (
@@ -247,7 +248,7 @@ def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
     if task.type != "check_state" or verb == 0:
         return False
     if tokens[verb].lemma not in _BEING:
-        return _is_bare_state(observed.document, verb)
+        return _is_bare_state(observed, verb)
     spans = [argument.span for argument in task.arguments if argument.span is not None]
     words = {tokens[i].lower for span in spans for i in observed.document.indices(span)}
     is_of_place = any(argument.type == "location" for argument in task.arguments)
@@ -255,12 +256,13 @@ def _lacks_subject(observed: Observed, task: Task, verb: int) -> bool:
     return tokens[verb - 1].lower in _OPENING and is_told
 
 
-def _is_bare_state(document: Document, at: int) -> bool:
-    """Whether a state stands alone between an "if" and a comma: "*if dirty,* wash the cup", not "if dark, ..."."""
-    tokens = document.tokens
+def _is_bare_state(observed: Observed, at: int) -> bool:
+    """Whether a state stands alone between an "if" and a mark: "*if dirty,* wash the cup", not "if dark, ..."."""
+    tokens = observed.document.tokens
+    opening = next((i for i in range(at - 1, -1, -1) if tokens[i].lower in _OPENING), None)
+    is_led = opening is not None and bare_state(observed, opening) == at
     is_set_off = 0 < at < len(tokens) - 1 and tokens[at - 1].lower in _OPENING and tokens[at + 1].text == ","
-    is_state = tokens[at].pos == "ADJ" or tokens[at].tag == "VBN"
-    return is_set_off and is_state and tokens[at].lower not in WEATHER | _AIR
+    return (is_led or (is_set_off and tokens[at].tag == "VBN")) and tokens[at].lower not in WEATHER | _AIR
 
 
 def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tuple[str, str]]:

@@ -163,7 +163,7 @@ def _told_without_verb(observed: Observed, tasks: Tasks, arguments: Sequence[Fou
         if case.carrier in tasks:
             kept = [_cut_short(a, case.tokens.start) for a in kept if a.tokens.start not in case.tokens]
             kept += [FoundArgument(name, case.carrier, said, CERTAIN) for name, said in case.told.items()]
-    for case in verbless_cases(document, tasks):
+    for case in verbless_cases(observed, tasks):
         within = [argument for argument in kept if not set(argument.tokens).isdisjoint(case.tokens)]
         if case.carrier in tasks and not _is_named(document, within, case.carrier):
             kept = [argument for argument in kept if argument not in within]

@@ -232,7 +232,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for listed in assured_lists(document):
         behind.update(range(listed[0].thing.start, listed[-1].state.stop))
         idioms |= {one.carrier: "change_state" for one in listed}
-    idioms |= {case.carrier: case.type for case in verbless_cases(document, found) if case.carrier not in found}
+    idioms |= {case.carrier: case.type for case in verbless_cases(observed, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
     idioms |= {told_by(document, be): "check_state" for be in untold(document, {**found, **idioms})}

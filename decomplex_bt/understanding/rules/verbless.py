@@ -1,13 +1,15 @@
 """Verbless cases: checks that say only a noun ("if *no bread*, ...", "unless *Sunday*, ...", "in case
-of *frost*, ...", "*any bread*?")."""
+of *frost*, ...", "*any bread*?") or how something is ("when *dark*, ...")."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
 from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import head_of
 from decomplex_bt.understanding.rules.fragments import Fragment
 
@@ -21,22 +23,25 @@ _PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM", "ADV", "ADP"))
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _CORRECTING = frozenset("no sorry wait i oh er um uh".split())
 _LONGEST = 6
+_TOLD = frozenset("me us him her them know".split())
 _NO_CASES = frozenset(
     "possible necessary necessity need needed required applicable available sure unsure true false positive negative "
+    "able unable done finished through "
     "successful unsuccessful lucky unlucky ok okay fine home luck joy good anything nothing doubt emergency course "
     "thing time yes no aye yeah yep nope nay neither either answer reply response sign show dice failure "
     "success need".split()
 )
-"""Heads of what stands behind an "if" and takes up what was said, or asks nothing."""
+"""What stands behind an "if" and takes up what was said, or asks nothing."""
 
 
-def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragment]:
+def verbless_cases(observed: Observed, tasks: Collection[int]) -> Iterator[Fragment]:
     """The checks of nouns that stand alone between an "if" and a comma or the end of a sentence, or are asked after by
     "any", with none of the `tasks`, which are tokens, among them but the head."""
-    tokens = document.tokens
+    document, tokens = observed.document, observed.document.tokens
+    yield from _bare_states(observed)
     for first in _openings(document):
         stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
-        if stop < len(tokens) and not _is_end(document, stop):
+        if (stop < len(tokens) and not _is_end(document, stop)) or bare_state(observed, first - 1) is not None:
             continue
         if tokens[first].lower == _ASKING and not _is_asked(document, first, stop):
             continue
@@ -53,6 +58,18 @@ def verbless_cases(document: Document, tasks: Collection[int]) -> Iterator[Fragm
             if tokens[first - 1].lower == "of":  # "in case of rain" names no state beside the word that carries it
                 state = range(0)
             yield Fragment(range(first, stop), head, thing, range(0), state=state)
+
+
+def _bare_states(observed: Observed) -> Iterator[Fragment]:
+    """The states that stand alone between a word that opens a case and a mark: "*when full*, empty it", "lock it
+    *unless wet*"; not "tell me *when ready*"."""
+    tokens = observed.document.tokens
+    for opening in (token.i for token in tokens if token.lower in (*_OPENING, "when")):
+        at = bare_state(observed, opening)
+        before = tokens[opening - 1] if opening else None
+        is_asked = before is not None and (before.lemma in ASKING_LEMMAS or before.lower in _TOLD)
+        if at is not None and not is_asked and _NO_CASES.isdisjoint((tokens[at].lemma, tokens[at].lower)):
+            yield Fragment(range(opening + 1, at + 1), at, range(0), range(0))
 
 
 def _is_comparison(document: Document, phrase: range) -> bool:
