@@ -29,6 +29,8 @@ def test_what_two_clauses_tell_is_no_case(interpreter: Interpreter, text: str, t
     ("text", "expected"),
     [
         ("Tom is in the garden and Anna is in the kitchen. Bring them the tea.", [1]),
+        ("Either the mop is in the hall or it's in the shed. Bring it to me.", [1]),
+        ("Either shut the hatch or light the stove.", [{"if": 1, "else": [2]}]),
         ("You can find the screws in the shed. Bring me five of them.", [1]),
         ("If you can find the screws in the shed, bring me five of them.", [{"if": 1, "then": [2]}]),
         ("The oven is on and the kettle is off. If the kettle is hot, turn the oven off.", [{"if": 1, "then": [2]}]),

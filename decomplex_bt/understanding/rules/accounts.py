@@ -14,6 +14,7 @@ _ASKING = frozenset(
     "supposing assuming or either depending may might could can perhaps maybe who what which where how you make".split()
 )
 """Words with which a sentence asks, or tells of what may be so or is to be brought about."""
+_GUESSING = frozenset(("either", "or"))
 _TAKING_UP = frozenset("true false case so not then otherwise else yes no both either neither event".split())
 _WHERE = frozenset("in on at under behind inside beside near by upstairs downstairs outside".split())
 _FIRST = 3
@@ -69,9 +70,10 @@ def _accounts(document: Document) -> Iterator[range]:
 
 def _asks(document: Document, sentence: range) -> bool:
     """Whether a sentence has a word with which something is asked, beside the "you can" of what only tells where
-    something is."""
+    something is, and the "either ... or" of two guesses at that ("*either* the mop is in here *or* it's outside")."""
     where = {i for i in sentence if _tells_where(document, i, sentence.stop)}
-    return any(document.tokens[i].lower in _ASKING and where.isdisjoint((i + 1, i + 2)) for i in sentence)
+    asking = _ASKING - _GUESSING if document.tokens[sentence.start].lower == "either" else _ASKING
+    return any(document.tokens[i].lower in asking and where.isdisjoint((i + 1, i + 2)) for i in sentence)
 
 
 def _tells(document: Document, verb: int, stop: int) -> bool:
