@@ -150,13 +150,14 @@ def _specified(observed: Observed, tasks: Mapping[int, Task]) -> Iterator[_Speci
 
 def _tells_which(observed: Observed, kind: range, words: range, *, is_whole: bool) -> bool:
     """Whether words, which are the rest of a sentence or stand ahead of a condition, name one of a kind: "the big one",
-    or "juice" where an "otherwise" follows. "The big one" of "the towels" may be an exception."""
+    "the one with a lid", or "juice" where an "otherwise" follows. "The big one" of "the towels" may be an exception."""
     document, sentences = observed.document, observed.document.sentences
     said = document.tokens[words.start : words.stop]
     if not said or any(token.text in MARKS for token in said):
         return False
     is_indefinite = document.tokens[kind.start].lower in _INDEFINITE
-    if said[0].lower == "the" and said[-1].lower in _ONE:
+    one = next((i for i, token in enumerate(said) if token.lower in _ONE), None)
+    if said[0].lower == "the" and one is not None and (one + 1 == len(said) or said[one + 1].pos == "ADP"):
         return is_indefinite or document.tokens[head_of(document, kind)].tag in ("NN", "NNP")
     turns = (cue.first for cue in observed.cues if cue.name in _TURNING and cue.first > words.stop)
     is_chosen = not is_whole and any(sentences[turn] == sentences[words.start] for turn in turns)

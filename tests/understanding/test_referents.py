@@ -120,3 +120,15 @@ def test_who_is_at_the_door_is_not_the_door(interpreter: Interpreter) -> None:
 def test_nothing_is_put_into_itself_nor_is_a_time_brought(interpreter: Interpreter, text: str, value: str) -> None:
     orders = [task for task in interpreter.interpret(text).tasks if task.type != "check_state"]
     assert {task.value("object") for task in orders} == {value}
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("There are two jugs. Hand me the one with the lid.", "the jug with the lid"),
+        ("There are three crates in the shed. Empty the one without a handle.", "the crate without a handle"),
+        ("If my cane isn't here, bring the one with the silver knob.", "the cane with the silver knob"),
+    ],
+)
+def test_what_tells_which_one_stays_with_the_noun(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

@@ -120,6 +120,7 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
     [
         ("Hand me the lamp. The red one.", "the red lamp"),
         ("Water the plant, the tall one.", "the tall plant"),
+        ("Hand me a rug, the one with the fringe.", "the rug with the fringe"),
         ("Turn on a light in the hall. The small one.", "the small light"),
     ],
 )

@@ -295,14 +295,18 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     if gap.form == "one" and any(document.tokens[i].lower not in _DEMONSTRATIVES for i in modifiers):
         words = _text(document, modifiers)
         is_plural = gap.word == "ones"
+        after = range(head_of(document, gap.tokens) + 1, gap.tokens.stop)
+        if after:
+            yield (
+                f"{words} {noun_of(document, candidate, is_plural=is_plural)} {_text(document, after)}",
+                "modified.long",
+            )
+        if after and len(modifiers) == 1:  # nothing else tells "the one with the handle" from any other
+            return
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "modified"
         bare = bare_of(document, candidate, is_plural=is_plural)
         yield f"{words} {bare}", "modified.bare"
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural).split()[-1]}", "modified.head"
-        after = range(head_of(document, gap.tokens) + 1, gap.tokens.stop)
-        if after:
-            noun = noun_of(document, candidate, is_plural=is_plural)
-            yield f"{words} {noun} {_text(document, after)}", "modified.long"
     elif gap.word == "other" or gap.word == "others":
         yield f"the other {noun_of(document, candidate, is_plural=gap.word == 'others')}", "other"
     if gap.word in ("one", "another", "that", "it") and gap.form in ("one", "pronoun"):
