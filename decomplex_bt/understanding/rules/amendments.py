@@ -37,6 +37,7 @@ from decomplex_bt.understanding.rules.corrections import (
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.extents import (
     with_features,
+    with_marks,
     with_purposes,
     with_whole_clauses,
     with_whole_places,
@@ -124,7 +125,7 @@ def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[Fo
     kept = without_cases(document, tasks, list(arguments))
     kept = with_whole_clauses(document, with_whole_places(document, kept))
     kept = without_questions(document, tasks, kept)
-    kept = with_uses(document, with_features(document, tasks, kept))
+    kept = with_uses(document, with_marks(document, tasks, with_features(document, tasks, kept)))
     kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))
     return with_questions(document, tasks, kept)

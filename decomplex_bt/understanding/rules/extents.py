@@ -11,6 +11,8 @@ from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
 """What names a thing besides nouns: "the ones *with the foxes on it*"."""
+_ONES = frozenset(("one", "ones"))
+_MARKING = frozenset(("with", "without", "about"))
 _AT_IT = frozenset("on in inside round around under over".split())
 _IT = frozenset(("it", "them", "'em", "em"))
 _JOINING = frozenset((",", "and", "or"))
@@ -78,6 +80,23 @@ def _behind(argument: FoundArgument, whole: range) -> FoundArgument | None:
         return argument
     rest = range(whole.stop, argument.tokens.stop)
     return replace(argument, tokens=rest) if rest else None
+
+
+def with_marks(document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with what tells "the one" from all others as part of their words: "the one *without a handle*"."""
+    stops = {chunk.start: chunk.stop for chunk in noun_chunks(document)}
+    kept = list(arguments)
+    for thing in arguments:
+        first, last = document.tokens[thing.tokens.start], document.tokens[thing.tokens.stop - 1]
+        behind = thing.tokens.stop
+        is_cut_off = behind < len(document) and document.tokens[behind].lower in _MARKING and behind + 1 in stops
+        if not (is_cut_off and first.lower == "the" and last.lower in _ONES):
+            continue
+        whole = range(thing.tokens.start, stops[behind + 1])
+        taken = {i for a in kept if a is not thing for i in a.tokens}
+        if taken.isdisjoint(whole) and tasks.keys().isdisjoint(whole):
+            kept[kept.index(thing)] = replace(thing, tokens=whole)
+    return kept
 
 
 def with_purposes(
