@@ -241,3 +241,8 @@ def test_who_clears_up_or_has_gone_is_not_sent_anywhere(text: str, kinds: list[s
 def test_a_question_whether_somebody_has_done_something_is_no_order(text: str, kinds: list[str] | None) -> None:
     found = [task.type for task in Interpreter.load("household").interpret(text).tasks]
     assert found[-1] == "change_state" if kinds is None else found == kinds
+
+
+def test_what_a_thing_has_is_no_check_of_its_own() -> None:
+    text = "if/IN the/DT pie/NN has/VBZ nuts/NNS in/IN it/PRP"
+    assert found(text, (3, "check_state"), (4, "check_state")) == [(3, "check_state")]

@@ -127,6 +127,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or (task.type in _HANDLING and is_taken_up(document, task.token, types_found))
             or (bool(found) and _is_progressive(document, found[-1], task))
             or (bool(found) and _is_left_of(document, found[-1], task))
+            or (bool(found) and _is_had(document, found[-1], task))
             or (following is not None and _is_with_see(document, task.token, following.token))
             or (following is not None and _is_beginning(document, task.token, following.token))
             or (following is not None and _is_favour(document, task.token, following.token))
@@ -176,6 +177,14 @@ def _is_left_of(document: Document, check: FoundTask, task: FoundTask) -> bool:
     between = document.tokens[check.token + 1 : task.token]
     is_left = document.tokens[task.token].lower == "left" and _asks_got(document, check.token)
     return is_left and all(token.text not in MARKS and not token.tag.startswith("V") for token in between)
+
+
+def _is_had(document: Document, check: FoundTask, task: FoundTask) -> bool:
+    """Whether a noun is what a thing is asked to have: "if the pie has *nuts* in it"."""
+    tokens = document.tokens
+    is_having = check.type == task.type == "check_state" and tokens[check.token].lower in ("has", "have")
+    between = tokens[check.token + 1 : task.token]
+    return is_having and tokens[task.token].pos == "NOUN" and all(t.pos in ("DET", "ADJ", "NOUN") for t in between)
 
 
 def _is_genitive(document: Document, looked: Collection[range], at: int) -> bool:
