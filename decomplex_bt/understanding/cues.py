@@ -41,7 +41,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "failing that", "failing this", "failing both", "failing either", "failing him", "failing her", "failing them", "on failure", "in case of failure", "should that fail", "should this fail", "should it fail", "if nothing happens", "still nothing",
             "if that does nothing", "if that does not help", "if that does not do it", "if that does not do the trick", "if it does not help", "if nothing", "if you strike out", "if you come up empty", "if you really can not", "if you just can not", "if you simply can not", "if you absolutely can not",
             "should this prove impossible", "should that prove impossible", "if that proves impossible", "that proving impossible", "should the attempt fail", "if that is beyond you",
-            "should you fail", "should you not succeed", "should that not work", "should this not work", "should it not work", "if you can not manage it", "if you can not manage that",
+            "should you fail", "should you not succeed", "should that not work", "should this not work", "should it not work", "if you can not manage", "if you can not manage it", "if you can not manage that", "if you can not manage to",
             "if you can not do it", "if you can not do that", "if you are not able to", "if not able", "if you get nowhere", "if that gets you nowhere", "if there is no answer", "no answer", "if that fails", "if this fails", "if it fails", "if you fail", "if that does not work",
             "if it does not work", "if this does not work", "if that will not work", "if it will not work", "if that is not possible", "if it is not possible", "if not possible",
             "if you can not", "if u can not", "if you could not", "if you are unable", "if unable", "if unsuccessful", "if impossible", "if that is impossible", "no luck", "no joy",
@@ -167,6 +167,7 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
         if {"fail", "so"}.intersection(names) and _is_of_thing(document, words, position, position + length):
             length, names = 1, _TABLE.get((words[position],), ())  # "bring me the torch. If it doesn't work, ..."
         is_asked = _disambiguated(words[position], document, position) == "whether"  # "check if something goes wrong"
+        is_asked = is_asked and not _is_of_told(document, words, position)
         if "fail" in names and (is_asked or _is_named(words, position)):
             length, names = 1, tuple(name for name in _TABLE.get((words[position],), ()) if name != "fail")
         if words[position : position + length] == _IN_CASE and not _opens_case(document, position):
@@ -292,6 +293,15 @@ def _is_named(words: Sequence[str], position: int) -> bool:
     return words[position] in _NOUNS_OF_FAILURE and position > 0 and words[position - 1] in _AHEAD_OF_NOUNS
 
 
+def _is_of_told(document: Document, words: Sequence[str], position: int) -> bool:
+    """Whether an "if you can't" says when somebody is told something, behind an order: "shut it and tell me if you
+    can't"."""
+    ahead = document.tokens[max(0, position - 2) : position]
+    is_told = any(token.lemma in _TELLING for token in ahead)
+    is_behind = any(token.pos == "VERB" for token in document.tokens[: max(0, position - 3)])
+    return is_told and is_behind and tuple(words[position + 1 : position + 4]) in _FAILING
+
+
 def _is_forbidden_before(document: Document, words: Sequence[str], position: int) -> bool:
     """Whether a "before" says until when something is forbidden: "don't start it before it's full"."""
     for i in range(position - 1, 0, -1):
@@ -347,6 +357,8 @@ _THANKING = frozenset(
 _WOULD = frozenset("would should could 'd \u2019d will 'll \u2019ll".split())
 _ASKED = frozenset("would could can might please kindly just found brought put took gave".split())
 _BEING = frozenset(("is", "have", "has", "m", "'m"))
+_TELLING = frozenset(("tell", "know", "inform", "text"))
+_FAILING = frozenset((("you", "can", "not"), ("you", "do", "not"), ("you", "could", "not")))
 _NOUNS_OF_FAILURE = frozenset(("no", "fallback", "plan", "worst"))
 _AHEAD_OF_NOUNS = frozenset("a an the my your his her our their is be with of this that any".split())
 _BEHIND_NEXT = frozenset(("to", "door", "time", "week", "one", "morning", "day", "room"))

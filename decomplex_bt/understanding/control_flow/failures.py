@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from decomplex_bt.understanding.control_flow.clause import AROUND, CHOOSING, FINDING, Clause
 from decomplex_bt.understanding.control_flow.outcomes import comes_through
 from decomplex_bt.understanding.cues import OPPOSITES
@@ -50,6 +52,19 @@ def is_failure_of(clause: Clause, before: Clause, named: Clause) -> bool:
     is_of_it = clause.says_undone or (clause.says_named_undone and (clause.names_same(named) or is_where_put))
     is_of_it = is_of_it or (before.wording.state == "on" and says_broken(clause, named))
     return is_change and is_of_it and "unless" not in clause.near
+
+
+def fails_behind(clause: Clause, order: Clause, before: Sequence[Clause]) -> bool:
+    """Whether it says, behind another order, that an order ahead of that was not carried out: "lift it, or call Tom *if
+    you can't lift it*", "bring me a pen, and tell Tom *if you can't find one*", "open it, and tell me *if it won't
+    open*"; `before`: all clauses up to there."""
+    named = next((one for one in reversed(before[:-1]) if one.objects), order)
+    is_of_it = clause.has_pronoun and not clause.objects
+    is_same = is_of_it or clause.names_same(named)
+    is_sought = clause.task.type == "searching" and order.task.type in FINDING
+    is_undone = clause.wording.is_negated and (is_sought or clause.verb == order.verb) and "not" in clause.near
+    is_led = "if" in clause.near or "whether" in clause.near
+    return is_led and not order.is_forbidden and ((is_undone and is_same) or is_failure_of(clause, order, named))
 
 
 def says_broken(clause: Clause, named: Clause) -> bool:
@@ -119,6 +134,15 @@ def is_fallback_for(clause: Clause, before: Clause) -> bool:
     return are_orders and not ahead.isdisjoint(_FALLING_BACK) and is_opened and is_plain and not is_other
 
 
+def is_fallback_behind(clause: Clause, before: Clause) -> bool:
+    """Whether it is for where the order before fails, by what is said behind it at the end of its sentence: "move the
+    chest and call Tom *if you can't manage*"."""
+    are_orders = clause.task.type != "check_state" != before.task.type and clause.sentence - before.sentence < _FAR
+    is_behind = clause.behind == ("fail",) and clause.ends_sentence and _LISTING.issuperset((*clause.far, *clause.near))
+    is_plain = not (clause.is_forbidden or before.is_forbidden) and "fail" not in before.behind
+    return are_orders and is_behind and is_plain and CHOOSING.isdisjoint({*before.far, *before.near})
+
+
 def is_case_against(clause: Clause, order: Clause) -> bool:
     """Whether it calls off the order before it in a case that does not come about through that: "mow the lawn, but
     if it's wet, leave it", not "turn it on, and if it won't start, leave it"."""
@@ -129,6 +153,7 @@ def is_case_against(clause: Clause, order: Clause) -> bool:
 
 
 _FALLING_BACK = frozenset(("else", "fail"))
+_LISTING = frozenset(("and", "or", "then", "please", "but"))
 _FAR = 2
 """From so many sentences on a "failing that" is not about the order before [sentences]."""
 _BROKEN = frozenset("broken faulty busted bust kaput knackered damaged order blink".split())

@@ -118,7 +118,7 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
             continue
         if _is_ahead(document, parts, k, tasks) and (is_verbal or not _is_apart(document, parts, k, tasks)):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
-            yield Alternative(body, condition, is_verbal)
+            yield Alternative(_last_order(document, parts, k, body, tasks), condition, is_verbal)
         elif not is_verbal and (_is_added(document, parts, k, tasks) or _is_apart(document, parts, k, tasks)):
             own = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
             yield Alternative(body, range(body.stop, body.stop), mark=part.opening, own=own)
@@ -198,6 +198,15 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
         is_named = condition.lead == "if" and not any(i in tasks for i in part.body)
         return _is_contrary(document, condition) or (is_named and any(i in tasks for i in condition.body))
     return False
+
+
+def _last_order(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> range:
+    """The last of several orders behind a case that opens their sentence, of which the first is what is done in that:
+    "if it's dark, light the lamp and *draw the blinds* if not"."""
+    is_fronted = k > 0 and parts[k - 1].lead == "if" and (k == 1 or parts[k - 2].is_last or not parts[k - 2].body)
+    orders = [i for i in body if tasks.get(i, "check_state") != "check_state"]
+    is_joined = len(orders) > 1 and document.tokens[orders[-1] - 1].lower == "and"
+    return range(orders[-1], body.stop) if is_fronted and is_joined else body
 
 
 def _is_second_choice(

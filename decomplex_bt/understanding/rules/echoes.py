@@ -1,5 +1,6 @@
 """Echoes: cases behind a verb of telling that only take up the one before, and are no message ("bring it in if it has
-come and tell me *if it hasn't*", "close it if you can and let me know *if you can't*")."""
+come and tell me *if it hasn't*", "close it if you can and let me know *if you can't*"), and that the listener fails in
+what was ordered before ("look for my ring and ask Tom *if you don't find it*")."""
 
 from __future__ import annotations
 
@@ -12,6 +13,7 @@ _SUBJECTS = frozenset("it he she they we there you i that those these".split())
 _TYPED = frozenset("isnt arent wasnt hasnt havent doesnt dont didnt cant couldnt".split())
 _DENYING = frozenset("not n't n’t nt".split())
 _ABLE = frozenset("ca can cannot could cant couldnt".split())
+_UNDOING = _ABLE | frozenset("do did have dont didnt havent".split())
 _BETWEEN = frozenset("me us him her them know".split())
 _NAMING = frozenset(("DET", "NOUN", "PROPN"))
 _ENDS = MARKS | {"and", "but", "then", "or"}
@@ -20,7 +22,8 @@ _ASKING = frozenset(("check_state", "searching"))
 
 
 class Echo(NamedTuple):
-    """Its words behind the "if", and its verb; `asks`: whether that is a check, not whether the listener is able."""
+    """Its words behind the "if", and its verb; `asks`: whether that is a check, not whether the listener is able, or
+    does something."""
 
     tokens: range
     verb: int
@@ -34,9 +37,15 @@ def echoes(document: Document, tasks: Mapping[int, str]) -> dict[int, Echo]:
     if document.words.isdisjoint(_OPENING):
         return found
     for i, token in enumerate(tokens[:-2]):
-        echo = _echo(document, i) if token.lower == "if" else None
-        telling = _telling(document, tasks, i)
-        if echo is None or telling is None:
+        telling = _telling(document, tasks, i) if token.lower == "if" else None
+        if telling is None:
+            continue
+        failure = _failure(document, i)
+        if failure is not None and any(j < telling for j in tasks):
+            found[telling] = failure
+            continue
+        echo = _echo(document, i)
+        if echo is None:
             continue
         first = next((t.i for t in tokens[:telling] if t.lower in _OPENING and _is_near(document, t.i, i)), telling)
         is_asked = any(tasks.get(j) in _ASKING for j in range(telling)) or not echo.asks
@@ -62,6 +71,18 @@ def _echo(document: Document, opening: int) -> Echo | None:
     if not is_auxiliary or (words[0] in ("you", "i") and verb.lower not in _ABLE | {"do", "dont"}):
         return None
     return Echo(range(opening, end), opening + 2, verb.lower not in _ABLE and words[0] != "you")
+
+
+def _failure(document: Document, opening: int) -> Echo | None:
+    """The case that an "if" opens, where it is that the listener does not do, or cannot do, something: "if you don't
+    find it", "if you can't manage"."""
+    tokens = document.tokens
+    end = next((t.i for t in tokens[opening:] if t.lower in _ENDS), len(tokens))
+    words = [token.lower for token in tokens[opening + 1 : end]]
+    is_denied = words[2:3] != [] and (words[2] in _DENYING or words[1] in _TYPED | {"cannot"})
+    is_failing = words[:3] == ["you", "fail", "to"] or (is_denied and tokens[opening + 2].lower in _UNDOING)
+    verb = next((t.i for t in tokens[opening + 3 : end] if t.tag in ("VB", "VBN")), opening + 2)
+    return Echo(range(opening, end), verb, asks=False) if words[:1] == ["you"] and is_failing else None
 
 
 def _telling(document: Document, tasks: Mapping[int, str], opening: int) -> int | None:

@@ -243,7 +243,10 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
         idioms |= {one.carrier: "change_state" for one in listed}
     idioms |= {case.carrier: case.type for case in verbless_cases(observed, found) if case.carrier not in found}
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
-    idioms |= {echo.verb: "check_state" for echo in echoes(document, found).values() if echo.asks}
+    taken_up = list(echoes(document, found).values())
+    idioms |= {echo.verb: "check_state" for echo in taken_up if echo.asks}
+    undone = [echo.verb for echo in taken_up if not echo.asks and echo.verb not in found]
+    idioms |= {verb: next(iter(observed.senses[verb])) for verb in undone if observed.senses[verb]}
     idioms |= {told_by(document, be): "check_state" for be in untold(document, {**found, **idioms})}
     idioms |= {mishap.verb: "check_state" for mishap in mishaps(document)}
     for wish in preferences(document, found):

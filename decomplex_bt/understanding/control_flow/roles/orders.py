@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
-from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_for
+from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_behind, is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import asks_needless, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import GOVERNING
@@ -95,13 +95,15 @@ def choose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def fall_back(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Of several fallbacks in a row each is for where the one before it fails, too, and what "or, failing that" opens
     is for where the order before it does, in a case that denies something ("if there's no bread, bring crackers *or,
-    failing that, an apple*")."""
+    failing that, an apple*"), and so is what an "if you can't" stands behind ("move the chest and *call Tom if you
+    can't manage*")."""
     clause, order = clauses[k], clauses[k - 1]
     is_or = {"or", "fail"} <= {*clause.far, *clause.near} and clause.sentence == order.sentence
     is_denied = k > 1 and roles[k - 2] in CONDITION_ROLES and clauses[k - 2].wording.is_negated
     is_for_order = is_or and is_denied and order.task.type != "check_state" and not order.is_forbidden
     is_next = roles[k - 1] == "task" and roles[k] in ("task", "condition")
-    if is_next and (is_for_order or is_fallback_for(clause, order)):
+    is_behind = is_fallback_behind(clause, order) and not any(before.ability for before in clauses[:k])
+    if is_next and (is_for_order or is_fallback_for(clause, order) or is_behind):
         roles[k - 1] = "condition"
 
 

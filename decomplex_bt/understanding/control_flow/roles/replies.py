@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.clauses import last_named
 from decomplex_bt.understanding.control_flow.contrasts import is_asked_again_after
 from decomplex_bt.understanding.control_flow.failures import (
+    fails_behind,
     finds_out,
     is_absence_of,
     is_failure_of,
@@ -78,7 +79,7 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
     ("take it to Anna, and if she's out, ...") or that what was to be changed does not do so ("unlock it. If it won't
     open, ..."), or the one before that where what is between is done with what was found ("get it from the box and
     hang it up. If it isn't in the box, ...") or is done in that case ("look in the box, and tell me if it isn't
-    there")."""
+    there", "if it's locked, open it, and tell me if it won't open")."""
     before, clause = clauses[k - 1 : k + 1]
     earlier = [clauses[j] for j in range(k - 1) if roles[j] in CONDITION_ROLES]
     is_found = any(one.is_of_whereabouts or one.task.type == "searching" for one in earlier)
@@ -92,6 +93,9 @@ def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int |
         return k - 1
     if k > 1 and roles[k - 1] == "task" and finds_out(clauses[k - 2], clauses[k]):
         return k - 2 if clauses[k - 1].has_pronoun or clauses[k].boundary == "none" else None
+    is_sought = clause.task.type == "searching" and any(one.task.type == "searching" for one in earlier)
+    if k > 1 and roles[k - 1] == "task" and clause.is_trailing and not is_sought:
+        return k - 2 if fails_behind(clause, clauses[k - 2], clauses[:k]) else None
     return None
 
 

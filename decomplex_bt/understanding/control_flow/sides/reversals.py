@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import takewhile
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import Clause
-from decomplex_bt.understanding.control_flow.failures import is_fallback_for
+from decomplex_bt.understanding.control_flow.failures import is_fallback_behind, is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import turns_on_report
 from decomplex_bt.understanding.control_flow.roles.orders import may_choose, opened_if_not
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, TURNING, beside, goes_on
+from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
@@ -94,18 +94,20 @@ def affirm(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     *if it is*")."""
     clause, task = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+    order = None if first is None else _stated_at(roles, first)
+    if first is None or order is None or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
-    is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[first].wording)
+    is_plain = not clause.wording.is_negated and not clause.wording.contradicts(clauses[order].wording)
     is_taken_up = clause.wording.is_echo or clause.task.type == "searching"
     is_end = clause.ends_sentence or clauses[k + 1].is_otherwise
     is_trailing = is_taken_up and clause.sentence == task.sentence and clause.boundary == "none" and is_end
     is_leading = clauses[k - 2].sentence != task.sentence
     is_leading = is_leading or (first == k - 2 and clauses[first].is_asked and clause.wording.is_echo)
+    is_leading = is_leading or (first > order and _is_denied(clauses, first, order))  # "if she isn't, ..."
     is_of_if = {"if", "only_if"} & set(clause.near) and not {"not", "or", "unless", "but"} & set(clause.near)
     is_other = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind}
     if is_plain and is_trailing and is_leading and is_of_if and not is_other and sides[k - 1] in (HOLDS, FAILS):
-        sides[k - 1] = FAILS if clauses[first].wording.is_negated else HOLDS
+        sides[k - 1] = FAILS if _is_denied(clauses, first, order) else HOLDS
 
 
 def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -120,28 +122,55 @@ def correct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 def deny(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "if it isn't", said behind it at the end of a sentence or ahead of a comma, is done where what was
-    asked before proves false ("see whether it's shut, and shut it *if it isn't*"), and what is done "if it is" where
-    that was denied ("shut it if it isn't shut, and tell me *if it is*"). What is listed on behind that is done in any
-    case ("..., *and then come here*")."""
+    asked before proves false ("see whether it's shut, and shut it *if it isn't*"), or what was ordered before fails
+    ("look for my ring and wake Tom *if you can't find it*"), and what is done "if it is" where that was denied ("shut
+    it if it isn't shut, and tell me *if it is*"). What is listed on behind that is done in any case ("..., *and then
+    come here*")."""
     clause, task = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "mention"):
+    if first is None or (roles[k - 1], roles[k]) != ("task", "mention"):
         return
     opening = tuple(cue for cue in clause.near if cue != "also")  # "shut that as well if it isn't"
     is_failing = opening == ("fail",)  # "if it doesn't"
-    is_other = (clause.wording.is_negated or is_failing) != clauses[first].wording.is_negated
+    is_first = roles[first] == "condition"
+    is_other = is_first and (clause.wording.is_negated or is_failing) != clauses[first].wording.is_negated
     opener = ("whether",) if task.task.type == "informing" else ("if",)  # "tell me if it isn't"
     is_opened = is_failing or opening[:1] in (("if",), opener)
     is_listed = not clause.ends_sentence and clauses[k + 1].boundary == ","
     is_closed = clause.boundary == "none" and (clause.ends_sentence or is_listed)
     is_behind = is_closed and clause.sentence == task.sentence and is_opened
     is_turned = task.is_forbidden or {"else", "fail", "not", "or"} & {*task.far, *task.near, *task.behind[:-1]}
-    is_plain = clause.says_only_whether and not is_turned and clauses[first].ability == ""
-    if not (is_other and is_behind and is_plain and sides[k - 1] in (HOLDS, FAILS)):
+    is_plain = not is_turned and clauses[first].ability == ""
+    is_bare = clause.says_only_whether and is_other and sides[k - 1] in (HOLDS, FAILS)
+    if not (is_behind and is_plain and (is_bare or _is_failure_behind(clauses, roles, sides, k, first))):
         return
     sides[k - 1] = FAILS
-    if is_listed:
+    if is_listed and is_first:
         _list_on(clauses, roles, sides, k, first)
+
+
+def _is_failure_behind(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], k: int, first: int
+) -> bool:
+    """Whether mention `k` says that what an order was to find out or do is not so; `first`: that order, or an "if you
+    find it" right behind it."""
+    order = _stated_at(roles, first)
+    if order is None or sides[k][:2] != "<1" or sides[k - 1] not in ("top", HOLDS):
+        return False
+    is_order = not clauses[order].is_check and OPENING.isdisjoint(clauses[order].near)
+    is_other = _is_denied(clauses, first, order) != _is_denied(clauses, k, order)
+    return is_order and is_other and not clauses[order].wording.is_negated and _is_denied(clauses, k, order)
+
+
+def _stated_at(roles: Sequence[str], k: int) -> int | None:
+    """The condition at `k`, or right ahead of the mention at `k`."""
+    at = k if roles[k] == "condition" else k - 1
+    return at if at >= 0 and roles[at] == "condition" else None
+
+
+def _is_denied(clauses: Sequence[Clause], k: int, first: int) -> bool:
+    """Whether clause `k` denies the condition `first`, which it takes up or is."""
+    return is_flipped(k, first, [clause.wording for clause in clauses])
 
 
 def agree_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
@@ -244,12 +273,14 @@ def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 def fall_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What a "failing that" opens is never done where something held, and a second one is for where the first fails as
-    well ("failing that, try the porch; failing that, ask Tom")."""
+    well ("failing that, try the porch; failing that, ask Tom"); what an "if you can't" stands behind is for where the
+    order before fails."""
     is_echoed = _is_echoed_before(clauses, roles, k)
     if roles[k] == "task" and sides[k] == HOLDS and _falls_back(clauses[k]) and not is_echoed:
         sides[k] = FAILS
     is_second = roles[k - 1] == "condition" and roles[k] in ("task", "condition")
-    if is_second and is_fallback_for(clauses[k], clauses[k - 1]):
+    clause, order = clauses[k], clauses[k - 1]
+    if is_second and (is_fallback_for(clause, order) or is_fallback_behind(clause, order)):
         sides[k] = FAILS
 
 
