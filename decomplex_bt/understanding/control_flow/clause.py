@@ -289,6 +289,12 @@ class Clause:
         return self.is_check and self.boundary in ("none", ",") and not self.far
 
     @property
+    def is_unable(self) -> bool:
+        """Whether it says that somebody cannot do something: "if you *can't open it*", "and *you can't lift it*"."""
+        is_denied = self.wording.is_negated and {"can", "not"} <= {*self.near} and not self.is_forbidden
+        return is_denied and not {"if", "whether", "when", "and", "or", "but"}.isdisjoint(self.near)
+
+    @property
     def is_done_if_not(self) -> bool:
         """Whether an "if not" opens what is no look for something, which an "otherwise" could fall back on."""
         return self.turns == ("not",) and self.task.type not in FINDING_OUT and not self.is_forbidden

@@ -30,7 +30,13 @@ _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign 
 def join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Checks under one "if" or "unless" are one condition of several parts, and so are a mention of one and a further
     case ("if he isn't, or if he's late, ...", "if not, or if he's late, ..."); an order to check is none of them
-    ("close it if it's open and *see if the heating is on*")."""
+    ("close it if it's open and *see if the heating is on*"). What somebody cannot do is never ordered ("if it's locked
+    *and you can't open it*, ...")."""
+    is_closed = clauses[k].ends_sentence or clauses[k + 1].boundary != "none"  # not "if you cant fetch the ladder"
+    if roles[k] == "task" and clauses[k].is_unable and is_closed:
+        is_joined = clauses[k].wording.joins and roles[k - 1] in CONDITION_ROLES and not clauses[k].far
+        is_led = not {"if", "whether"}.isdisjoint(clauses[k].near)
+        roles[k] = clauses[k].wording.joins if is_joined else "condition" if is_led else roles[k]
     if roles[k - 1] in CONDITION_ROLES:
         roles[k] = joining_role(clauses[k], clauses[k - 1]) or roles[k]
     is_order = clauses[k].is_asked and not clauses[k].is_question and clauses[k].task.type == "check_state"
