@@ -135,3 +135,21 @@ def test_what_is_found_out_may_be_denied(markup: str, is_negated: bool) -> None:
 )
 def test_a_not_is_of_the_if_it_stands_by_or_of_the_verb(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the plug doesn't quite fit, bring me the adapter.",
+        "If the hatch won't fully open, call Kim.",
+        "If the crates don't all fit, put one in the cellar.",
+        "If you can't really reach the lamp, get the steps.",
+    ],
+)
+def test_a_word_between_takes_nothing_from_a_denial(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "else": [2]}]
+
+
+def test_an_order_behind_a_denial_without_a_mark_is_none_of_its_words(interpreter: Interpreter) -> None:
+    assert flow(interpreter, "I can't find my gloves have a look in the hall") == [1]
+    assert flow(interpreter, "If she doesn't then wake her.") == [{"if": 1, "else": [2]}]

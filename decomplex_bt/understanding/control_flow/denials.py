@@ -13,6 +13,10 @@ _STATING = frozenset(
     "is 's \u2019s s are 're re was were 'm m do does did have has had ca can could wo will would ai there got".split()
 )
 """What stands ahead of a negation in a statement: "it *is* n't", "I *do* n't", "*ca* n't find it", "*got* no milk"."""
+_LEADING = frozenset("do does did ca can could wo will would".split())
+"""What needs a verb behind its negation."""
+_DEGREES = frozenset("quite even always all both ever often each entirely".split())
+"""What may stand between a negation and its verb, as "really" may."""
 _ASKING = frozenset("please just kindly then now maybe go can could would will you".split())
 """What may stand ahead of the verb of an order."""
 _NO_ORDERS = frozenset("to i we they he she who that which and or but not n't n\u2019t nor".split())
@@ -105,6 +109,9 @@ def _is_of_statement(document: Document, negation: int, task: int) -> bool:
     start -= 2 * is_go_and
     if start - negation < 2 or negation == 0 or tokens[negation - 1].lower not in _STATING:
         return False
+    between = [token.lower for token in tokens[negation + 1 : task]]
+    if tokens[negation - 1].lower in _LEADING and all(word in _DEGREES or word.endswith("ly") for word in between):
+        return False  # "if it doesn't quite fit"
     if tokens[negation - 1].lower == "do" and (
         negation < 2 or tokens[negation - 2].pos not in ("PRON", "NOUN", "PROPN")
     ):
