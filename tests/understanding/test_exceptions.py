@@ -90,3 +90,22 @@ def test_what_is_excepted_by_an_unless(interpreter: Interpreter, text: str, expe
 )
 def test_what_is_done_besides_or_instead(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Mow the lawn. Don't if the grass is wet.", [{"if": 2, "else": [1]}]),
+        ("Open the curtains. But don't if Mum's asleep.", [{"if": 2, "else": [1]}]),
+        ("Iron the blouse. Not if it's silk, though.", [{"if": 2, "else": [1]}]),
+        ("Turn on the heater. Don't if it isn't cold.", [{"if": 2, "then": [1]}]),
+        ("Water the roses and sweep the patio. Not if it's raining.", [{"if": 3, "else": [1, 2]}]),
+        ("Mow the lawn. Don't if it's wet. Then call Tom.", [{"if": 2, "else": [1]}, 3]),
+        ("Mow the lawn. Don't if it's wet, sweep the hall instead.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Sweep the patio, but don't if it's wet, sweep the hall instead.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Close the window. Unless it's hot, turn on the heater.", [1, {"if": 2, "else": [3]}]),
+        ("Run the dishwasher. Only if it's full.", [{"if": 2, "then": [1]}]),
+    ],
+)
+def test_an_exception_in_a_sentence_of_its_own(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -36,6 +36,7 @@ _RULES = (
     mentions.tell_of_both,
     mentions.find_neither,
     prohibitions.make_exception,
+    prohibitions.except_behind,
     prohibitions.replace_order,
     prohibitions.forbid,
     prohibitions.forbid_again,

@@ -11,6 +11,9 @@ from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, MOVING, TURNING, goes_on, hangs_ahead
 
+_EXCEPTING = frozenset("unless but and please not still".split())
+"""The cues of an exception: "but please don't if it's still on"."""
+
 
 def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is forbidden "unless ..." is done where that holds, so not as it is stated, and all else as it is stated;
@@ -33,6 +36,28 @@ def make_exception(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
             return
         if sides[j] in (">1-", "<1-") and not clauses[j].is_forbidden:
             sides[j] = f"{sides[j][:2]}+"
+
+
+def except_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence of its own excepts from the sentence before is done where that does not hold ("iron the shirts.
+    *Not if they're damp*", "mow the lawn. *Don't if it's wet*"), and what is said behind an exception to be done
+    instead where it does ("mow the lawn, but don't if it's wet, *sweep the hall instead*")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_behind = (roles[k - 1], roles[k], sides[k]) == ("task", "condition", "top") and check.is_check
+    is_opened = "unless" in check.near and {*check.near} <= _EXCEPTING and not check.far
+    instead = k + 1 < len(clauses) and not check.ends_sentence
+    if instead and "instead" not in (*clauses[k + 1].near, *clauses[k + 1].behind):
+        return
+    if not (is_behind and is_opened):
+        return
+    if check.sentence == order.sentence + 1:
+        for j in range(k - 1, -1, -1):
+            is_hanging = roles[j] == "task" and sides[j] in ("top", ">1-", ">1+")
+            if not is_hanging or clauses[j].sentence != order.sentence or clauses[j].is_forbidden:
+                break
+            sides[j] = ">1+"
+    if instead and check.sentence - order.sentence <= 1 and sides[k + 1] == HOLDS:
+        sides[k + 1] = FAILS
 
 
 def replace_order(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
