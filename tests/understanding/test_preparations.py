@@ -22,6 +22,9 @@ def test_an_order_of_both_sides_stands_in_both_branches() -> None:
     ("text", "flow"),
     [
         ("Stack the crates up if they're dry, otherwise wipe them first.", [{"if": 2, "else": [3]}, 1]),
+        ("Stack the crates up if they're dry. If not, wipe them first.", [{"if": 2, "else": [3]}, 1]),
+        ("Serve the broth if it's hot. Otherwise, heat it up first.", [{"if": 2, "else": [3]}, 1]),
+        ("Let the dog in if he's clean; if not, wipe his paws first.", [{"if": 2, "else": [3]}, 1]),
         ("Fold the flag unless it's damp, in which case iron it first.", [{"if": 2, "then": [3]}, 1]),
         (
             "If Lea is at the gate, open it, unless the goat's loose, in which case take him to the barn first.",
@@ -48,6 +51,7 @@ def test_what_is_done_first_in_the_other_case_makes_ready(interpreter: Interpret
             "If the sledge is clean, put it away; otherwise wash it first, then hang it up.",
             [{"if": 1, "then": [2], "else": [3, 4]}],
         ),
+        ("Stack the crates up if they're dry. If not, wipe them.", [{"if": 2, "then": [1], "else": [3]}]),
         ("If the sledge is clean, put it away; otherwise ask Lea first.", [{"if": 1, "then": [2], "else": [3]}]),
         (
             "If the lamp won't light, bring me the first aid kit, otherwise put it out.",

@@ -130,14 +130,15 @@ def _make_ready(
     clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
 ) -> None:
     """A condition behind an order goes ahead of it where what makes ready for it hangs on it ("put it away if it's
-    clean, otherwise wash it *first*": `preparations.make_ready`), and so does that of an order of both branches."""
+    clean, otherwise wash it *first*", "... if it's clean. If not, wash it *first*": `preparations.make_ready`), and so
+    does that of an order of both branches."""
     if _is_first(clauses[k]) and any(side.endswith(BOTH) for side in sides[:k]) and orders[k] == "keep":
         orders[k] = "before"
         return
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     before, clause, after = clauses[k - 1 : k + 2]
-    is_behind = before.sentence == clause.sentence == after.sentence and sides[k - 1] == sides[k]
+    is_behind = before.sentence == clause.sentence >= after.sentence - 1 and sides[k - 1] == sides[k]
     is_turned = not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
     if is_behind and is_turned and _is_first(after) and sides[k + 1][:2] == "<1" and orders[k] == "keep":
         orders[k] = "before"
