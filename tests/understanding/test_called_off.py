@@ -91,3 +91,41 @@ def test_a_place_where_something_is_may_be_another(interpreter: Interpreter) -> 
     found = interpreter.interpret("Bring me the horn, it's in the attic or else under the bench.")
     assert len(found.tasks) == 1
     assert found.tasks[0].values("source") == ("in the attic", "under the bench")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Turn off the heating. If Gran's cold, leave it on.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Close the curtains. If Mia isn't asleep, keep them open.", [{"if": 2, "then": [1], "else": [3]}]),
+        ("Lock the gate, but leave it open if the goat is out.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Turn the fan off. Leave it on if the study is hot.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Turn the lamp on. If nobody's in, leave it off.", [{"if": 2, "then": [1], "else": [3]}]),
+        (
+            "Turn the radio off and close the hatch. If Tom is listening, leave it on.",
+            [{"if": 3, "then": [4], "else": [1]}, 2],
+        ),
+        (
+            "If it's dark, close the hatch. If the cat is outside, leave it open.",
+            [{"if": 1, "then": [{"if": 3, "then": [4], "else": [2]}]}],
+        ),
+        ("Throw away the rolls. If they're still fresh, keep them.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Take the pie out of the oven. If it isn't brown, leave it in.", [{"if": 2, "then": [1], "else": [3]}]),
+        ("Take the pie out. If it isn't done, leave it in.", [{"if": 2, "then": [1], "else": [3]}]),
+    ],
+)
+def test_what_is_kept_as_it_was_is_not_changed(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Open the hatch. If it's warm, leave it open.", [1, {"if": 2, "then": [3]}]),
+        ("Close the hatch. If Anna is asleep, leave the radio on.", [1, {"if": 2, "then": [3]}]),
+        ("Open the hatch. If the cat is outside, let it in.", [1, {"if": 2, "then": [3]}]),
+        ("Pick up the scarf. If it's wet, leave it on the radiator.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_what_is_done_to_another_end_comes_behind(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

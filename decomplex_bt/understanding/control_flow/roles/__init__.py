@@ -19,6 +19,7 @@ _RULES = (
     orders.ask_ahead_of_other,
     orders.ask_of_its_person,
     orders.ask_ahead,
+    orders.leave_as_is,
     replies.try_out,
     replies.look_over,
     replies.search_asked,

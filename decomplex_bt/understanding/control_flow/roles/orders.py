@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
-from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
 from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_behind, is_fallback_for
-from decomplex_bt.understanding.control_flow.outcomes import asks_needless, needs_found
+from decomplex_bt.understanding.control_flow.outcomes import asks_needless, comes_through, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
 from decomplex_bt.understanding.cues import GOVERNING
 
 _TURNING = GOVERNING | frozenset("else fail so or instead then".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
+_LEAVING = frozenset(("leave", "keep"))
 
 
 def ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
@@ -25,6 +26,20 @@ def ask_ahead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     # "if the study is empty, close the window; if *that's closed already*, ...", not "if it's on, turn it off; ..."
     is_nested = (roles[k - 1], roles[k]) == ("task", "mention") and bool(clauses[k - 1].objects) and is_other
     if (is_outcome or is_nested) and asks_needless(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
+
+
+def leave_as_is(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """A case in which a thing is left or kept as it is tells nothing of how the order right ahead went ("take the pie
+    out. *If it isn't brown*, leave it in", "turn the lamp on. *If nobody's in*, leave it off")."""
+    if tuple(roles[k - 1 : k + 2]) != ("condition", "mention", "task") or "mention" in roles[k + 1 :]:
+        return
+    order, clause, kept = clauses[k - 1 : k + 2]
+    is_kept = kept.verb in _LEAVING and kept.is_of_it and not kept.objects and kept.sentence == clause.sentence
+    is_state = clause.is_check and bool(clause.said_state) and not clause.wording.is_contrary
+    is_outcome = clause.wording.state in order.effects | AROUND or comes_through(clause, order)
+    is_case = (clause.is_of_nobody and order.task.type == "change_state") or (is_state and not is_outcome)
+    if is_kept and is_case and {*clause.near} <= {"if", "not"} and order.task.type in _DOING and not order.is_forbidden:
         roles[k - 1 : k + 1] = "task", "condition"
 
 

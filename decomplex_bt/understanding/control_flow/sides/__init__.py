@@ -123,6 +123,7 @@ _RULES = (
     guards.withhold,
     guards.confine_to_sentence,
     guards.guard_last,
+    substitutions.keep_state,
     prohibitions.set_apart,
     scopes.go_ahead,
     prohibitions.stand_alone,

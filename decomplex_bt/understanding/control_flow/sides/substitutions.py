@@ -131,12 +131,15 @@ def replace_there(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
 
 
 def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is left somewhere in a case is not moved in it ("bring the washing in. If it's damp, *leave it on the
-    line*"); where only some of it is left, the rest is ("bring the milk in. If there are two, *leave one outside*")."""
+    """What is left somewhere, or kept, in a case is not moved in it ("bring the washing in. If it's damp, *leave it on
+    the line*", "throw the rolls away. If they're fresh, *keep them*"); where only some of it is left, the rest is
+    ("bring the milk in. If there are two, *leave one outside*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     before, clause, after = clauses[k - 1 : k + 2]
-    is_left = before.task.type in MOVING and after.task.type == "placing" and after.verb in _LEAVING
+    is_left = before.task.type in CARRYING and after.verb in _LEAVING
+    is_left = is_left and (after.task.type == "placing" or _is_kept(after))
+    is_left = is_left and (before.task.type != "taking" or after.receivers <= before.places)
     is_next = after.sentence == clause.sentence and after.boundary == "," and "if" in clause.near
     is_led = clause.boundary in PARTING and not {*clause.near, *after.near} & TURNING
     if not (is_left and is_next and is_led and before.verb not in _LEAVING and sides[k - 1] in ("top", ">1-")):
@@ -149,6 +152,34 @@ def leave_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k - 1] = ">1-"
     elif not _SOME.isdisjoint(after.thing) and sides[k - 1] == ">1-":
         sides[k - 1] = "top"
+
+
+def _is_kept(clause: Clause) -> bool:
+    """Whether it says to keep something, and neither where nor how."""
+    is_bare = all(kind == "object" for kind, _ in clause.task.arguments) and clause.wording.state is None
+    return clause.verb == "keep" and is_bare
+
+
+def keep_state(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is left or kept in a case as it was before an order is not changed in it ("turn off the heater. If Gran's
+    cold, *leave it on*", "close the gate. *Leave it open* if the dog's out")."""
+    is_led = k + 1 < len(clauses) and sides[k + 1] == HOLDS
+    check, kept = clauses[k], k + 1 if is_led else k - 1
+    if (roles[k], roles[kept]) != ("condition", "task") or clauses[kept].sentence != check.sentence:
+        return
+    clause, is_behind = clauses[kept], sides[kept] == ">1+" and check.boundary == "none"
+    is_kept = clause.verb in _LEAVING and clause.task.type == "change_state" and clause.is_of_it and not clause.objects
+    is_opened = "if" in check.near and not {*check.far, *clause.near} & (TURNING - {"but"}) and (is_led or is_behind)
+    if not (is_kept and is_opened):
+        return
+    ahead = takewhile(lambda j: roles[j] == "task", range(min(kept, k) - 1, -1, -1))
+    changed = next((j for j in ahead if clause.wording.state in clauses[j].needs), None)
+    if changed is None or clauses[changed].is_forbidden or clauses[changed].number != clause.number:
+        return
+    if sides[changed] in ("top", HOLDS, FAILS) and sides[k] in ("top", sides[changed]):
+        sides[changed], sides[k] = ">1-", sides[changed]
+    elif is_behind and sides[changed] == ">1+":
+        sides[changed] = ">1-"
 
 
 def leave_alone(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
