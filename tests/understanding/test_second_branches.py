@@ -309,3 +309,34 @@ def test_an_oh_adds_as_an_and_does(interpreter: Interpreter) -> None:
 )
 def test_a_choice_within_a_case_is_made_by_the_condition_behind_it(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [2], "else": [4]}]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the rug isn't dry, hang it up or put it on the radiator.",
+            [{"if": 1, "else": [{"if": 2, "else": [3]}]}],
+        ),
+        (
+            "If there's no bread, bring me crackers or call my sister.",
+            [{"if": 1, "else": [{"if": 2, "else": [3]}]}],
+        ),
+        (
+            "If Kim isn't home, either give the key to Lea or drop it in the mailbox.",
+            [{"if": 1, "else": [{"if": 2, "else": [3]}]}],
+        ),
+        (
+            "If the rug is dry, roll it up, otherwise hang it up or put it on the radiator.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "else": [4]}]}],
+        ),
+        (
+            "If the rug is dry, fold it. If not, hang it up or put it on the radiator. Then come back.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "else": [4]}]}, 5],
+        ),
+        ("If the rug isn't dry, hang it up, or else fold it.", [{"if": 1, "then": [3], "else": [2]}]),
+        ("If the lamp isn't lit, light it and open the hatch.", [{"if": 1, "else": [2, 3]}]),
+    ],
+)
+def test_a_choice_stands_in_the_branch_of_its_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -46,8 +46,9 @@ def is_choice_beside(clause: Clause, before: Clause) -> bool:
     not where a condition may choose, nor with what is forbidden."""
     are_orders = clause.task.type != "check_state" != before.task.type and clause.sentence == before.sentence
     is_joined = clause.near == ("or",) and not clause.far and clause.boundary in ("none", ",")
-    ahead = {*before.far} - {"not"}  # of the case ahead: "if it isn't dry, *hang it up or ...*"
-    is_free = not {*ahead, *before.near, *before.behind, *clause.behind} & CHOOSING
+    # of the case ahead: "if it isn't dry, *hang it up or ...*", "otherwise *hang it up or ...*"
+    ahead = {*before.far, *before.near} - ({"not", "else"} if before.turns else {"not"})
+    is_free = not {*ahead, *before.behind, *clause.behind} & CHOOSING
     return are_orders and is_joined and is_free and not (clause.is_forbidden or before.is_forbidden)
 
 
