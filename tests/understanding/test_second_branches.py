@@ -340,3 +340,34 @@ def test_a_choice_within_a_case_is_made_by_the_condition_behind_it(interpreter: 
 )
 def test_a_choice_stands_in_the_branch_of_its_case(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Open the hatch if it's hot, but shut it if it's cold.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+        ("Wash the rug if it's dirty, but roll it up if it's clean.", [{"if": [2, 4], "then": [1], "else": [3]}]),
+        (
+            "Draw the curtains if it's dark, but leave them open if it's light.",
+            [{"if": [2, 4], "then": [1], "else": [3]}],
+        ),
+        (
+            "Turn on the radio if Kim is cooking, but turn it off if she's on the phone.",
+            [{"if": 2, "then": [1]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "Open the shutters if it's sunny, but leave them closed if it's windy.",
+            [{"if": 2, "then": [1]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "Shut the shutters when it gets dark. Open them when it gets light.",
+            [{"if": 2, "then": [1]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "Water the ferns if they're dry, but use the small can if it's full.",
+            [{"if": 2, "then": [1, {"if": 4, "then": [3]}]}],
+        ),
+    ],
+)
+def test_an_order_against_the_first_has_its_own_condition(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

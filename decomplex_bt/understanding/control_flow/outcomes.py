@@ -47,6 +47,14 @@ def undoes(clause: Clause, before: Clause) -> bool:
     return is_of_it and ((one == "placing" and other == "taking") or (other in LEADING and is_return and is_gone))
 
 
+def spares(clause: Clause, before: Clause) -> bool:
+    """Whether it says to leave or keep a thing as it was before the order that changes it: "turn it off" and "leave it
+    on"."""
+    is_kept = clause.verb in _LEAVING and clause.task.type == "change_state" and clause.is_of_it and not clause.objects
+    is_same = clause.number == before.number and not (clause.is_forbidden or before.is_forbidden)
+    return is_kept and is_same and clause.wording.state in before.needs
+
+
 def comes_through(clause: Clause, before: Clause) -> bool:
     """Whether what it asks is what the order before brings about: "fill it" and "it's full", "start it" and "it's
     done", "turn the oven on" and "it's hot", "let her out" and "she's back", "put them in the oven" and "when
@@ -175,6 +183,7 @@ OBSTRUCTED = frozenset(
 """States, by their last word, of a place that nothing can be put in or brought to: "full", "in use", "out of order"."""
 _RINGING = frozenset("ring knock call phone buzz".split())
 _REACTING = frozenset("answer open come reply respond react".split())
+_LEAVING = frozenset(("leave", "keep"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())

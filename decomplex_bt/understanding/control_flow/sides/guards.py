@@ -8,7 +8,14 @@ from itertools import takewhile
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of
-from decomplex_bt.understanding.control_flow.outcomes import comes_through, is_against, is_guard_of, is_only_of, undoes
+from decomplex_bt.understanding.control_flow.outcomes import (
+    comes_through,
+    is_against,
+    is_guard_of,
+    is_only_of,
+    spares,
+    undoes,
+)
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -171,17 +178,20 @@ def guard_within(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
 def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Of orders in a row, each with a condition of its own thing right behind it, each hangs on its own ("switch the
     stove off if it's on, *close the door if it's open*, and come here"), be it the other side of the one before ("bring
-    the cup if it's clean and *wash it if it's dirty*")."""
+    the cup if it's clean and *wash it if it's dirty*"), or what takes back the order before, or leaves it undone ("turn
+    it on if he reads, *but turn it off if he sleeps*")."""
     if k < 3 or tuple(roles[k - 3 : k]) != ("task", "condition", "task"):
         return
-    last, order, clause = clauses[k - 2 : k + 1]
-    is_row = sides[k - 3][:2] == ">1" and last.boundary == "none" and last.sentence == order.sentence
+    first, last, order, clause = clauses[k - 3 : k + 1]
+    is_counter = (undoes(order, first) or spares(order, first)) and clause.near == last.near
+    is_row = sides[k - 3][:2] == ">1" and last.boundary == "none"
+    is_row = is_row and order.sentence - last.sentence <= (is_counter and not order.near)
     is_alternative = order.near == ("or",) and roles[k] == "condition"  # "..., or light the stove if it's raining"
     if is_row and is_alternative and clause.near == ("if",) and clause.boundary == "none":
         sides[k - 1], sides[k] = ">1+", FAILS
         return
     is_led = clause.near in (("if",), ("unless",), ("when",))
-    is_behind = clause.boundary == "none" and is_led and TURNING.isdisjoint(order.near)
+    is_behind = clause.boundary == "none" and is_led and TURNING.isdisjoint({*order.near} - {"but"})
     if not (is_row and is_behind and clause.is_check):
         return
     is_last = k + 1 == len(clauses) or clauses[k + 1].boundary != "none"  # not "... if it's hot just bring it"
@@ -190,7 +200,8 @@ def guard_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         sides[k - 1] = FAILS if is_opposite else HOLDS
     is_other = clause.is_of_same_it(last) and not order.objects and clause.wording.state != last.wording.state
     is_own = clause.names_same(order) or clause.takes_up(order) or clause.is_of_weather or is_other
-    if roles[k] == "condition" and is_own and last.nouns.isdisjoint(order.objects):
+    is_own = is_own and last.nouns.isdisjoint(order.objects) and "but" not in order.near
+    if roles[k] == "condition" and (is_own or is_counter):
         sides[k - 1] = ">1+"
         sides[k] = beside(sides[k - 2])
 

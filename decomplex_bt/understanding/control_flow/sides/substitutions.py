@@ -7,7 +7,7 @@ from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.failures import lacks_too
-from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless
+from decomplex_bt.understanding.control_flow.outcomes import OBSTRUCTED, asks_needless, spares
 from decomplex_bt.understanding.control_flow.sides.labels import (
     CARRYING,
     FAILS,
@@ -168,13 +168,12 @@ def keep_state(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     if (roles[k], roles[kept]) != ("condition", "task") or clauses[kept].sentence != check.sentence:
         return
     clause, is_behind = clauses[kept], sides[kept] == ">1+" and check.boundary == "none"
-    is_kept = clause.verb in _LEAVING and clause.task.type == "change_state" and clause.is_of_it and not clause.objects
-    is_opened = "if" in check.near and not {*check.far, *clause.near} & (TURNING - {"but"}) and (is_led or is_behind)
-    if not (is_kept and is_opened):
+    is_opened = "if" in check.near and not {*check.far, *clause.near} & (TURNING - {"but"})
+    if not (is_opened and (is_led or is_behind)):
         return
     ahead = takewhile(lambda j: roles[j] == "task", range(min(kept, k) - 1, -1, -1))
-    changed = next((j for j in ahead if clause.wording.state in clauses[j].needs), None)
-    if changed is None or clauses[changed].is_forbidden or clauses[changed].number != clause.number:
+    changed = next((j for j in ahead if spares(clause, clauses[j])), None)
+    if changed is None:
         return
     if sides[changed] in ("top", HOLDS, FAILS) and sides[k] in ("top", sides[changed]):
         sides[changed], sides[k] = ">1-", sides[changed]
