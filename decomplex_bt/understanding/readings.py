@@ -26,7 +26,7 @@ from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.amendments import amended
 from decomplex_bt.understanding.rules.facts import corrected
-from decomplex_bt.understanding.rules.prohibitions import forbidden
+from decomplex_bt.understanding.rules.prohibitions import forbidden, put_off
 from decomplex_bt.understanding.rules.uses import uses
 from decomplex_bt.understanding.rules.withdrawals import Withdrawals, withdrawals_of
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
@@ -116,9 +116,11 @@ def readings_of(observed: Observed, stages: Stages, ontology: Ontology) -> tuple
     withdrawals = withdrawals_of(observed)
     gone = withdrawals.tokens.union(forbidden(observed), (use.verb for use in uses(observed.document)))
     alternatives = stages.tasks.alternatives(observed)
+    ordered = put_off(observed.document)
+    whole = [found for found in alternatives if ordered <= {task.token for task in found.tasks}]
     return tuple(
         reading
-        for found in _settled(observed, alternatives, gone, ontology)
+        for found in _settled(observed, whole or alternatives, gone, ontology)
         for reading in _read(observed, found, withdrawals, stages, ontology)
     )
 

@@ -109,3 +109,37 @@ def test_what_is_done_besides_or_instead(interpreter: Interpreter, text: str, ex
 )
 def test_an_exception_in_a_sentence_of_its_own(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If the broth is hot, don't serve it. Cool it first.", [{"if": 1, "then": [3]}, 2]),
+        ("If the rug is wet, don't roll it up; dry it first.", [{"if": 1, "then": [3]}, 2]),
+        ("If the stove isn't clean, don't turn it on. Clean it first.", [{"if": 1, "else": [3]}, 2]),
+        ("Don't fold the blanket if it's wet. Dry it first.", [{"if": 2, "then": [3]}, 1]),
+        ("Don't fold the blanket if it's wet; dry it.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("If it's raining, don't water the ferns. Open the hatch.", [{"if": 1, "else": [2]}, 3]),
+    ],
+)
+def test_what_sets_right_is_done_in_the_case_that_keeps(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Rinse the pail, but if there's glue in it, don't; take it to the shed instead.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+        (
+            "Water the fern, but if the soil is wet, don't; open the hatch instead.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+        ("Mow the lawn, but if it's wet, don't. Sweep the hall instead.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Mow the lawn, but if it's wet, don't. Then sweep the hall.", [{"if": 2, "else": [1]}, 3]),
+    ],
+)
+def test_what_is_done_instead_behind_a_bare_prohibition(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -139,7 +139,7 @@ def _make_ready(
         return
     before, clause, after = clauses[k - 1 : k + 2]
     is_behind = before.sentence == clause.sentence >= after.sentence - 1 and sides[k - 1] == sides[k]
-    is_turned = not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
+    is_turned = before.is_forbidden or not {"else", "so", "fail"}.isdisjoint((*after.far, *after.near))
     if is_behind and is_turned and _is_first(after) and sides[k + 1][:2] == "<1" and orders[k] == "keep":
         orders[k] = "before"
 

@@ -85,6 +85,21 @@ def forbidden(observed: Observed) -> tuple[int, ...]:
     return tuple(sorted(set(found)))
 
 
+def put_off(document: Document) -> frozenset[int]:
+    """The verbs of orders that are only forbidden in a case until something else is done first, in the sentence behind
+    ("if it's wet, don't *fold* it. Dry it first")."""
+    tokens, sentences = document.tokens, document.sentences
+    return frozenset(
+        i + 1
+        for i in range(2, len(tokens) - 1)
+        if tokens[i].lower in NEGATIONS
+        and (tokens[i - 2].text, tokens[i - 1].lower) == (",", "do")
+        and tokens[sentences.index(sentences[i])].lower == "if"
+        and _is_bare(document, i + 1)
+        and [t.lower for t in tokens if sentences[t.i] == sentences[i] + 1 and t.text not in MARKS][-1:] == ["first"]
+    )
+
+
 def _is_asked_not_to(document: Document, negation: int) -> bool:
     """Whether a "not" is of a request not to do something: "could you please *not* open it", "would you mind *not*
     opening it", "you'd better *not*", "let's *not*", "try *not* to"; no "couldn't you", which asks to do it."""

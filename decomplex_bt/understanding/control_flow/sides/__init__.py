@@ -39,6 +39,7 @@ _RULES = (
     prohibitions.except_behind,
     prohibitions.replace_order,
     prohibitions.forbid,
+    prohibitions.set_right,
     prohibitions.forbid_again,
     prohibitions.remember,
     prohibitions.urge,

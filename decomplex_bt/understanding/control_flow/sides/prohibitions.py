@@ -122,6 +122,23 @@ def forbid(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
             sides[j] = HOLDS
 
 
+def set_right(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is to be done first, or ends the state that keeps from an order, is done in the case in which that was
+    forbidden right before ("if it's wet, don't fold it. *Dry it first*", "don't serve it if it's cold; *heat it*")."""
+    if k < 2 or tuple(sorted(roles[k - 2 : k])) != ("condition", "task") or roles[k] != "task":
+        return
+    forbidden, check = (k - 2, k - 1) if roles[k - 2] == "task" else (k - 1, k - 2)
+    order, case, clause = clauses[forbidden], clauses[check], clauses[k]
+    is_case = case.is_check and "if" in case.near and "unless" not in case.near and order.is_forbidden
+    is_case = is_case and sides[forbidden] == (FAILS if check < forbidden else ">1-")
+    is_next = clause.sentence - order.sentence <= 1 and not {*clause.far, *clause.near} & (TURNING - {"but", "not"})
+    is_first = "first" in clause.behind and clause.has_pronoun and not clause.objects
+    is_ended = case.wording.state in (clause.effects if case.wording.is_negated else clause.needs)
+    is_ended = is_ended and (clause.takes_up(case) or clause.takes_up(order) or clause.names_same(case))
+    if is_case and is_next and (is_first or is_ended) and sides[k] in ("top", HOLDS, FAILS):
+        sides[k] = HOLDS
+
+
 def urge(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is to be done all the same is done in any case ("don't open the window if it rains, *but do* shut the
     door")."""
@@ -269,7 +286,7 @@ def allow(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
 
 def elide(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is forbidden in a case by a "don't" without its verb is done in the other, and what follows is done in the
-    case ("put the radio on, and if she's asleep *don't*, just shut the door")."""
+    case ("put the radio on, and if she's asleep *don't*, just shut the door", "... *don't*; shut the door instead")."""
     if roles[k - 1] not in CONDITION_ROLES or not clauses[k - 1].forbids_order or roles[k] != "task":
         return
     check = clauses[k - 1]
@@ -277,9 +294,11 @@ def elide(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         return
     if k > 1 and roles[k - 2] == "task" and sides[k - 2] == ">1+" and clauses[k - 2].sentence == check.sentence:
         sides[k - 2] = ">1-"
+    is_instead = "instead" in clauses[k].behind and clauses[k].sentence == check.sentence + 1
+    sentence = check.sentence + is_instead
     for j in range(k, len(clauses)):
-        if j > k and not goes_on(clauses, roles, sides, j, check.sentence):
+        if j > k and not goes_on(clauses, roles, sides, j, sentence):
             return
-        if clauses[j].sentence != check.sentence or sides[j] != FAILS or clauses[j].is_otherwise:
+        if clauses[j].sentence != sentence or sides[j] != FAILS or clauses[j].is_otherwise:
             return
         sides[j] = HOLDS
