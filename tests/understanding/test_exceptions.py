@@ -143,3 +143,20 @@ def test_what_sets_right_is_done_in_the_case_that_keeps(interpreter: Interpreter
 )
 def test_what_is_done_instead_behind_a_bare_prohibition(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Wake Leo, unless he's up, and hand him the letter.",
+        "Wake Grandma, unless she's awake, and take her the phone.",
+        "Wake my brother, unless he's up already, and give him his tea.",
+    ],
+)
+def test_who_is_up_is_not_woken_and_gets_what_is_brought(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "else": [1]}, 3]
+
+
+def test_who_is_ill_is_neither_woken_nor_brought_anything(interpreter: Interpreter) -> None:
+    text = "Wake Leo, unless he's ill, and bring him the letter."
+    assert flow(interpreter, text) == [{"if": 2, "else": [1, 3]}]
