@@ -34,7 +34,8 @@ _CHANGES = {
         ("charge recharge", "charged full", "flat low dead empty"), ("water", "wet moist damp", "dry thirsty"),
         ("cover", "covered", "uncovered bare"), ("uncover", "uncovered bare", "covered"),
         ("light", "lit", "unlit out"), ("blow snuff extinguish", "out unlit", "lit burning"),
-        ("wake waken", "awake up", "asleep sleeping dozing napping"), ("make", "made", "unmade"), ("fold", "folded", "unfolded crumpled"),
+        ("wake waken", "awake up", "asleep sleeping dozing napping"),
+        ("make", "made", "unmade"), ("fold", "folded", "unfolded crumpled"),
         ("plug", "plugged", "unplugged"), ("unplug", "unplugged", "plugged"),
     )
     for verb in verbs.split()

@@ -65,7 +65,7 @@ def comes_through(clause: Clause, before: Clause) -> bool:
         return is_of_thing or (clause.is_of_somebody and not clause.objects)
     is_reached = clause.wording.state in before.effects and not clause.wording.is_negated
     is_over = clause.wording.state in _OVER or (clause.wording.state is None and clause.verb in _ENDING)
-    is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(_WORKING) and "when" in clause.near
+    is_worked = before.task.type == "placing" and not before.receivers.isdisjoint(WORKING) and "when" in clause.near
     if is_worked and clause.wording.state is not None and clause.number == before.number:
         return True
     is_heater = before.is_of_it or not _HEATERS.isdisjoint(before.objects[-1:])
@@ -187,7 +187,7 @@ _LEAVING = frozenset(("leave", "keep"))
 _SENDING = frozenset(("let", "send"))
 _RETURNING = frozenset(("back", "home"))
 _OVER = frozenset("done finished ready over complete through".split())
-_WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
+WORKING = frozenset("oven stove hob microwave toaster grill pan pot fridge freezer".split())
 """Places where a thing is put for what becomes of it there."""
 _HEATED = frozenset("hot warm heated preheated".split())
 _HEATERS = frozenset(

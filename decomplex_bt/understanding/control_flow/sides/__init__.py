@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.sides import (
+    continuations,
     exemptions,
     guards,
     mentions,
@@ -119,6 +120,9 @@ _RULES = (
     resumptions.report_on,
     resumptions.resume,
     resumptions.keep_besides,
+    continuations.turn_to_chore,
+    continuations.turn_from_answer,
+    continuations.begin_anew,
     resumptions.gather,
     guards.confine,
     guards.withhold,

@@ -13,6 +13,7 @@ TURNING = frozenset("else fail so unless either_way only_if even_if but either u
 
 MOVING = frozenset(("placing", "bringing"))
 CARRYING = MOVING | {"taking"}
+VESSELS = frozenset("box container bag bowl tub jar dish basket tin carton crate sack".split())
 PARTING = frozenset((".", ";"))
 
 

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     MOVING,
     PARTING,
     TURNING,
+    VESSELS,
     goes_on,
 )
 from decomplex_bt.understanding.references.phrases import ROOM
@@ -24,7 +25,6 @@ _MEASURES = frozenset(("state", "manner"))
 _WAYS = frozenset("stairs stair stairway staircase elevator lift corridor path way passage".split())
 """What lies on the way to where something is carried."""
 _BROKEN = frozenset("broken out order".split())
-_VESSELS = frozenset("box container bag bowl tub jar dish basket tin carton crate sack".split())
 _MOVED = MOVING | {"change_state", "taking"}
 _SERVED = frozenset(("bringing", "placing"))
 _TASTING = frozenset("want like eat drink finish touch take accept fancy enjoy".split())
@@ -214,7 +214,7 @@ def go_ahead_of_both(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
     if is_both and are_moves and check.boundary in PARTING and order.sentence < check.sentence:
         sides[k - 1] = side
     is_room = check.says_there_is and not ROOM.isdisjoint(check.thing) and check.wording.is_negated
-    is_elsewhere = bool(check.places - AROUND) and not order.receivers.isdisjoint(_VESSELS - check.places)
+    is_elsewhere = bool(check.places - AROUND) and not order.receivers.isdisjoint(VESSELS - check.places)
     if is_room and is_elsewhere and check.boundary != "none" and order.task.type == "placing":
         sides[k - 1] = side
 

@@ -1,0 +1,61 @@
+"""An order of another matter behind an order and its case."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from readings import flow
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Switch off the lamp if nobody is in the study, and bolt the gate.", [{"if": 2, "else": [1]}, 3]),
+        ("Turn off the radio if Mum isn't listening to it, and sweep the hall.", [{"if": 2, "else": [1]}, 3]),
+        ("Close the roof hatch if it's raining, and feed the rabbit.", [{"if": 2, "then": [1]}, 3]),
+        ("Put the jacket in the wardrobe, if it's dry, and sweep the stairs.", [{"if": 2, "then": [1]}, 3]),
+        ("Bring in the cushions if it's raining, and take the washing in.", [{"if": 2, "then": [1, 3]}]),
+        ("Put the jacket in the wardrobe, if it's dry, and close it.", [{"if": 2, "then": [1, 3]}]),
+        ("Turn off the radio if Mum is asleep, and put a blanket over her.", [{"if": 2, "then": [1, 3]}]),
+    ],
+)
+def test_a_chore_behind_a_case_is_done_in_any(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Is the tap running? Turn it off if it is, and dust the piano.", [{"if": [1, 3], "then": [2]}, 4]),
+        ("See if the hatch is open. Shut it if it is, and water the fern.", [{"if": [1, 3], "then": [2]}, 4]),
+        ("Is there any soup? Heat it if there is, and bring me the paper.", [{"if": [1, 3], "then": [2]}, 4]),
+        ("Is Mia awake? Bring her the tea if she is, and open her curtains.", [{"if": [1, 3], "then": [2, 4]}]),
+        ("Is Mia awake? Bring her the tea if she is, and open the curtains.", [{"if": [1, 3], "then": [2, 4]}]),
+        (
+            "Is the tap running? Turn it off if it is, and if not, dust the piano.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        (
+            "Is the tap running? Turn it off if it is, otherwise dust the piano.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+    ],
+)
+def test_what_is_added_to_an_answer_is_never_its_other_side(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Shut the hatch if it's open, will you? Water the fern.", [{"if": 2, "then": [1]}, 3]),
+        ("Could you shut the hatch if it's open? Water the fern.", [{"if": 2, "then": [1]}, 3]),
+        ("Turn the radio off unless it's off, okay? Bring me the paper.", [{"if": 2, "else": [1]}, 3]),
+        ("Could you shut the hatch if it's open? If not, water the fern.", [{"if": 2, "then": [1], "else": [3]}]),
+    ],
+)
+def test_a_request_put_as_a_question_ends_with_it(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
