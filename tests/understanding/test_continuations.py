@@ -59,3 +59,32 @@ def test_what_is_added_to_an_answer_is_never_its_other_side(interpreter: Interpr
 )
 def test_a_request_put_as_a_question_ends_with_it(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the radio is on, switch it off, and shut the hatch if it's open.",
+            [{"if": 1, "then": [2]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "If the gate is open, close it and wash the mug if it's dirty.",
+            [{"if": 1, "then": [2]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "If the lamp is off, turn it on, and water the fern if it's dry.",
+            [{"if": 1, "then": [2]}, {"if": 4, "then": [3]}],
+        ),
+        (
+            "If it's raining, bring in the rugs, and close the hatch if it's open.",
+            [{"if": 1, "then": [2, {"if": 4, "then": [3]}]}],
+        ),
+        (
+            "If the jug is full, empty it, and wash it if it's dirty.",
+            [{"if": 1, "then": [2, {"if": 4, "then": [3]}]}],
+        ),
+    ],
+)
+def test_two_orders_each_undo_their_own_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

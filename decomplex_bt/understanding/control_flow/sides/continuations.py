@@ -78,6 +78,29 @@ def begin_anew(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         _take_beside(clauses, roles, sides, k, sides[k - 1])
 
 
+def ask_of_own_thing(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is asked of another thing behind its own order is asked in any case where the case before it only has that
+    undone which it asks ("if the tap is on, turn it off, and shut the hatch *if it's open*"), not what is done with it
+    "too"."""
+    if k < 3 or tuple(roles[k - 3 : k + 1]) != ("condition", "task", "task", "condition"):
+        return
+    first, undone, order, check = clauses[k - 3 : k + 1]
+    is_one = first.sentence == undone.sentence == order.sentence == check.sentence and "if" in first.near
+    is_undone = is_one and _undoes(undone, first) and sides[k - 2] == HOLDS
+    is_own = check.near in (("if",), ("unless",)) and (check.takes_up(order) or check.names_same(order))
+    is_added = order.near in _ADDING and not order.far and "also" not in order.behind and check.is_check
+    known = first.nouns | undone.nouns
+    is_other = not order.has_pronoun and bool(order.objects) and known.isdisjoint(order.nouns)
+    if is_undone and is_own and is_added and is_other and sides[k - 1][:2] == ">1" and sides[k] == HOLDS:
+        sides[k] = beside(sides[k - 3])
+
+
+def _undoes(order: Clause, check: Clause) -> bool:
+    """Whether an order only ends the state of what a check right before it asks: "if it's on, *turn it off*"."""
+    is_ended = check.wording.state in (order.effects if check.wording.is_negated else order.needs)
+    return is_ended and (order.names_same(check) or (order.is_of_it and not order.objects))
+
+
 def _is_listed(clauses: Sequence[Clause], k: int) -> bool:
     """Whether an "and" adds an order to the one before, or leads to the end of the list that it begins."""
     later = clauses[k + 1 : k + 2]
