@@ -88,3 +88,17 @@ def test_a_request_put_as_a_question_ends_with_it(interpreter: Interpreter, text
 )
 def test_two_orders_each_undo_their_own_case(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Keep the radio on but put out the candle if nobody's in the den.", [1, {"if": 3, "else": [2]}]),
+        ("Draw the blinds but bolt the gate if no one's at home.", [1, {"if": 3, "else": [2]}]),
+        ("Switch off the fan if nobody is in, but leave the lamp on.", [{"if": 2, "else": [1]}, 3]),
+        ("Bring me a fork but take a spoon if there's no fork.", [{"if": 3, "then": [1], "else": [2]}]),
+        ("Open the hatch but shut it if it rains.", [1, {"if": 3, "then": [2]}]),
+    ],
+)
+def test_a_but_sets_two_things_apart(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -123,6 +123,7 @@ _RULES = (
     continuations.turn_to_chore,
     continuations.turn_from_answer,
     continuations.begin_anew,
+    continuations.set_apart,
     continuations.ask_of_own_thing,
     resumptions.gather,
     guards.confine,

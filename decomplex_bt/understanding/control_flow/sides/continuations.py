@@ -95,6 +95,21 @@ def ask_of_own_thing(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
         sides[k] = beside(sides[k - 3])
 
 
+def set_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What stands ahead of a "but" is done in any case where that orders something of another thing, with its own case
+    right behind it ("draw the blinds *but* put out the lamp *if nobody's in the den*"), not the like of it where that
+    is not to be had ("bring the tea *but* bring the cocoa *if there's no tea*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition") or sides[k - 2][:2] != ">1":
+        return
+    before, order, check = clauses[k - 2 : k + 1]
+    is_one = before.sentence == order.sentence == check.sentence and order.near == ("but",)
+    is_own = check.boundary == "none" and check.near in (("if",), ("if", "not"), ("unless",)) and check.ends_sentence
+    is_other = bool(before.objects) and bool(order.objects) and not order.has_pronoun
+    is_other = is_other and before.thing.isdisjoint(order.thing | check.thing) and before.verb != order.verb
+    if is_one and is_own and is_other and sides[k - 1][:2] == ">1" and not before.is_forbidden:
+        sides[k - 2] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+
+
 def _undoes(order: Clause, check: Clause) -> bool:
     """Whether an order only ends the state of what a check right before it asks: "if it's on, *turn it off*"."""
     is_ended = check.wording.state in (order.effects if check.wording.is_negated else order.needs)

@@ -248,7 +248,8 @@ def keep_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         return
     order, check, clause = clauses[k - 2 : k + 1]
     is_set_off = check.boundary == "none" and clause.boundary == "," and clause.near == ("but",)
-    is_one = order.sentence == check.sentence == clause.sentence and check.near == ("if",)
+    is_one = order.sentence == check.sentence == clause.sentence
+    is_one = is_one and check.near == (("if", "not") if check.is_of_nobody else ("if",))
     known = {*order.thing, *check.thing, *check.nouns}
     is_other = bool(clause.objects) and known.isdisjoint(clause.objects) and not order.is_forbidden
     if is_set_off and is_one and is_other and sides[k] in (HOLDS, FAILS) and not clause.is_forbidden:
