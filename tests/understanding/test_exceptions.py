@@ -160,3 +160,18 @@ def test_who_is_up_is_not_woken_and_gets_what_is_brought(interpreter: Interprete
 def test_who_is_ill_is_neither_woken_nor_brought_anything(interpreter: Interpreter) -> None:
     text = "Wake Leo, unless he's ill, and bring him the letter."
     assert flow(interpreter, text) == [{"if": 2, "else": [1, 3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Carry the jug to Ann; if she's busy, bring it back.", [1, {"if": 2, "then": [3]}]),
+        ("Take the parcel to the library. If it's closed, come home.", [1, {"if": 2, "then": [3]}]),
+        ("Give Leo his tablet; if he drops it, give him another.", [1, {"if": 2, "then": [3]}]),
+        ("Give Leo a biscuit. If he drops it, give him another one.", [1, {"if": 2, "then": [3]}]),
+        ("Bring me the red mug. If it's chipped, bring me another.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Carry the jug to Ann. If she's asleep, leave it on her desk.", [{"if": 2, "then": [3], "else": [1]}]),
+    ],
+)
+def test_what_comes_back_was_taken_there(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

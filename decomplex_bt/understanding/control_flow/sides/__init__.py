@@ -99,6 +99,7 @@ _RULES = (
     exemptions.fetch_for_both,
     exemptions.spare_rest,
     exemptions.do_back,
+    exemptions.do_ahead_of_return,
     exemptions.carry_in,
     exemptions.have_in_hand,
     substitutions.check_ahead,

@@ -8,6 +8,11 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.outcomes import is_cleared
 from decomplex_bt.understanding.control_flow.sides.labels import CARRYING, FAILS, HOLDS, MOVING, PARTING, TURNING
 
+_RETURNING = frozenset(("back", "home"))
+_SENT = frozenset(("bringing", "following", "motion"))
+_LOSING = frozenset("drop spit spill lose eat finish drink swallow throw break".split())
+"""Deeds by which somebody no longer has what they got."""
+_ANOTHER = (frozenset(("another",)), frozenset(("one",)))
 _MOVED = MOVING | {"change_state", "taking"}
 _ROOMS = frozenset(
     "kitchen bathroom bedroom hall hallway study office garage room nursery laundry lounge cellar attic basement "
@@ -160,6 +165,27 @@ def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
     is_led = check.near == ("but", "if") and other.has_pronoun
     if (is_put_back or is_removed) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
+        sides[k - 1] = "top"
+
+
+def do_ahead_of_return(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Who or what comes back in a case has been taken away before that was asked ("carry the jug to Ann; *if she's asleep,
+    bring it back*", "take Max to school; *if it's shut, come home*"), and of what somebody gets another for what they
+    did with it they got one ("give her a pill; *if she drops it, give her another*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_led = "if" in check.near and {"and", "but", "if"}.issuperset({*check.near} - {"not"}) and check.is_check
+    is_led = is_led and check.boundary in (*PARTING, ",", "!") and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    if not is_led or order.is_forbidden or other.near or check.sentence != other.sentence:
+        return
+    is_away = order.task.type in _SENT and bool(order.receivers) and order.ways.isdisjoint(_RETURNING)
+    is_away = is_away and order.places.isdisjoint(check.nouns)
+    is_return = is_away and not other.ways.isdisjoint(_RETURNING) and not other.objects
+    is_return = is_return and (other.task.type == "motion" or (other.task.type == "bringing" and other.is_of_it))
+    is_done = check.is_of_it and check.verb in _LOSING and not check.wording.is_negated
+    is_further = is_done and order.task.type == other.task.type == "bringing" and other.thing in _ANOTHER
+    if is_return or is_further:
         sides[k - 1] = "top"
 
 
