@@ -185,3 +185,33 @@ def test_what_is_told_or_was_once_is_none(interpreter: Interpreter, text: str) -
 )
 def test_what_was_done_or_is_being_done_is_one_check(interpreter: Interpreter, text: str, types: list[str]) -> None:
     assert [task.type for task in interpreter.interpret(text).tasks] == types
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Bolt the hatch when Uncle's gone.", [{"if": 2, "then": [1]}]),
+        ("Air the attic when she's left.", [{"if": 2, "then": [1]}]),
+        ("Open the dryer when it's finished.", [{"if": 2, "then": [1]}]),
+        ("Dim the lamp when they're gone, please.", [{"if": 2, "then": [1]}]),
+        ("When I'm done, put the jar away.", [{"if": 1, "then": [2]}]),
+        ("Take the basin away when I'm done.", [{"if": 2, "then": [1]}]),
+        ("When I've finished with it, rinse the brush.", [{"if": 1, "then": [2]}]),
+        ("When I shout, lower the rope.", [{"if": 1, "then": [2]}]),
+        ("Fetch me the soap when I call you.", [{"if": 2, "then": [1]}]),
+        ("Let me know when he's gone.", [1]),
+        ("When you're done, air the attic.", [1]),
+        ("Air the attic when that's done.", [1]),
+    ],
+)
+def test_who_has_gone_or_is_done_or_calls_is_waited_for(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "of"),
+    [("Take the basin away when I'm done.", ("I", "done")), ("When I shout, lower the rope.", ("I", None))],
+)
+def test_who_is_done_or_calls(interpreter: Interpreter, text: str, of: tuple[str, str | None]) -> None:
+    check = next(task for task in interpreter.interpret(text).tasks if task.type == "check_state")
+    assert (check.value("object"), check.value("state")) == of

@@ -22,6 +22,11 @@ _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))
 _UNNAMED = frozenset("somebody someone something visitor visitors caller stranger".split())
 _EMPTY = frozenset("it there that this what which who that nothing nobody none".split())
+_SUBJECTS = frozenset("i we he she they".split())
+OVER = frozenset("gone left finished done".split())
+"""What says that somebody has gone, or is done with something."""
+CALLING = frozenset("tell ask say call shout ring whistle signal wave text yell".split())
+"""What a speaker does to be heard."""
 _STATING = frozenset("be 's \u2019s 're have".split())
 _LEFT = frozenset("left over still".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
@@ -132,8 +137,9 @@ def that_there_is(document: Document, arguments: Sequence[FoundArgument], check:
 
 
 def with_subject(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
-    """The arguments with what a check asks if "there is", where it has none, and with who a wish is of, and what is
-    wished for: "whether there's *bread*", "if *she* doesn't want *the cake*"."""
+    """The arguments with what a check asks if "there is", where it has none, with who a wish is of, and what is wished
+    for, and with who calls or is done: "whether there's *bread*", "if *she* doesn't want *the cake*", "when *I*'m
+    *done*"."""
     tokens = document.tokens
     if any(a.owner == check for a in arguments):
         return list(arguments)
@@ -144,7 +150,16 @@ def with_subject(document: Document, arguments: Sequence[FoundArgument], check: 
         told["state"] = _dependent(document, chunks, check, "dobj")
     elif check > 1 and tokens[check - 1].lower == "there" and tokens[check - 2].lower == "whether":
         told = {"object": next((chunk for chunk in chunks if chunk.start == check + 1), None)}
+    elif check and tokens[check - 1].lower in _SUBJECTS and (tokens[check].lemma in CALLING or _is_over(tokens, check)):
+        told = {"object": range(check - 1, check)}
+        told["state"] = range(check + 1, check + 2) if _is_over(tokens, check) else None
     return with_told(arguments, check, {name: words for name, words in told.items() if words})
+
+
+def _is_over(tokens: Sequence[Token], check: int) -> bool:
+    """Whether a check asks if somebody is done with something, or gone: "when I*'m* done"."""
+    is_be_or_have = tokens[check].lemma in ("be", "have") or tokens[check].lower in _STATING
+    return is_be_or_have and check + 1 < len(tokens) and tokens[check + 1].lower in OVER
 
 
 def _dependent(document: Document, chunks: Sequence[range], verb: int, relation: str) -> range | None:

@@ -11,6 +11,7 @@ from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
+from decomplex_bt.understanding.rules.checks import CALLING, OVER
 from decomplex_bt.understanding.rules.uses import uses
 
 _OPENING = frozenset(("if", "unless", "when"))
@@ -24,6 +25,7 @@ _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".spl
 _UNNAMED = frozenset("you i it that this u".split())
 _TRIED = frozenset("attempt try search sign".split())
 """What is told of the order before: "if the second attempt is unsuccessful", "if there's no sign of them"."""
+_OF_ORDERS = frozenset("rest job jobs work tasks".split())
 _DO = frozenset(("do", "does", "did"))
 _NOT = frozenset("not n't n\u2019t nt".split())
 _ANYBODY = tuple(
@@ -37,7 +39,7 @@ _AHEAD = frozenset(
 )
 """What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
-_CALLING = frozenset("tell ask say call shout ring whistle signal wave text yell".split())
+_NAMING = frozenset("DT PRP PRP$ NN NNS NNP NNPS".split())
 _TELLING = frozenset("tell ask say know".split())
 _GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _OF_TASKS = frozenset("fail succeed manage".split())
@@ -55,6 +57,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
     return (
         certain
         | frozenset(_departures(document, tasks))
+        | frozenset(_ends(document, tasks))
         | frozenset(_denials(document, tasks))
         | frozenset(_of_anybody(document, tasks))
         | frozenset(_doubts(document, tasks))
@@ -87,6 +90,26 @@ def _departures(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         be = _be(document, range(i + 1, stop))
         is_gone = be is not None and tokens[be].lower in _HAVE and tokens[be + 1].lower in _LEFT
         if be is not None and is_gone and tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i):
+            yield be
+
+
+def _ends(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "is" or "has" of every "when" behind what is ordered that waits for somebody to have gone or something to be
+    over: "air the attic when *they're* gone", "when *the drum's* finished"; not of "you", "that" or the rest of the
+    orders, and not of what is found out or told ("see when she's gone")."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens):
+        if token.lower != "when" or i == 0 or tokens[i - 1].lemma in ASKING_LEMMAS | {"even", "for"}:
+            continue
+        stop = next((j for j in range(i + 1, len(tokens)) if tokens[j].lower in MARKS | _JOINING), len(tokens))
+        subject = range(i + 1, min(stop - 1, i + 1 + _LONGEST))
+        be = next((j for j in subject if j > i + 1 and tokens[j].lower in _BE_OR_HAVE), None)
+        if be is None or tokens[be + 1].lower not in OVER or not tasks.keys().isdisjoint(range(i, stop)):
+            continue
+        named = range(i + 1, be)
+        is_thing = tokens[be - 1].lower not in _OF_ORDERS and _is_named_subject(document, named)
+        is_it = len(named) == 1 and tokens[be - 1].lower == "it"
+        if (is_thing or is_it) and not _is_told(document, tasks, i):
             yield be
 
 
@@ -138,13 +161,17 @@ def _of_anybody(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
 
 
 def _of_speaker(document: Document) -> Iterator[int]:
-    """The verb of every case of what the speaker will say or do to be heard: "close it if *I tell you to*"."""
+    """The verb of every case of what the speaker will say or do to be heard: "close it if *I tell you to*", "when *I
+    ring*"; whether somebody else is rung then, is left to the models."""
     tokens = document.tokens
     for i, token in enumerate(tokens[:-2]):
-        is_opened = token.lower in ("if", "unless") and tokens[i + 1].lower in ("i", "we")
+        is_opened = token.lower in ("if", "unless", "when", "once") and tokens[i + 1].lower in ("i", "we")
         if not is_opened or (i and tokens[i - 1].lemma in ASKING_LEMMAS | _TELLING | {"even"}):
             continue
-        if tokens[i + 2].lemma in _CALLING and tokens[i + 2].tag in ("VBP", "VB"):
+        behind = tokens[i + 3 : i + 4]
+        is_of_other = bool(behind) and behind[0].tag in _NAMING and behind[0].lower != "you"
+        is_heard = token.lower in ("if", "unless") or not is_of_other
+        if tokens[i + 2].lemma in CALLING and tokens[i + 2].tag in ("VBP", "VB") and is_heard:
             yield i + 2
 
 
@@ -159,8 +186,9 @@ def _times_of_speaker(document: Document, tasks: Mapping[int, str]) -> Iterator[
         be = tokens[i + 2]
         if not is_led or tokens[i + 1].lower not in ("i", "we") or be.lower not in _AM_OR_HAVE:
             continue
-        if (i and tokens[i - 1].lower == "for") or tokens[i + 3].lower in ("done", "finished", "ready"):
-            continue  # "keep some for when I'm back"; what is done with being done is left to the models
+        is_of_deed = tokens[i + 3].lower in OVER and any(t.tag == "VBG" for t in tokens[i + 4 : i + 5])
+        if (i and tokens[i - 1].lower == "for") or is_of_deed:
+            continue  # "keep some for when I'm back"; being done with talking is left to the models
         stop = next((j for j in range(i + 3, len(tokens)) if tokens[j].lower in MARKS | {"and", "then"}), len(tokens))
         is_free = tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i)
         if is_free and stop > i + 3 and tokens[i + 3].tag not in ("VBG", "MD", "TO", "DT"):
