@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 from annotated import clauses
+from readings import flow
 
 from decomplex_bt.understanding.control_flow.orders import stated_orders
+from decomplex_bt.understanding.interpreter import Interpreter
 
 WAX = "[Fetch](1:taking) [the wax](1:object) [from the shed](1:source)"
 CAR = "[polish](2:change_state) [the car](2:object)"
@@ -110,3 +112,20 @@ def test_waits_and_contrasts_keep_the_order_of_the_text(second: str, expected: s
     found = clauses(f"{PUMP}{second} and [fetch](3:bringing) [the towels](3:object).")
     orders = stated_orders(found, ("task",) * 3, ("top",) * 3, ("keep", "before", "keep"))
     assert orders == ("keep", expected, "keep")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Beat the cream until it's stiff, then chill it.", [1, 2, 3]),
+        ("Rinse the rice until it's clean and bring it here.", [1, 2, 3]),
+        ("Search the boxes one after another until you find the tape and then hand it to me.", [1, 2, 3]),
+        ("Don't warm the pie until Lea is home.", [2, 1]),
+        ("Never open the hatch till the pump is off.", [2, 1]),
+        ("Feeding the hens can wait until you've swept the yard.", [2, 1]),
+    ],
+)
+def test_what_is_done_until_something_is_so_comes_before_that(
+    interpreter: Interpreter, text: str, expected: object
+) -> None:
+    assert flow(interpreter, text) == expected

@@ -145,6 +145,8 @@ class Clause:
     blinds", not "but draw them before you go"."""
     is_waited_for: bool = False
     """Whether a "wait" in the order of the text says to wait for it: "..., *wait until it's hot*", not "but wait"."""
+    is_end: bool = False
+    """Whether an "until" says that the order before goes on up to it: "beat it *until it's stiff*"."""
     says_already: bool = False
     """Whether it asks if something is "already" so."""
     picks: str = ""

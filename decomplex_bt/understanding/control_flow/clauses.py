@@ -19,6 +19,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     asks_open,
     calls_off,
     is_adverb,
+    is_end,
     is_had_done,
     is_mere_contrast,
     is_on_arrival,
@@ -212,6 +213,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_past_guess=any(document.sentences[w.start] == document.sentences[token] - 1 for w in guesses(document)),
         is_mere_contrast=task.type != "check_state" and is_mere_contrast(document, token),
         is_waited_for=is_waited_for(document, ahead, token),
+        is_end=is_end(document, ahead, token),
         says_already=task.type == "check_state"
         and any(t.lower == "already" for t in document.tokens[first : own_last + 1]),
         picks=picks(document, token),

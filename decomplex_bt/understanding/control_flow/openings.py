@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
 from decomplex_bt.understanding.control_flow.wording import PERSONS
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.prohibitions import NEGATIONS, is_behind_otherwise, lifts
@@ -49,6 +49,7 @@ _TIMING = frozenset(
     "meantime meanwhile while when once start begin beginning advance".split()
 )
 """Words that may say when something is done that a "but" adds."""
+_PUTTING_OFF = frozenset("wait delay postpone not only".split())
 _HOLDING_BACK = frozenset("but first before yet though".split())
 _PARTING = PUNCTUATION | frozenset("and but then so or first before please just".split())
 _ABLE = frozenset("can could able unable manage".split())
@@ -291,6 +292,16 @@ def is_waited_for(document: Document, cues: Sequence[Cue], i: int) -> bool:
     is_wait = words[:1] in (["wait"], ["stay"]) or words[:2] in (["hang", "on"], ["hold", "on"], ["stand", "by"])
     is_held_back = not _HOLDING_BACK.isdisjoint(token.lower for token in tokens[max(0, start - 2) : start])
     return is_wait and not is_held_back and {"first", "with"}.isdisjoint(words)  # "wait with that till ..."
+
+
+def is_end(document: Document, cues: Sequence[Cue], i: int) -> bool:
+    """Whether an "until" opens the clause of the verb at token `i` and says up to what the order before goes on ("beat
+    it *until it's stiff*"), not how long it is put off ("that can wait until ...", "no sooner than ...")."""
+    opening = max((cue for cue in cues if cue.first < i), key=lambda cue: cue.last, default=None)
+    if opening is None or opening.name != "until" or opening.first != opening.last:
+        return False
+    ahead = document.tokens[opening.first - 1] if opening.first else None
+    return ahead is not None and ahead.lemma not in _PUTTING_OFF and ahead.text not in MARKS
 
 
 def is_past_forbidden(observed: Observed, previous: int, split: int, token: int) -> bool:

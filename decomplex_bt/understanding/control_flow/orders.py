@@ -73,13 +73,15 @@ def _keep_turn(
 
 
 def _keep_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int) -> None:
-    """What is kept, or where somebody stays, "until" something comes is so before that comes ("*keep the gate shut*
-    until Tom is back", "until Tom is back, keep the gate shut")."""
+    """What is kept or done "until" something comes is so before that comes ("*keep the gate shut* until Tom is back",
+    "*beat the eggs* until they're stiff", "until Tom is back, keep the gate shut")."""
     before, clause = clauses[k - 1 : k + 1]
     is_next = roles[k - 1] == roles[k] == "task" and sides[k - 1] == sides[k] and before.sentence == clause.sentence
     if not is_next or before.is_forbidden or clause.is_forbidden or before.wording.is_negated:
         return
-    if before.verb in _KEEPING and clause.near[-1:] == ("until",) and clause.boundary == "none":
+    is_behind = clause.near[-1:] == ("until",) and clause.boundary == "none"
+    is_done = clause.is_end and "not" not in (*before.far, *before.near)
+    if is_behind and (before.verb in _KEEPING or (is_done and orders[k] in _AHEAD)):
         orders[k - 1 : k + 1] = "keep", "keep"
     is_ahead = before.near[-1:] == ("until",) and before.is_check and clause.verb in _KEEPING
     if is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
