@@ -316,3 +316,24 @@ def test_what_brackets_only_name_again_or_add(parser: Parser, text: str, meant: 
 @pytest.mark.parametrize("text", ["Water the ferns (not the cactus!).", "Get the rope (ask Lea first) and tie it up."])
 def test_what_brackets_except_or_order_stays(parser: Parser, text: str) -> None:
     assert not repaired(parser.parse(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Open the hatch, no, close it.", "close it"),
+        ("Fill the crate, sorry, empty it.", "empty it"),
+        ("Rinse the forks, no, dry them.", "dry them"),
+    ],
+)
+def test_an_order_that_looks_like_a_state_stands_in_place_of_another(
+    interpreter: Interpreter, text: str, meant: str
+) -> None:
+    found = interpreter.interpret(text)
+    assert found.to_json()["flow"] == [1]
+    assert found.tasks[0].span.of(text) == meant.split()[0]
+
+
+@pytest.mark.parametrize("text", ["Is the hatch open? No, close it.", "If the forks are wet, no matter, dry them."])
+def test_an_answer_or_a_remark_takes_no_order_back(interpreter: Interpreter, text: str) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == ["check_state", "change_state"]

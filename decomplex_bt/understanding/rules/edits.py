@@ -62,6 +62,7 @@ STATING = frozenset("he she it they we i that".split())
 _FINITE = frozenset("'s s is are 're re 'm m has have 've ve was were had will 'll wo ca can does do did".split())
 INTERJECTIONS = frozenset("oh ok okay right now and but so erm".split())
 _SUBJECTS = frozenset(("nsubj", "nsubjpass", "expl"))
+_OBJECTS = frozenset(("it", "them"))
 _IDLE_SUBJECTS = TURNING | {"sorry"}
 """What is taken for the subject of an order behind it: "no *wait* put it here"."""
 
@@ -173,7 +174,7 @@ def _is_correction(words: Sequence[str], i: int) -> bool:
 
 def is_order_at(document: Document, i: int) -> bool:
     """Whether a token is a verb in its bare form whose subject is none but "you"; the tagger takes that of "hoover the
-    stairs" for a noun, and that of "Empty the bin" for an adjective."""
+    stairs" for a noun, and that of "Empty the bin" and "no, dry them" for an adjective."""
     token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
     clause = next((j + 1 for j in range(i - 1, -1, -1) if document.tokens[j].text in MARKS), 0)
     near = (document.tokens[j] for j in document.children[i] if j >= clause)
@@ -181,5 +182,6 @@ def is_order_at(document: Document, i: int) -> bool:
     is_first = i == 0 or document.tokens[i - 1].text in ENDS
     kinds = ("NN", "NNP", "JJ") if is_first else ("NN",)
     is_named = bool(following) and following[0].tag in ("DT", "PRP$") and following[0].lower not in DENYING
-    is_verb = token.pos == "VERB" or (token.tag in kinds and is_named)
+    is_done_to = bool(following) and following[0].lower in _OBJECTS and i == clause
+    is_verb = token.pos == "VERB" or (token.tag in kinds and is_named) or (token.tag == "JJ" and is_done_to)
     return is_verb and token.lower == token.lemma and subjects <= {"you"}
