@@ -146,3 +146,26 @@ def test_so_does_another_thing(text: str, carriers: list[str], things: list[str]
 @pytest.mark.parametrize("text", ["The hall needs sweeping. So do the kitchen.", "I'm tired, so do the pots."])
 def test_an_order_behind_so_says_no_need(parser: Parser, text: str) -> None:
     assert not list(so_does(parser.parse(text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "deeds"),
+    [
+        ("If the yard's wet, it wants sweeping.", ["sweeping"]),
+        ("If the jugs are full, they need emptying.", ["emptying"]),
+        ("The yard needs sweeping if it's wet, and the gate wants oiling.", ["sweeping", "oiling"]),
+        ("If the trunk is full, it needs emptying, and the shelf wants dusting.", ["emptying", "dusting"]),
+    ],
+)
+def test_what_is_needed_in_a_case_or_by_another_thing_is_one_order_each(
+    interpreter: Interpreter, text: str, deeds: list[str]
+) -> None:
+    tasks = interpreter.interpret(text).tasks
+    assert [task.span.of(text) for task in tasks if task.type != "check_state"] == deeds
+    assert sum(task.type == "check_state" for task in tasks) == 1
+
+
+@pytest.mark.parametrize("text", ["If Lea is up, she wants feeding.", "If the ferns want watering, tell me."])
+def test_what_somebody_needs_or_is_a_case_is_no_order(interpreter: Interpreter, text: str) -> None:
+    tasks = interpreter.interpret(text).tasks
+    assert not any(task.span.of(text) in ("feeding", "watering") for task in tasks)

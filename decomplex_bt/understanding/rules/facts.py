@@ -26,7 +26,7 @@ from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.mishaps import mishaps
-from decomplex_bt.understanding.rules.needs import needed
+from decomplex_bt.understanding.rules.needs import needed, needs_of
 from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.perfects import (
     are_gone,
@@ -232,6 +232,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}
     behind = {i + 1 for i in idioms if i + 1 < len(document) and document.tokens[i + 1].tag == "VBN"}
+    behind |= needs_of(observed, (*found, *idioms))
     for fragment in list(unspoken(observed, {**found, **idioms})):
         behind.update(fragment.tokens)
         idioms[fragment.carrier] = fragment.type

@@ -3,7 +3,7 @@ watering")."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
@@ -31,6 +31,9 @@ _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
 _INSIDE = _PLACING | {"'s", "\u2019s"}
 _PERSONAL = frozenset("it its they them their he him his she her one ones some that those so".split())
+_FARTHEST = 3
+"""Within so many words behind a need stands the verb of what is needed [tokens]."""
+_OF_CASE = frozenset(("it", "they"))
 _VAGUE = frozenset(("do", "see", "be", "have"))
 _BUT_IF = frozenset((("but", "if"), ("but", "when")))
 _LEAVE_IT = frozenset((("leave", "it"), ("leave", "them"), ("leave", "that")))
@@ -80,6 +83,13 @@ def in_need(observed: Observed, verb: int) -> dict[str, range]:
             found = {"object": range(said.start, place), "location": range(place, said.stop)}
             return {name: tokens for name, tokens in found.items() if tokens}
     return {}
+
+
+def needs_of(observed: Observed, verbs: Iterable[int]) -> frozenset[int]:
+    """The words ahead of the verbs that only say that a thing needs it, and are no tasks: "the gate *wants* oiling"."""
+    tokens = observed.document.tokens
+    of_things = (verb for verb in verbs if in_need(observed, verb))
+    return frozenset(i for verb in of_things for i in range(max(0, verb - _FARTHEST), verb) if _is_need(tokens[i]))
 
 
 def belonging(document: Document) -> Iterator[Fragment]:
@@ -188,19 +198,22 @@ def _subject(document: Document, need: int) -> range:
 
 def _is_of_thing(document: Document, need: int) -> bool:
     """Whether nothing stands ahead of a need in its sentence but a thing that has it, or another thing with its need
-    ("the dog needs walking and *the cat wants feeding*")."""
+    ("the dog needs walking and *the cat wants feeding*"), or a case with a thing that "it" takes up ("if the yard is
+    wet, *it wants sweeping*")."""
     tokens, sentences = document.tokens, document.sentences
     said = _subject(document, need)
     words = tokens[said.start : said.stop]
+    first = sentences.index(sentences[need])
+    ahead = [i for i in range(first, said.start) if tokens[i].lower not in OPENING]
+    is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[said.start - 1].text == ","
+    if is_case and len(words) == 1 and words[0].lower in _OF_CASE:
+        return any(tokens[i].pos in ("NOUN", "PROPN") for i in ahead) and tokens[need].lower in NEEDING
     is_named = any(token.pos in ("NOUN", "PROPN") for token in words) or (len(words) > 1 and words[0].pos == "DET")
     if not is_named or not (words[0].pos in _NOMINAL or words[0].tag == "PRP$"):
         return False
     if any(token.pos not in _NOMINAL and token.lower not in _INSIDE and token.tag != "PRP$" for token in words):
         return False
-    first = sentences.index(sentences[need])
-    ahead = [i for i in range(first, said.start) if tokens[i].lower not in OPENING]
     needs = [i for i in ahead if _is_need(tokens[i])]
-    is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[said.start - 1].text == ","
     is_first = not ahead or is_case or (len(needs) == 1 and _is_of_thing(document, needs[0]))
     end = next((token.lower for token in tokens[need:] if token.lower in ENDS), ".")
     return is_first and end != "?"
