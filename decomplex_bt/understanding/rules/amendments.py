@@ -57,6 +57,7 @@ from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
 from decomplex_bt.understanding.rules.second_cases import second_cases
+from decomplex_bt.understanding.rules.sequels import with_sequels
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.task_arguments import Setting, of_task
 from decomplex_bt.understanding.rules.unspoken import unspoken
@@ -189,7 +190,7 @@ def _beside_each_other(observed: Observed, tasks: Tasks, arguments: Sequence[Fou
     document = observed.document
     kept = with_either_place(document, tasks, with_choices_as_one(document, arguments))
     kept = with_gapped(observed, tasks, accompanied(document, tasks, kept))
-    kept = with_fronted(observed, tasks, with_added(observed, tasks, kept))
+    kept = with_fronted(observed, tasks, with_sequels(observed, tasks, with_added(observed, tasks, kept)))
     kept = without_accounts(document, tasks, without_places_of_others(observed, tasks, kept))
     kept = with_purposes(document, tasks, kept)
     kept = [up_to_order(document, tasks, a) for a in kept]

@@ -47,6 +47,7 @@ from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewher
 from decomplex_bt.understanding.rules.questions import questions
 from decomplex_bt.understanding.rules.reports import within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
+from decomplex_bt.understanding.rules.sequels import sequels
 from decomplex_bt.understanding.rules.telegraph import telegraphed
 from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.verbless import verbless_cases
@@ -92,6 +93,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others |= purposes(document, types_found) | accounts(document, types_found)
+    within_others = within_others.union(*(sequel.words for sequel in sequels(observed, types_found)))
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
         end = len(document) if following is None else following.token
