@@ -22,6 +22,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Option, options_of
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
+from decomplex_bt.understanding.references.switching import without_own_place
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
 
@@ -70,6 +71,7 @@ class ReferenceModel:
                         argument = replace(argument, value=value, confidence=argument.confidence * probability)
                         context.mention(gap, option.candidate, option.text)
                 arguments.append(argument)
+            arguments = without_own_place(observed.document, task, arguments)
             implied = []
             said = {argument.value.lower() for argument in arguments}  # what is put is not where it is put
             for gap in unsaid_gaps(observed, task, self._ontology):

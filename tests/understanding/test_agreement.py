@@ -213,3 +213,26 @@ def test_inside_is_in_what_was_opened_and_out_is_outside(
 ) -> None:
     found = interpreter.interpret(text)
     assert found.tasks[-1].value("goal") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Warm the porridge if the toddler is awake. When it's hot, take it to him.", 4, "the porridge"),
+        ("Put the pie in the oven if Ruth is home. When it's done, slice it.", 4, "the pie"),
+        ("Is Ella on the balcony? If it's dirty, sweep it.", 3, "the balcony"),
+        ("If the puppy is wet, pick it up.", 2, "the puppy"),
+        ("If somebody rings and it's Paul, let him in.", 2, "somebody"),
+        # of one thing and several
+        ("Scrape the mud off the boots and put them on the mat.", 2, "the boots"),
+        ("Take the photos out of the album and bring it to me.", 2, "the album"),
+        ("Take the photos out of the album and bring them to me.", 2, "the photos"),
+        ("Fill either of the jugs and bring it here.", 2, "either of the jugs"),
+        ("Get the thermos from the car and fill it.", 2, "the thermos"),
+        # what is put in the wash
+        ("Get the mark off the blouse; if it won't come off, soak it.", 3, "the blouse"),
+        ("Get the mark off the blouse; if it won't come off, leave it in the basin.", 3, "the blouse"),
+    ],
+)
+def test_it_is_one_thing_and_nobody(interpreter: Interpreter, text: str, number: int, value: str) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value

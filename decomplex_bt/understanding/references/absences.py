@@ -14,6 +14,8 @@ _SPENT = frozenset("dead flat blown used gone missing broken faulty worn".split(
 _WITHIN = frozenset("battery bulb fuse bait seed cartridge filter refill toner ink candle bag lightbulb".split())
 """What is put into something else, where it is used up."""
 _BLEMISHES = frozenset("stain mark spot smudge scratch crack hole tear leak dent chip smell stink mould rust".split())
+_SOAKING = frozenset("soak wash rinse iron fold".split())
+"""What is done to the stained."""
 _WRITTEN = frozenset(("list", "note"))
 
 
@@ -72,11 +74,13 @@ def is_used_up(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def is_blemish(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate is what nobody asks for another of: "if *the stain* doesn't come off, bring me another
-    one"."""
+    """Whether a candidate is what nobody asks for another of, or puts anywhere: "if *the stain* doesn't come off, bring
+    me another one", "... soak *it* in the tub"."""
     tokens = context.observed.document.tokens
-    is_another = gap.type == "object" and any(tokens[i].lower == "another" for i in gap.tokens[:1])
-    return is_another and tokens[candidate.head].lemma in _BLEMISHES
+    is_another = any(tokens[i].lower == "another" for i in gap.tokens[:1])
+    is_treated = gap.task.type in ("placing", "bringing") or context.lemmas[gap.task.id] in _SOAKING
+    is_put = gap.word in _PRONOUNS and is_treated
+    return gap.type == "object" and (is_another or is_put) and tokens[candidate.head].lemma in _BLEMISHES
 
 
 def _is_some(context: Context, candidate: Candidate) -> bool:

@@ -46,6 +46,11 @@ _HANDLING = frozenset(("bringing", "placing"))
 _HANDLING_THINGS = _HANDLING | {"change_state", "taking"}
 _PERSONAL = frozenset(("he", "she", "they"))
 _OWNING = {"his": "he", "her": "she", "their": "they"}
+_SINGLING = frozenset("either neither one any each every whichever".split())
+"""What tells one of several: "either of the lamps"."""
+_SINGULAR = frozenset("thermos atlas canvas gas lens news iris pancreas compass series".split())
+_CALLED_IT = frozenset("baby child kid toddler patient family cleaner driver".split())
+"""Who may be "it" for all that."""
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
 """What only somebody does."""
 _CALLED_SHE = frozenset("doll teddy bear bunny boat ship dinghy skiff yacht canoe car mower".split())
@@ -160,6 +165,83 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
     is_whereabouts = candidate.type == "state" and before in PREPOSITIONS  # "if he's on *the phone*"
     return is_handled or is_place or is_whereabouts or _is_had(context, gap, candidate)
+
+
+def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" cannot mean a candidate because that is somebody ("warm the soup if *Max* is in. When *it*'s hot,
+    ...") or several things, where one thing is named ("shake *the crumbs* off the cloth and fold *it*"), or "them"
+    because it is the one thing of a task that names several. A baby may be "it", but is given to nobody it is itself,
+    and so may be whoever is at the door ("if *it*'s Max")."""
+    tokens, head = context.observed.document.tokens, context.observed.document.tokens[candidate.head]
+    if len(gap.tokens) != 1 or gap.word not in ("it", "them"):
+        return False
+    if gap.word == "them":
+        return _is_the_one_of(context, gap, candidate)
+    if _asks_who(context, gap):
+        return False
+    if GROUPS.get(candidate.mention) == "he" or _is_person(context, candidate):
+        return True
+    if kind_of(context, candidate) in ANIMATE:
+        return _is_given_to(context, gap, candidate)
+    is_several = _is_plural(context, candidate) and (not candidate.mention or GROUPS.get(candidate.mention) == "they")
+    return is_several and any(
+        c.tokens.stop <= gap.position
+        and c.owner != gap.task.id
+        and tokens[c.head].tag == "NN"
+        and c.shape in ("whole", "long", "short")
+        and c.head != head.i
+        and kind_of(context, c) not in ANIMATE
+        for c in context.pool
+    )
+
+
+def _is_plural(context: Context, candidate: Candidate) -> bool:
+    """Whether a phrase names several things by its last noun: no "clothes horse", no "either of the lamps"."""
+    tokens = context.observed.document.tokens
+    head, first, behind = tokens[candidate.head], tokens[candidate.tokens.start], tokens[candidate.head + 1 :][:1]
+    if first.lower in _SINGLING | WHOLE or head.lower in _SINGULAR:
+        return False
+    is_last = all(token.pos not in ("NOUN", "PROPN", "VERB") for token in behind) or head.i == candidate.tokens.stop - 1
+    is_compound = any(token.pos in ("NOUN", "PROPN") for token in behind)
+    return is_last and not is_compound and head.tag == "NNS" and head.lower.endswith("s")
+
+
+def _is_the_one_of(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is one thing that was got off or out of several, right ahead of what is done to "them"."""
+    document, order = context.observed.document, gap.task.id - 1
+    is_one = document.tokens[candidate.head].tag == "NN" and not _is_of_several(document, candidate)
+    if candidate.mention or (candidate.owner, candidate.type) != (order, "object") or not is_one:
+        return False
+    sources = (c for c in context.pool if (c.owner, c.type) == (order, "source") and not c.mention)
+    return any(c.shape in ("whole", "long") and _is_plural(context, c) for c in sources)
+
+
+def _asks_who(context: Context, gap: Gap) -> bool:
+    """Whether it is asked who or what somebody is: "if *it*'s Max", "if *it* is the neighbours"."""
+    tokens = context.observed.document.tokens
+    states = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "state" and a.span]
+    is_named = any(tokens[state[-1]].pos in ("NOUN", "PROPN", "PRON") for state in states)
+    return gap.task.type == "check_state" and (is_named or not states)
+
+
+def _is_person(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is somebody whom only "he", "she" or "they" means."""
+    tokens = context.observed.document.tokens
+    head, first = tokens[candidate.head], tokens[candidate.tokens.start]
+    if head.lemma in PERSON_NOUNS:
+        return head.lemma not in _CALLED_IT and first.lower not in WHOLE  # "anything the guests have left"
+    is_first_name = head.lower in MEN | WOMEN and head.pos == "PROPN" and head.text[:1].isupper()
+    is_alone = candidate.head == candidate.tokens.start or first.lower in _TITLES
+    return is_first_name and (is_alone or bool(candidate.mention))
+
+
+def _is_given_to(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is the only one whom "her" means in "bring it to *her*"."""
+    said = {a.value.lower().split()[-1] for a in gap.task.arguments if a.type == "recipient"}
+    if said.isdisjoint(("him", "her")):
+        return False
+    living = {c.head for c in context.pool if c.tokens.stop <= gap.position and kind_of(context, c) in ANIMATE}
+    return living == {candidate.head}
 
 
 def _is_had(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.references.absences import is_absent, is_blemish
 from decomplex_bt.understanding.references.agreement import (
     is_called_otherwise,
     is_no_person,
+    is_no_single_thing,
     is_of_other_gender,
     is_possessed,
     meant,
@@ -23,6 +24,7 @@ from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
 from decomplex_bt.understanding.references.roles import ELSEWHERE, is_called_in, is_led, is_nobody, is_sought, is_within
+from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
@@ -164,6 +166,8 @@ def _reasoned(context: Context, gap: Gap) -> range:
     named = (c for c in context.pool if c.tokens.start == first and c.tokens.stop < at and not c.mention)
     named = (c for c in named if kind_of(context, c) not in ANIMATE)
     said = max(named, key=lambda c: c.tokens.stop, default=None)
+    if said is not None and (is_unswitched(context, gap, said) or is_unshut(context, gap, said)):
+        return range(0)
     is_said = said is not None and tokens[said.tokens.stop].lower in _STATING and tokens[said.head].tag in tag
     return said.tokens if said is not None and is_said else range(0)
 
@@ -250,7 +254,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_thing = gap.type == "object" and gap.word not in _SOMEBODY
     if candidate.type == "outside" and is_thing and before in ("before", "during"):
         return True  # "bring it to me before *my call*"
-    if candidate.owner == gap.task.id and not candidate.mention:
+    if candidate.owner == gap.task.id and not candidate.mention and not is_stated_place(context, gap, candidate):
+        return True
+    if is_unswitched(context, gap, candidate) or is_unshut(context, gap, candidate):
         return True
     if gap.type == "object" and not candidate.mention and _is_cut_off(context.observed.document, candidate):
         return True
@@ -263,6 +269,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
     if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
+        return True
+    if is_no_single_thing(context, gap, candidate):
         return True
     is_ahead = gap.word in _SOMEBODY and candidate.tokens.start > gap.position
     if is_ahead and gap.task.type == "check_state" and is_called_in(context, candidate):

@@ -3,7 +3,7 @@ is too hot, a counter that is wiped is not what gets warm, a pen that is looked 
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.insides import has_inside
 from decomplex_bt.understanding.references.phrases import Candidate
@@ -20,6 +20,8 @@ _DONE = frozenset("cooked baked thawed ironed folded peeled ripe stale mouldy so
 _WARM = frozenset("hot warm boiling boiled heated preheated toasty ready".split())
 _WARMED = frozenset("pan pot saucepan wok skillet griddle grill barbecue bath bathtub tub pool".split())
 """What is hot or cold itself, beside what has a switch."""
+_COOKERS = frozenset("oven stove hob grill barbecue pan pot saucepan wok skillet griddle".split())
+"""What cooks, and is done itself at no time of its own."""
 _WHEN = frozenset("if unless when once until till".split())
 _HEATING = frozenset("heat warm boil reheat preheat cook bake fry roast toast grill brew make thaw defrost".split())
 _IDLE = frozenset("clean wipe mop sweep scrub vacuum hoover dust polish tidy clear rinse open close shut lock".split())
@@ -69,7 +71,12 @@ def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
     *it*", "don't put *the fish* on the plate unless *it*'s cold". A stove, a pan or a bath can itself be hot."""
     if gap.word != "it" or gap.type != "object" or candidate.type not in _PLACES or candidate.mention:
         return False
-    if candidate.task_type != "placing" or candidate.owner != gap.task.id - 1 or not _is_one_put(context, candidate):
+    check = (
+        context.types.get(gap.task.id - 1) == "check_state"
+    )  # "put the roast in the oven if Ann is in. When it's done"
+    if candidate.task_type != "placing" or candidate.owner != gap.task.id - 1 - check:
+        return False
+    if not _is_one_put(context, candidate):
         return False
     tokens = context.observed.document.tokens
     if gap.task.type != "check_state":
@@ -83,7 +90,11 @@ def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if not words.isdisjoint(_BOILING):
         return tokens[candidate.head].lemma not in _WARMED
-    return not words.isdisjoint(_TEMPERATURES | _DONE) and not _gets_warm(context, candidate)
+    if not words.isdisjoint(_DONE):
+        return True
+    if "done" in words:
+        return tokens[candidate.head].lemma in _COOKERS
+    return not words.isdisjoint(_TEMPERATURES) and not _gets_warm(context, candidate)
 
 
 def is_unwarmed(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -97,6 +108,8 @@ def is_unwarmed(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if not last or not owner or owner == last or candidate.mention or candidate.type not in {"object"} | _PLACES:
         return False
     is_idle = context.lemmas[owner].split()[0] in _IDLE
+    if kind_of(context, candidate) in ANIMATE:
+        return True  # "warm the milk if *the baby* is hungry, and when *it*'s warm, ..."
     return is_idle or (owner < last and _warms(context, owner) and not _is_heated(context, owner))
 
 
