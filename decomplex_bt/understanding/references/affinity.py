@@ -12,7 +12,14 @@ from decomplex_bt.understanding.references.agreement import meant, other_place, 
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gapped import gapped_pair
-from decomplex_bt.understanding.references.gaps import PREDICATE, Gap, says_there_is, spellings
+from decomplex_bt.understanding.references.gaps import (
+    PREDICATE,
+    Gap,
+    is_told_one,
+    numbered_of,
+    says_there_is,
+    spellings,
+)
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
@@ -114,8 +121,10 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(text, way) for text, way in worded if way == "one"] or worded
     if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
-    if words == {"one"} and tokens[candidate.tokens.start].lower in _EACH:  # one of all the towels is not all of them
+    if numbered_of(observed.document, gap) or _is_one_of_several(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if is_told_one(observed.document, gap.tokens):
+        worded = [(text, way) for text, way in worded if way == "a"] or worded
     if tokens[candidate.tokens.start].lower in _LACKING:  # what there is none of: "no paper? Bring some"
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     certain = tokens[candidate.tokens.start].tag == "PRP$" or tokens[candidate.tokens.start].lower in _CERTAIN
@@ -150,6 +159,15 @@ def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:
         return False
     others = (t.i for t in tokens[gap.tokens.stop :] if t.lower == "other" and tokens[t.i - 1].lower == "the")
     return any(i + 1 == len(tokens) or tokens[i + 1].pos not in ("NOUN", "PROPN") for i in others)
+
+
+def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a bare "one" is one of several, and not all of them: of all the towels, or of "*the plums*"."""
+    if [document.tokens[i].lower for i in gap.tokens] != ["one"]:
+        return False
+    first = document.tokens[candidate.tokens.start].lower
+    is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS") and first in _CERTAIN and not candidate.mention
+    return first in _EACH or (is_several and gap.task.type != "check_state")
 
 
 def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:

@@ -30,6 +30,8 @@ PREDICATE = "predicate"
 """The type of a gap that a state or a place fills: what a check leaves out in "if it is"."""
 
 _COUNTS = frozenset("one two three four five six few couple pair".split())
+_NUMBERS = _COUNTS - {"one", "few", "couple", "pair"}
+_FURTHER = frozenset(("other", "more", "another"))
 _LEADING = frozenset(
     "the that this these those other others another a an each both either of same all whole thing lot former latter "
     "place machine inside where".split()
@@ -93,7 +95,15 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
     is_one = form == "one" and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
     is_subject = is_one and document.indices(task.span).start == inner.stop  # "if *one* is chipped"
-    return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_of_it or is_subject)
+    is_certain = is_of_it or is_subject or is_told_one(document, inner)
+    return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
+
+
+def is_told_one(document: Document, tokens: range) -> bool:
+    """Whether a clause tells of what sort "one" is, which is like a thing that was named: "this pen is dry, get me
+    *one* that writes"."""
+    words = [token.lower for token in document.tokens[tokens.start : tokens.start + 2]] if tokens else []
+    return words[:1] == ["one"] and words[1:] in (["that"], ["which"], ["who"])
 
 
 def _is_amount(document: Document, tokens: range) -> bool:
@@ -291,6 +301,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         is_plural = False if is_further else True if gap.form == "count" else None
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "counted"
         yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
+    if number := numbered_of(document, gap):
+        yield f"{number} {noun_of(document, candidate, is_plural=True)}", "counted"
     modifiers = range(gap.tokens.start, head_of(document, gap.tokens)) if gap.tokens else range(0)
     if gap.form == "one" and any(document.tokens[i].lower not in _DEMONSTRATIVES for i in modifiers):
         words = _text(document, modifiers)
@@ -319,6 +331,13 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     yield text, "same"
     if is_open:
         yield bare_of(document, candidate, is_plural=None), "bare"
+
+
+def numbered_of(document: Document, gap: Gap) -> str:
+    """So many further things of a kind: the "two" of "*the other two*" or "*two more*"; else ""."""
+    words = [document.tokens[i].lower for i in gap.tokens]
+    numbers = [word for word in words if word in _NUMBERS]
+    return numbers[0] if gap.form == "pronoun" and len(numbers) == 1 and not _FURTHER.isdisjoint(words) else ""
 
 
 def _last_modifier(document: Document, gap: Gap) -> int:

@@ -392,8 +392,18 @@ def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None)
     return " ".join([*words, _inflected(head.text, head.lemma, head.tag, is_plural)])
 
 
+_IN_VES = ("elf", "alf", "olf", "eaf", "oaf", "arf", "nife", "wife", "life")
+"""Ends of nouns that have "ves" in the plural: "shelf", "loaf", "scarf"."""
+
+
+_IN_IES = frozenset("cookies brownies smoothies hoodies movies pies ties selfies".split())
+"""Plurals of nouns in "ie", which the lemmatizer takes for nouns in "y"."""
+
+
 def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
     if is_plural is False and tag in ("NNS", "NNPS"):
+        if text.lower() in _IN_IES:
+            return text[:-1]
         if text.endswith("xes"):  # "lunchboxes", which the lemmatizer does not know
             return text[:-2]
         if lemma == text.lower() and text.endswith("s") and not text.endswith("ss"):
@@ -402,6 +412,8 @@ def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
     if is_plural and tag == "NN" and (not text.endswith("s") or text.endswith(("ss", "us", "is"))):
         if text.endswith("y") and text[-2:-1] not in "aeiou":
             return f"{text[:-1]}ies"
+        if text.endswith(_IN_VES):
+            return f"{text[: text.rindex('f')]}ves"
         return text + ("es" if text.endswith(("s", "x", "ch", "sh")) else "s")
     return text
 
