@@ -13,6 +13,8 @@ _STATING = frozenset(
     "is 's \u2019s s are 're re was were 'm m do does did have has had ca can could wo will would ai there got".split()
 )
 """What stands ahead of a negation in a statement: "it *is* n't", "I *do* n't", "*ca* n't find it", "*got* no milk"."""
+_CONTRACTED = frozenset(("n't", "n\u2019t", "nt"))
+_GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _LEADING = frozenset("do does did ca can could wo will would".split())
 """What needs a verb behind its negation."""
 _DEGREES = frozenset("quite even always all both ever often each entirely".split())
@@ -29,8 +31,10 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     """The tokens from `first` to `last` that deny what the clause of the task at token `task` says: of its verb, its
     subject or what it says of it, and not of a part of these ("a mug that isn't dirty", "hot but not too hot")."""
     document = observed.document
-    if last + 2 < len(document) and tag_question(document, last + 2) is not None:
+    if any(tag_question(document, at) is not None for at in range(task + 1, min(last + 3, len(document)))):
         return []  # "the light isn't on, is it?" asks whether it is
+    if _is_answered(document, first):
+        return []
     found = [cue.first for cue in observed.cues if first <= cue.first <= last and cue.name == "not"]
     found = [
         i
@@ -46,6 +50,17 @@ def negations(observed: Observed, task: int, first: int, last: int) -> list[int]
     if any(document.tokens[i].lower == "there" for i in said):
         found += [i for i in said if document.tokens[i].lower in _DENYING and i not in found]
     return found
+
+
+def _is_answered(document: Document, first: int) -> bool:
+    """Whether the words from `first` on ask "isn't it ...?", and an "if so" or "if not" behind takes that up: who asks
+    so means "is it ...?"."""
+    tokens = document.tokens
+    words = [token.lower for token in tokens[first : first + 2]]
+    is_denied = words[0] in _STATING and words[-1] in _CONTRACTED
+    mark = next((t.i for t in tokens[first:] if t.text in MARKS), len(tokens))
+    behind = tuple(t.lower for t in tokens[mark + 1 : mark + 3])
+    return is_denied and behind in _GOING_BY and tokens[mark].text in ("?", ",")
 
 
 ANSWERS = {

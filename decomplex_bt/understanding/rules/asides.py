@@ -61,11 +61,33 @@ def _all_of(
 
 def tag_question(document: Document, at: int) -> range | None:
     """The words of the tag question in which token `at` is the verb ("he's asleep, is he?", "it's on, isn't it?"), or
-    None."""
+    None; without a comma, where one of both denies ("it's on isn't it?", "he isn't in is he?")."""
     said = [normal_form(token.lower) for token in document.tokens[max(0, at - 1) : at + 4]]
     words = [word for word in said if word != "not"]
-    is_tag = at > 0 and len(words) >= 4 and words[0] == "," and words[1] in _TAGS and words[2] in _TAGGED
-    return range(at, at + said.index("?") - 1) if is_tag and words[3] == "?" else None
+    if at == 0 or len(words) < 4 or words[1] not in _TAGS or words[2] not in _TAGGED or words[3] != "?":
+        return None
+    is_tag = words[0] == "," or (words[0] not in MARKS and _is_tagged(document, at, is_denied="not" in said))
+    return range(at, at + said.index("?") - 1) if is_tag else None
+
+
+def tagged(document: Document, at: int) -> int | None:
+    """The "is" of the statement that the tag question with its verb at token `at` stands behind without a comma: "the
+    tap*'s* on isn't it?"; None where it has none."""
+    if tag_question(document, at) is None or document.tokens[at - 1].text in MARKS:
+        return None
+    start = next((i + 1 for i in range(at - 1, -1, -1) if document.tokens[i].text in MARKS), 0)
+    return next((i for i in range(start + 1, at) if normal_form(document.tokens[i].lower) == "is"), None)
+
+
+def _is_tagged(document: Document, at: int, *, is_denied: bool) -> bool:
+    """Whether the words from the last mark up to the verb of a tag question are a statement that says the other of yes
+    and no than that."""
+    tokens = document.tokens
+    start = next((i + 1 for i in range(at - 1, -1, -1) if tokens[i].text in MARKS), 0)
+    words = [normal_form(token.lower) for token in tokens[start:at]]
+    is_statement = len(words) > 1 and words[0] not in _TAGS | _CONDITIONS and not tokens[start].tag.startswith("W")
+    is_finite = any(token.tag in _FINITE or normal_form(token.lower) == "is" for token in tokens[start + 1 : at])
+    return is_statement and is_finite and is_denied != ("not" in words)
 
 
 def musing(document: Document, at: int) -> range | None:

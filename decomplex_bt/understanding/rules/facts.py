@@ -13,7 +13,15 @@ from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.accounts import accounts
-from decomplex_bt.understanding.rules.asides import concession, is_explained, means, musing, reason, tag_question
+from decomplex_bt.understanding.rules.asides import (
+    concession,
+    is_explained,
+    means,
+    musing,
+    reason,
+    tag_question,
+    tagged,
+)
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
 from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
@@ -87,7 +95,9 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     called = {shout.verb for shout in shouts(document)}
     looked = {look.verb: look.words for look in looks(document)}
     tasks = [
-        task for task in _with_passives(document, tasks) if not _is_genitive(document, looked.values(), task.token)
+        task
+        for task in _with_passives(document, _with_tagged(document, tasks))
+        if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
     idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
@@ -175,9 +185,11 @@ def _asks_got(document: Document, at: int) -> bool:
 
 
 def _is_left_of(document: Document, check: FoundTask, task: FoundTask) -> bool:
-    """Whether a "left" only says that there is still some of what is asked after: "got any bread *left*"."""
+    """Whether a "left" only says that there is still some of what is asked after: "got any bread *left*", "do we have
+    some bread *left*"."""
     between = document.tokens[check.token + 1 : task.token]
-    is_left = document.tokens[task.token].lower == "left" and _asks_got(document, check.token)
+    is_had = document.tokens[check.token].lower == "have" and any(token.lower in _SOME for token in between)
+    is_left = document.tokens[task.token].lower == "left" and (is_had or _asks_got(document, check.token))
     return is_left and all(token.text not in MARKS and not token.tag.startswith("V") for token in between)
 
 
@@ -214,6 +226,17 @@ def _with_passives(document: Document, tasks: Sequence[FoundTask]) -> Sequence[F
             kept[kept.index(following)] = replace(following, type="check_state")
             kept.remove(task)
     return kept
+
+
+def _with_tagged(document: Document, tasks: Sequence[FoundTask]) -> Sequence[FoundTask]:
+    """The tasks, those carried by a tag question without a comma by the "is" of its statement: "the tap*'s* on isn't
+    it?"."""
+    taken = {task.token for task in tasks}
+    moved = {task.token: tagged(document, task.token) for task in tasks if task.type == "check_state"}
+    return [
+        task if (be := moved.get(task.token)) is None or taken & {*range(be, task.token)} else replace(task, token=be)
+        for task in tasks
+    ]
 
 
 def _is_over(document: Document, at: int) -> bool:

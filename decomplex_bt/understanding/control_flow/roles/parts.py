@@ -108,7 +108,8 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_turned = is_turned and not (clause.wording.is_negated or before.wording.is_negated)
     is_next = clause.boundary == "none" and clause.sentence == before.sentence
     is_weather = before.is_of_weather and not clause.objects and (clause.is_of_it or not clause.has_pronoun)
-    is_weather = is_weather and clause.wording.state in _RAINLESS and bool(between)
+    is_rainless = not _RAINLESS.isdisjoint(clause.said_state[:1])  # "if it's dry out"
+    is_weather = is_weather and is_rainless and (bool(between) or before.is_question)
     is_weather = is_weather and before.wording.state == "raining" and not clause.says_still
     are_stated = not (clause.wording.is_negated or before.wording.is_negated)
     if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next) or (is_weather and are_stated):

@@ -47,6 +47,7 @@ _RULES = (
     prohibitions.await_outcome,
     reversals.oppose,
     reversals.agree,
+    reversals.see_to,
     reversals.report,
     reversals.take_up_case,
     reversals.turn_back,

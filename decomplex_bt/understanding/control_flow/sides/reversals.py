@@ -54,6 +54,22 @@ def agree(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
         sides[k] = HOLDS
 
 
+def see_to(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What right behind a question brings about the state that it asks for is done where that is not so, and what ends
+    it where it is ("the hatch isn't shut, is it? *Shut it*", "isn't the lamp on? *Switch it off*"); and so is what is
+    done "if not" or "if so", said behind it ("is the lamp on? Switch it on *if not*")."""
+    question, order = clauses[k - 1 : k + 1]
+    is_next = (roles[k - 1], roles[k]) == ("condition", "task") and order.sentence == question.sentence + 1
+    is_plain = not (order.near or question.far) and order.takes_up(question) and question.is_question
+    state = question.wording.state
+    if not (is_next and is_plain and state) or sides[k] not in (HOLDS, FAILS):
+        return
+    if order.behind in (("so",), ("else",)) and order.ends_sentence:
+        sides[k] = HOLDS if (order.behind == ("so",)) != question.wording.is_negated else FAILS
+    elif not order.behind and state in order.effects ^ order.needs:
+        sides[k] = HOLDS if (state in order.needs) != question.wording.is_negated else FAILS
+
+
 def take_up_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "in that case", in a sentence behind what is done in one, is done in the same ("if it's hot, bring
     it. If not, fill it. *In that case* also ..."), and what is done "in the former case" in the other one."""
