@@ -105,3 +105,18 @@ def test_what_was_asked_first_is_what_fails(interpreter: Interpreter, text: str)
 
 def test_what_somebody_wants_to_know_is_told(interpreter: Interpreter) -> None:
     assert flow(interpreter, "Tell me if you can't hear me.") == [1]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Take the tart to Kim and leave it on the step if she's not home.", [{"if": 3, "then": [1], "else": [2]}]),
+        ("Bring Kim the paper and put it on her desk if she's out.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Carry the soup to Grandpa and put it on the stove if he's asleep.", [{"if": 3, "then": [2], "else": [1]}]),
+        ("Take the tart to Kim and text me if there's nobody home.", [{"if": 3, "then": [1], "else": [2]}]),
+        ("Take the tart to Kim and wake her if she's asleep.", [{"if": 3, "then": [1, 2]}]),
+        ("Take the rug to the yard and beat it if it's dusty.", [{"if": 3, "then": [1, 2]}]),
+    ],
+)
+def test_a_thing_is_handed_over_where_nothing_keeps_from_it(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

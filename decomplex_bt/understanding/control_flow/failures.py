@@ -26,6 +26,22 @@ def is_absence_of(clause: Clause, before: Clause) -> bool:
     return bool(kinds & {"recipient", "goal"}) and "unless" not in clause.near and is_all and (is_gone or is_away)
 
 
+def is_kept_from(clause: Clause, handing: Clause, other: Clause) -> bool:
+    """Whether it says, behind another order, that whoever should get something cannot take it, and that order is what
+    is done in place of the `handing`: put the thing elsewhere, or tell somebody else ("take it to Anna and leave it on
+    the step *if she's out*", "..., and call me *if nobody answers*")."""
+    is_elsewhere = other.task.type in ("placing", "bringing") and other.is_of_it and not other.objects
+    is_elsewhere = is_elsewhere and any(kind in ("goal", "recipient") for kind, _ in other.task.arguments)
+    is_told = other.task.type == "informing" and not other.has_pronoun
+    is_told = is_told and other.receivers.isdisjoint(handing.receivers)
+    is_handed = handing.task.type == "bringing" and bool(handing.objects)
+    is_handed = is_handed and any(kind in ("recipient", "goal") for kind, _ in handing.task.arguments)
+    is_nobody = clause.verb == "answer" or not AROUND.isdisjoint({*clause.places, clause.wording.state})
+    is_away = is_absence_of(clause, handing) or (clause.is_of_nobody and is_nobody)
+    is_resting = clause.is_of_person and clause.wording.state in _RESTING and not clause.wording.is_negated
+    return is_handed and ((is_away and (is_elsewhere or is_told)) or (is_resting and is_elsewhere))
+
+
 def lacks_too(clause: Clause, before: Clause) -> bool:
     """Whether it says that there is none of what the order before names, "either": "bring me a pear. If *there's no
     pear either*, ..."."""
@@ -165,4 +181,5 @@ _MOVED = frozenset(("taking", "placing", "bringing"))
 _STRAINING = frozenset("lift pull push drag move shift heave pry remove peel hide fish squeeze stuff".split())
 _FUNCTIONING = frozenset("work function write run fit light start ring".split())
 """What a thing does that is as it should be."""
+_RESTING = frozenset("asleep sleeping dozing napping resting busy".split())
 _GONE = frozenset(("out", "away", "gone"))

@@ -130,6 +130,7 @@ _RULES = (
     resumptions.gather,
     guards.confine,
     guards.withhold,
+    guards.guard_handing,
     guards.confine_to_sentence,
     guards.guard_last,
     substitutions.keep_state,

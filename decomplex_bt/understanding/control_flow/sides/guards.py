@@ -8,6 +8,7 @@ from itertools import takewhile
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of
+from decomplex_bt.understanding.control_flow.failures import is_kept_from
 from decomplex_bt.understanding.control_flow.outcomes import (
     comes_through,
     is_against,
@@ -160,6 +161,18 @@ def guard_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         is_room = is_room and is_put and is_taken and is_turned and roles[k + 1] == "task"
     if is_room:
         sides[k - 2] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
+
+
+def guard_handing(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """A thing is handed over where what is said behind another order to keep somebody from taking it is not so ("take
+    it to Lea *and leave it on the step if she's out*")."""
+    if k < 2 or roles[k - 2] != "task" or roles[k - 1] != "task" or roles[k] not in CONDITION_ROLES:
+        return
+    handing, other, check = clauses[k - 2 : k + 1]
+    is_behind = check.is_trailing and check.near[:1] == ("if",) and other.near[-1:] in (("and",), ("then",))
+    is_one = handing.sentence == other.sentence == check.sentence and sides[k - 1][:2] == ">1"
+    if is_behind and is_one and sides[k - 2] in ("top", sides[k - 1]) and is_kept_from(check, handing, other):
+        sides[k - 2] = ">1-" if sides[k - 1] == ">1+" else ">1+"
 
 
 def guard_within(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
