@@ -546,7 +546,8 @@ _POLES = tuple(
         "hot warm boiling scalding", "cold cool chilled frozen freezing", "wet damp moist soaked soaking soggy",
         "dirty filthy muddy dusty stained grubby", "asleep sleeping dozing", "burnt burned charred",
         "broken cracked chipped torn ripped", "sour stale mouldy moldy rotten spoiled spoilt", "hungry thirsty",
-        "raining pouring snowing hailing drizzling windy stormy foggy icy",
+        "raining pouring snowing hailing drizzling windy stormy foggy icy", "on blinking flashing flickering",
+        "lit blinking flashing flickering",
     )
 )  # fmt: skip
 """States at the same end of a scale: neither is the other's opposite."""

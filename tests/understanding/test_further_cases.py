@@ -64,3 +64,83 @@ def test_what_is_said_of_it(interpreter: Interpreter, text: str, verb: str, kind
 def test_what_serves_stands_ahead_of_a_further_case(interpreter: Interpreter) -> None:
     text = "Bring me the red pen; if it's not there, a blue one will do, and if there are no pens, bring me a pencil."
     assert [task.value("object") for task in interpreter.interpret(text).tasks][2] == "a blue pen"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the soup is cold, heat it. If there's no soup, fry an egg.",
+            [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}],
+        ),
+        (
+            "If the jar is full, bring it to me. If there's no jar, bring me a bowl.",
+            [{"if": 1, "then": [2]}, {"if": 3, "else": [4]}],
+        ),
+        (
+            "If the bath is too hot, turn it down. If it's too cold, turn it up.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If the sauce is too thick, add water. If it's too thin, let it simmer.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        (
+            "If the broth is too salty, bring me water. If it's not salty enough, bring me the salt.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "else": [4]}]}],
+        ),
+        (
+            "If the sign is on, turn it off. If it's flickering, tell me.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        (
+            "If the jug has fallen over, pick it up, and if it's cracked, bring me a cloth.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+    ],
+)
+def test_what_may_both_be_so_or_neither_is_asked_twice(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the stove is on, turn it off. If it's smoking, open the hatch.",
+        "If the dryer is running, stop it. If it's leaking, call me.",
+        "If the kettle is empty, fill it. If it's dirty, wash it.",
+    ],
+)
+def test_what_else_is_the_matter_is_asked_in_any_case(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If the tea is hot, bring it. If it's cold, heat it.", [{"if": [1, 3], "then": [2], "else": [4]}]),
+        ("If there's cocoa, heat it. If there's no cocoa, bring me tea.", [{"if": [1, 3], "then": [2], "else": [4]}]),
+        (
+            "If the tea is too hot, add milk. If it isn't too hot, bring it.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+        (
+            "If the stove is warm, unplug it. If it's smoking on top of that, call me.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+    ],
+)
+def test_the_other_side_of_a_case_is_asked_once(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Start the dryer if Kim is home. When it's done, empty it.",
+        "Start the dishwasher if it's full. When it's done, empty it.",
+        "Turn on the stove if Tom is home. When it's hot, put the beans in.",
+    ],
+)
+def test_what_an_order_in_a_case_comes_to_is_waited_for_there(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [1, {"if": 3, "then": [4]}]}]

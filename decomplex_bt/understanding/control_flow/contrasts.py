@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
-from decomplex_bt.understanding.cues import OPPOSITES, are_apart, are_near
+from decomplex_bt.understanding.cues import OPPOSITES, are_alike, are_apart, are_near
 from decomplex_bt.understanding.references.phrases import ANIMALS, ROOM
 
 
@@ -100,6 +100,45 @@ def _is_of_stock(clause: Clause, first: Clause) -> bool:
     return is_none and is_elsewhere and first.is_check and bool(first.said_state) and not first.says_there_is
 
 
+def is_besides(clause: Clause, first: Clause) -> bool:
+    """Whether it tests another state that the thing may be in as well, and that is not known to be on the scale of the
+    other: "smoking" beside "on", not "cold" beside "hot"."""
+    state, other = clause.wording.state or "", first.wording.state or ""
+    are_stated = not (clause.wording.is_negated or first.wording.is_negated or clause.says_still)
+    is_other = state != other and OPPOSITES.get(state) != other != "" and OPPOSITES.get(other) != state != ""
+    is_free = not are_alike(state, other) or are_near(state, other)
+    return are_stated and is_other and is_free and not {state, other} & PRESENT
+
+
+def _is_lack_of(clause: Clause, first: Clause) -> bool:
+    """Whether it says that there is none at all of what the other tests a state of: "if the milk is cold, heat it. *If
+    there's no milk*, ..."."""
+    is_none = clause.is_check and clause.says_there_is and clause.wording.is_negated and not clause.places
+    is_bare = is_none and clause.names_same(first) and clause.thing <= first.thing
+    is_of_state = first.is_check and bool(first.said_state) and not (first.says_there_is or first.is_of_whereabouts)
+    return is_bare and is_of_state
+
+
+def is_other_degree(clause: Clause, first: Clause) -> bool:
+    """Whether one says that something is too much so, and the other that it is too little: "if it's *too hot*, ...; if
+    it's *too cold*, ...", "if it's *not hot enough*": it may be neither."""
+    one, other = _degree(clause), _degree(first)
+    is_contrary = one == other == "too" and clause.wording.state != first.wording.state
+    return is_contrary or (bool(one and other) and one != other)
+
+
+def _degree(clause: Clause) -> str:
+    return next((word for word in clause.said_state if word in _DEGREES), "")
+
+
+def _is_after_fall(clause: Clause, first: Clause) -> bool:
+    """Whether it tests in what state a thing is that fell by the other: "if the jug has *fallen over*, ..., and if it's
+    broken, ..."."""
+    is_state = clause.is_check and clause.verb in _BEING and bool(clause.said_state) and not clause.wording.is_echo
+    is_fall = first.is_check and first.verb in _FALLING and bool(first.number) and not first.said_state
+    return is_state and is_fall and clause.wording.state not in PRESENT
+
+
 def _is_of_deed(clause: Clause, first: Clause) -> bool:
     """Whether it tests how somebody is where the other asks if they do something, of which no state is the opposite:
     "if the neighbours *complain*, turn it down, and if they still aren't *happy*, ..."."""
@@ -144,7 +183,8 @@ def is_opposite_of(clause: Clause, first: Clause) -> bool:
     is_same = clause.names_same(first) or (clause.says_answer and clause.is_of_somebody)
     is_somebody = first.may_be_of_person or not ANIMALS.isdisjoint(first.objects)
     is_same = is_same or (is_denied and clause.is_of_person and is_somebody)
-    return clause.is_check and first.is_check and is_turned and is_same and not is_of_other_place(clause, first)
+    is_apart = is_of_other_place(clause, first) or is_other_degree(clause, first)
+    return clause.is_check and first.is_check and is_turned and is_same and not is_apart
 
 
 def is_of_other_place(clause: Clause, first: Clause) -> bool:
@@ -260,6 +300,9 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
         or is_other_wish(clause, first)
         or _is_state_beside(clause, first)
         or _is_of_deed(clause, first)
+        or _is_lack_of(clause, first)
+        or is_other_degree(clause, first)
+        or _is_after_fall(clause, first)
     ):
         return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
@@ -282,6 +325,8 @@ _ANSWERING = frozenset("say answer reply choose pick want prefer".split())
 _WISHING = frozenset("ask need fancy like".split())
 _HOLDING = frozenset("contain hold have".split())
 _DEEDS = frozenset("complain ask call cry knock ring bark moan grumble shout scream protest insist beg".split())
+_DEGREES = frozenset(("too", "enough"))
+_FALLING = frozenset("fall tip topple drop roll slip".split())
 _DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
 """What is in something though it may be empty."""
 _EMPTY = frozenset(("empty",))

@@ -17,6 +17,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_of_other_state,
     is_opposite_of,
     is_other_case_than,
+    is_other_degree,
     joining_role,
 )
 from decomplex_bt.understanding.cues import WISHING
@@ -106,7 +107,7 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_of_it = clause.is_of_same_it(before) and bool(between) and not any(one.objects for one in between)
     is_turned = clause.wording.is_opposite_of(before.wording) or before.wording.is_opposite_of(clause.wording)
     is_turned = is_turned and not (clause.wording.is_negated or before.wording.is_negated)
-    is_next = clause.boundary == "none" and clause.sentence == before.sentence
+    is_next = clause.boundary == "none" and clause.sentence == before.sentence and not is_other_degree(clause, before)
     is_weather = before.is_of_weather and not clause.objects and (clause.is_of_it or not clause.has_pronoun)
     is_rainless = not _RAINLESS.isdisjoint(clause.said_state[:1])  # "if it's dry out"
     is_weather = is_weather and is_rainless and (bool(between) or before.is_question)

@@ -163,11 +163,25 @@ def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """What a "when" says to be so in the end is waited for where the order right before brings it about ("if the oven
-    isn't hot, turn it on. *When it is hot*, put the cake in")."""
+    isn't hot, turn it on. *When it is hot*, put the cake in"), and where that hangs on a case behind it, that is asked
+    in the same case ("start the dryer if Tom is home. *When it's done*, ...")."""
     clause, order = clauses[k], clauses[k - 1]
     is_when = roles[k] == "mention" and clause.near == ("when",) and clause.boundary != "none" and clause.is_check
     if is_when and roles[k - 1] == "task" and not clause.wording.is_negated and comes_through(clause, order):
         roles[k] = "task"
+    if is_when and ends_of_case(clauses, roles, k):
+        roles[k] = "condition"
+
+
+def ends_of_case(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` waits in the next sentence for what an order brings about that hangs on the case behind it, of
+    which it says nothing: "start the dryer if Tom is home. *When it's done*, ..."."""
+    if k < 2 or tuple(roles[k - 2 : k]) != ("task", "condition"):
+        return False
+    order, check, clause = clauses[k - 2 : k + 1]
+    is_when = clause.near == ("when",) and clause.boundary != "none" and clause.sentence == order.sentence + 1
+    is_behind = check.boundary == "none" and check.sentence == order.sentence and not clause.wording.is_negated
+    return is_when and is_behind and clause.is_check and bool(clause.said_state) and comes_through(clause, order)
 
 
 def miss_thing(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -149,6 +149,8 @@ _RULES = (
     scopes.turn_away,
     scopes.leave_rest,
     scopes.ask_each,
+    scopes.ask_besides,
+    scopes.wait_in_case,
     scopes.ask_of_needs,
     scopes.do_too,
     scopes.be_too_much,

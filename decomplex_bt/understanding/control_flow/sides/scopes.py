@@ -9,14 +9,17 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     asks_same_of_another,
     is_apart_from,
+    is_besides,
     is_elsewhere_than,
     is_named_apart,
     is_of_other_matter,
+    is_other_degree,
     is_other_weather,
     is_other_wish,
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
+from decomplex_bt.understanding.control_flow.roles.replies import ends_of_case
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, PARTING, TURNING, beside
 
 _IFS = frozenset(("if", "when"))
@@ -195,14 +198,15 @@ def turn_away(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """Whether somebody is elsewhere is asked where they are not where they were looked for ("if Ann is in the office,
     give it to her, but if she's at lunch, ..."), and so is a "but" of other weather; whether it is another thing, or is
-    so instead, never where the first holds ("if it's the phone, ..., *if it's the doorbell*, ..."); that they ask for
-    more, in any case."""
+    so instead, or so in too low a degree and not too high a one, never where the first holds ("if it's the phone, ...,
+    *if it's the doorbell*, ..."); that they ask for more, in any case."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
         return
     is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
-    if is_led and is_rival_of(clause, clauses[first]) and sides[k] == HOLDS:
+    is_rival = is_rival_of(clause, clauses[first]) or is_other_degree(clause, clauses[first])
+    if is_led and is_rival and sides[k] == HOLDS:
         sides[k] = FAILS
     elif is_led and is_other_wish(clause, clauses[first]) and sides[k] == HOLDS:
         sides[k] = beside(sides[first])
@@ -307,6 +311,29 @@ def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_led = clauses[k].boundary in PARTING and clauses[k].near == ("if",)
     if is_led and is_named_apart(clauses[k], clauses[first]) and not clauses[k].thing <= between:
         sides[k] = "top"
+
+
+def ask_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What else is the matter with a thing is asked in any case, where nothing but that was spoken of since ("if the
+    stove is on, turn it off. *If it's smoking*, open the hatch")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or (roles[first], roles[k]) != ("condition", "condition") or first == k - 1:
+        return
+    clause, check, between = clauses[k], clauses[first], clauses[first + 1 : k]
+    is_led = clause.boundary in PARTING and clause.near == ("if",) and check.near[-1:] == ("if",) and not clause.far
+    is_state = clause.is_check and check.is_check and len(clause.said_state) == len(check.said_state) == 1
+    is_state = is_state and "also" not in clause.behind and not any(later.turns for later in clauses[k:])
+    is_of_it = clause.is_of_it and not clause.objects and clause.number == check.number == "one" and bool(check.objects)
+    is_one = is_of_it and all(c.has_pronoun or not c.objects or c.names_same(check) for c in between)
+    if is_led and is_state and is_one and is_besides(clause, check) and sides[k] in (HOLDS, FAILS):
+        sides[k] = beside(sides[first])
+
+
+def wait_in_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an order in a case is to come to is waited for in that case ("start the dryer if Tom is home. *When it's
+    done*, ...")."""
+    if roles[k] == "condition" and ends_of_case(clauses, roles, k) and sides[k - 2] in (">1+", ">1-"):
+        sides[k] = f"<1{sides[k - 2][2:]}"
 
 
 def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
