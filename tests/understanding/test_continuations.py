@@ -102,3 +102,17 @@ def test_two_orders_each_undo_their_own_case(interpreter: Interpreter, text: str
 )
 def test_a_but_sets_two_things_apart(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Stay with Grandad and ring me if he falls.", [1, {"if": 3, "then": [2]}]),
+        ("Keep an eye on the rolls and take them out when they're brown.", [1, {"if": 3, "then": [2]}]),
+        ("Put out the light and sing to Mia if she cries.", [1, {"if": 3, "then": [2]}]),
+        ("Open the window and tell Mia a story if she's cold.", [{"if": 3, "then": [1, 2]}]),
+        ("Go with Uncle Leo and text me if he goes out.", [{"if": 3, "then": [1, 2]}]),
+    ],
+)
+def test_who_is_watched_over_is_so_until_something_happens(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

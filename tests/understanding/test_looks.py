@@ -60,3 +60,8 @@ def test_what_is_given_a_look_is_its_place() -> None:
     found = Interpreter.load().interpret("Give the larder a quick squiz. If it's damp, mop it.")
     assert (found.tasks[0].type, found.tasks[0].value("location")) == ("searching", "the larder")
     assert found.tasks[1].value("object") == "the larder"
+
+
+def test_an_eye_that_is_kept_on_something_is_no_thing() -> None:
+    found = Interpreter.load().interpret("Keep a close eye on the rice and take it off the stove when it's soft.")
+    assert [found.tasks[k].value("object") for k in (1, 2)] == ["the rice", "the rice"]

@@ -1,5 +1,5 @@
-"""Looks: searches that are told by a noun ("have *a look*", "give the shed *a quick scan*"), and calls ("give me *a
-shout*")."""
+"""Looks: searches that are told by a noun ("have *a look*", "give the shed *a quick scan*", "keep *an eye* on it"), and
+calls ("give me *a shout*")."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ _HASTY = frozenset(("scan", "search"))
 _QUICK = frozenset("quick fast brief rapid thorough".split())
 _HAVING = frozenset(("have", "take"))
 _DOING = frozenset(("do", "give"))
-_ONE = frozenset(("a", "another", "one"))
+_KEEPING = frozenset(("keep",))
+_ONE = frozenset(("a", "an", "another", "one"))
 _NAMING = frozenset(("NOUN", "ADJ", "PROPN"))
 _GIVING = frozenset(("give", "gimme"))
 _SHOUTS = frozenset("shout call ring bell buzz holler yell".split())
@@ -42,7 +43,7 @@ class Look(NamedTuple):
 def looks(document: Document) -> Iterator[Look]:
     """The looks of a document, in text order, whoever has them; not what a person is given ("give Tom a peek")."""
     for token in document.tokens:
-        if token.lemma not in _HAVING | _DOING:
+        if token.lemma not in _HAVING | _DOING | _KEEPING:
             continue
         place = _given(document, token.i) if token.lemma == "give" else range(token.i + 1, token.i + 1)
         if token.lemma == "give" and not place:
@@ -96,7 +97,8 @@ def _words(document: Document, start: int, verb: str) -> range:
     for noun in range(start + 1, min(start + 2 + _MOST, len(tokens))):
         word = tokens[noun].lower
         is_hasty = verb in _DOING or any(token.lower in _QUICK for token in tokens[start + 1 : noun])
-        if word in _LOOKS or (word in _HASTY and is_hasty):
+        is_watch = word == "eye" and verb in _KEEPING
+        if (word in _LOOKS and verb not in _KEEPING) or (word in _HASTY and is_hasty) or is_watch:
             return range(start, noun + 1)
         if word in _GENITIVE and verb in _HAVING:
             is_marked = tokens[noun + 1 : noun + 2] != () and tokens[noun + 1].lower in ("'s", "\u2019s", "'")

@@ -169,9 +169,9 @@ def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
 
 
 def do_ahead_of_return(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """Who or what comes back in a case has been taken away before that was asked ("carry the jug to Ann; *if she's asleep,
-    bring it back*", "take Max to school; *if it's shut, come home*"), and of what somebody gets another for what they
-    did with it they got one ("give her a pill; *if she drops it, give her another*")."""
+    """Who or what comes back in a case has been taken away before that was asked ("carry the jug to Ann; *if she's
+    asleep, bring it back*", "take Max to school; *if it's shut, come home*"), and who gets another one for what they
+    did with the first got that ("give her a pill; *if she drops it, give her another*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]

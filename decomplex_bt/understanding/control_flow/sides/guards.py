@@ -30,6 +30,7 @@ from decomplex_bt.understanding.references.phrases import ROOM
 
 _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))
+_WATCHING = frozenset("keep watch mind supervise stay remain sit stand wait".split())
 _LISTING = frozenset(("and", "please"))
 _LIST = 3
 """From so many orders on they are a list."""
@@ -225,8 +226,10 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     and call me when it's full"), is about the thing of the last one ("shut the door and fill the jug if it's empty"),
     or in what state that will be which was handled before ("unplug it and put it away when it's cold"), where a "but"
     sets that one apart ("take it out, but cut it only when it's cold"), where it is about weather that only the last
-    is for ("feed the cat and shut the window if it rains"), and where a comma parts it from them ("shut the door, and
-    bring a chair if there is one")."""
+    is for ("feed the cat and shut the window if it rains"), where somebody whom only the last speaks to does something
+    ("put out the light and sing to Mia if she cries"), where somebody or something is watched over until then ("sit
+    with Gran and call me if she wakes"), and where a comma parts it from them ("shut the door, and bring a chair if
+    there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
@@ -243,7 +246,24 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         or (is_awaited and len(ahead) == 1 and clauses[ahead[0]].task.type in _HANDLING)
         or (order.near == ("but",) and order.boundary == "," and clause.near == ("only_if",))
         or any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead)
+        or (len(ahead) == 1 and (_watches(clauses[ahead[0]], clause) or _speaks_of(order, clause, clauses[ahead[0]])))
         or (ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]])))
     ):
         for j in ahead:
             sides[j] = sides[k] if sides[k] in (HOLDS, FAILS) else "top"
+
+
+def _watches(order: Clause, check: Clause) -> bool:
+    """Whether an order is to stay with or watch over who or what a check behind it asks about."""
+    is_watch = order.task.type in ("following", "searching") and order.verb in _WATCHING
+    is_of_it = check.has_pronoun and not check.objects
+    return is_watch and not order.is_forbidden and check.is_check and (is_of_it or check.names_same(order))
+
+
+def _speaks_of(order: Clause, check: Clause, before: Clause) -> bool:
+    """Whether a check asks if somebody whom an order speaks to does something, and the order before that is of a thing
+    alone."""
+    is_told = order.task.type == "informing" and bool(order.receivers) and not order.has_pronoun
+    is_of_them = check.is_check and check.is_of_person and not (check.objects or check.said_state)
+    is_apart = bool(before.objects) and bool(before.number) and not (before.receivers or before.has_pronoun)
+    return is_told and is_of_them and is_apart
