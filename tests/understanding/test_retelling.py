@@ -249,3 +249,21 @@ def test_what_goes_with_a_thing_is_no_alternative_to_it(interpreter: Interpreter
 )
 def test_another_one_is_where_it_is_said_to_be(text: str, source: str) -> None:
     assert Interpreter.load("household").interpret(text).tasks[-1].values("source") == (source,)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Bring me the milk, and the sugar too, if there's any.",
+        "Hand me the milk, will you? And the sugar if it's there.",
+        "Bring me the post, and my walking stick if you see it.",
+        "Bring me the milk and then the sugar if it's on the shelf.",
+    ],
+)
+def test_the_last_of_two_things_has_the_condition_behind_it(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).flow.to_json() == [1, {"if": 3, "then": [2]}]
+
+
+def test_two_things_without_a_mark_share_their_condition(interpreter: Interpreter) -> None:
+    text = "Bring me the milk and the sugar if they're on the shelf."
+    assert interpreter.interpret(text).flow.to_json() == [{"if": 2, "then": [1]}]

@@ -10,6 +10,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS, noun_chunks
+from decomplex_bt.understanding.rules.asides import tag_question
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))
@@ -41,6 +42,7 @@ _WHERE = frozenset("in out outside inside up upstairs downstairs off on".split()
 _TO_WHOM = frozenset(("to", "for"))
 _UNSURE = frozenset((("else",), ("perhaps",), ("maybe",), ("possibly",), ("failing", "that")))
 """What stands behind an "or" between two places of which the speaker does not know which it is."""
+_SOME = frozenset(("any", "some", "one"))
 _WILL = frozenset("will would should 'll \u2019ll 'd \u2019d might".split())
 _IS = frozenset("is are 's \u2019s".split())
 _GOOD = frozenset("fine ok okay great good lovely perfect nice alright enough acceptable grand".split())
@@ -233,16 +235,22 @@ def _is_added(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
     is_afterthought = part.lead == "start" and bool(part.body) and document.tokens[part.body.start].lower == "and"
     if part.is_last or not (part.lead == "mark" or is_afterthought) or not 0 < k < len(parts) - 1:
         return False
-    condition, before, tokens = parts[k + 1], parts[k - 1], document.tokens
+    condition, tokens = parts[k + 1], document.tokens
+    before = parts[k - 2 if is_afterthought and k > 1 and _is_tag_question(document, parts[k - 1]) else k - 1]
     gap = tokens[part.body.stop : condition.opening.start]
     is_too = not _ADDING.isdisjoint(tokens[i].lower for i in part.body)
-    is_too = is_too and any(tokens[i].lower in _TAKING_UP for i in condition.body)
+    is_too = is_too and any(tokens[i].lower in _TAKING_UP | _SOME for i in condition.body)
     is_next = not gap or ((is_too or is_afterthought) and [token.text for token in gap] == [","])
     is_done = condition.is_last or _goes_on(document, parts[k + 2 : k + 3])
     is_next = is_next and condition.lead == "if" and is_done
     is_joined = (tokens[part.body.start].lower in ("and", "but") or is_too) and before.lead == "start"
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in before.body)
     return is_next and is_joined and is_ordered and any(i in tasks for i in condition.body)
+
+
+def _is_tag_question(document: Document, part: _Part) -> bool:
+    """Whether a part only makes a request of the order before: "pass me the salt, *would you?*"."""
+    return part.lead == "mark" and tag_question(document, part.body.start) == part.body
 
 
 def _is_apart(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> bool:
@@ -363,11 +371,12 @@ def _praised_within(document: Document, body: range, tasks: Mapping[int, str]) -
 
 def _and_too(document: Document, body: range, condition: _Part, tasks: Mapping[int, str]) -> range:
     """The end of an order that names something on top of it, which the condition right behind is about: "take the
-    towels *and the blanket too* if it's dry"; else empty."""
+    towels *and the blanket too* if it's dry", "... *and then the blanket* if it's dry"; else empty."""
     tokens = document.tokens
     joint = next((i for i in reversed(body) if tokens[i].lower == "and"), body.stop)
     named = _bare(document, range(joint, body.stop), tasks)
     is_too = bool(body) and tokens[body.stop - 1].lower in _ADDING and named.stop < body.stop
+    is_too = is_too or [t.lower for t in tokens[joint : joint + 2]] == ["and", "then"]
     is_own = condition.lead == "if" and tokens[condition.body.start].lower in _TAKING_UP if condition.body else False
     is_ordered = any(tasks.get(i, "check_state") != "check_state" for i in range(body.start, joint))
     is_named = is_too and bool(named) and _is_phrase(document, named, tasks)
@@ -512,8 +521,15 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
     return (
         (is_led or words[0].pos in _BEGINNING or words[0].tag == "PRP$")
         and any(word.pos in _NAMING or word.lower in _ONE for word in words)
-        and not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
+        and not any(word.i in tasks or (word.pos in _NO_PARTS and not _is_of_noun(words, word)) for word in words)
     )
+
+
+def _is_of_noun(words: Sequence[Token], word: Token) -> bool:
+    """Whether a participle among words tells what kind of thing the noun right behind it is: "my *reading* glasses"."""
+    behind = [other for other in words if other.i == word.i + 1]
+    is_within = word.tag in ("VBG", "VBN") and word.i > words[0].i
+    return is_within and bool(behind) and behind[0].pos in _NAMING
 
 
 def _goes_on(document: Document, following: Sequence[_Part]) -> bool:
