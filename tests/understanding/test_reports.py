@@ -68,3 +68,31 @@ def test_who_is_told_something_else_behind_an_and_has_a_message_of_their_own(
     (task,) = interpreter.interpret(text).tasks
     assert list(task.values("recipient")) == recipients
     assert list(task.values("message")) == messages
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("Say I'm asleep and take a note.", ["informing", "taking"]),
+        ("If Kim rings, tell her I'm away and take a note.", ["check_state", "informing", "taking"]),
+        ("Tell Lea the bath is full and fetch a towel.", ["informing", "bringing"]),
+        ("Tell Lea the boys are up and want their tea.", ["informing"]),
+        ("Tell Lea the jug is broken and it's leaking.", ["informing"]),
+    ],
+)
+def test_an_order_behind_what_is_told_is_none_of_it(interpreter: Interpreter, text: str, types: list[str]) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == types
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Read to Kim if she can't sleep.", [{"if": 2, "else": [1]}]),
+        ("Sing to Kim if she's upset.", [{"if": 2, "then": [1]}]),
+        ("Announce supper once the lamps are lit.", [2, 1]),
+        ("Tell me if she's upset.", [1]),
+        ("Ask Kim if she's upset.", [1]),
+    ],
+)
+def test_who_is_read_to_in_a_case_is_not_told_that(interpreter: Interpreter, text: str, flow: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == flow

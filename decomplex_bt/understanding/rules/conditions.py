@@ -4,9 +4,10 @@ words a task by itself ("if *the sun's gone*, ...", "when *Tom's taken the bins 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.arguments import FoundArgument
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
@@ -40,6 +41,8 @@ _AHEAD = frozenset(
 """What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
 _NAMING = frozenset("DT PRP PRP$ NN NNS NNP NNPS".split())
+_PERFORMING = frozenset("read sing recite announce".split())
+"""What one does for others and tells nobody whether something is so."""
 _TELLING = frozenset("tell ask say know".split())
 _GOING_BY = frozenset((("if", "so"), ("if", "not"), ("if", "yes"), ("if", "no")))
 _OF_TASKS = frozenset("fail succeed manage".split())
@@ -58,6 +61,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         certain
         | frozenset(_departures(document, tasks))
         | frozenset(_ends(document, tasks))
+        | frozenset(check for *_, check in _performed(document, tasks))
         | frozenset(_denials(document, tasks))
         | frozenset(_of_anybody(document, tasks))
         | frozenset(_doubts(document, tasks))
@@ -111,6 +115,24 @@ def _ends(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         is_it = len(named) == 1 and tokens[be - 1].lower == "it"
         if (is_thing or is_it) and not _is_told(document, tasks, i):
             yield be
+
+
+def _performed(document: Document, tasks: Mapping[int, str]) -> Iterator[tuple[int, range, int]]:
+    """Of every case behind an order to read, sing or announce, in which no other word is a task, the verb of that, the
+    words of the case and its verb: "sing to Mia *if she cries*" tells nobody that."""
+    tokens, sentences = document.tokens, document.sentences
+    for owner in (i for i, kind in tasks.items() if kind == "informing" and tokens[i].lemma.lower() in _PERFORMING):
+        behind = [t.i for t in tokens[owner + 1 :] if sentences[t.i] == sentences[owner]]
+        opener = next((i for i in behind if tokens[i].lower in _OPENING | _WAITING and tokens[i].lower != "as"), None)
+        ahead = range(owner + 1, opener or owner + 1)
+        if opener is None or any(i in tasks or tokens[i].lower in MARKS | _JOINING for i in ahead):
+            continue
+        stop = next((i for i in behind if i > opener and tokens[i].text in MARKS), behind[-1] + 1)
+        verb = _be(document, range(opener + 1, stop))
+        verb = tokens[opener].head if verb is None else verb
+        is_own = opener + 1 < verb < stop and (tokens[verb].tag[:2] == "VB" or tokens[verb].lower in _BE_OR_HAVE)
+        if is_own and tasks.keys() & set(range(opener, stop)) <= {verb}:
+            yield owner, range(opener, stop), verb
 
 
 def _denials(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
@@ -232,14 +254,25 @@ def without_cases(
     document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
 ) -> list[FoundArgument]:
     """The arguments but for those that tasks ahead of such a case have in it: "inform Tom *in the event that* ..." has
-    no message."""
+    no message, nor has "sing to Mia *if she cries*"."""
     checks = {i for i, kind in tasks.items() if kind == "check_state"}
     cases = [case for case in certain_cases(document) if not checks.isdisjoint(case.words)]
-    return [
+    kept = [
         a
         for a in arguments
         if not any(a.owner < case.words.start <= a.tokens.stop - 1 <= case.words[-1] for case in cases)
     ]
+    for owner, words, check in _performed(document, tasks):
+        ahead = [a for a in kept if a.owner != owner or a.tokens.start < words.start]
+        kept = [
+            replace(a, tokens=range(a.tokens.start, words.start)) if a.owner == owner and words.start in a.tokens else a
+            for a in ahead
+        ]
+        told = {"object": range(words.start + 1, check), "state": range(check + 1, words.stop)}
+        is_be = document.tokens[check].lower in _BE_OR_HAVE and document.tokens[words.stop - 1].tag in ("JJ", "VBN")
+        if is_be and not any(a.owner == check for a in kept):
+            kept += [FoundArgument(name, check, tokens, CERTAIN) for name, tokens in told.items()]
+    return kept
 
 
 def _is_untold(document: Document, case: CertainCase, tasks: Mapping[int, str]) -> bool:

@@ -53,7 +53,7 @@ from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alo
 from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import questions
-from decomplex_bt.understanding.rules.reports import within_reports
+from decomplex_bt.understanding.rules.reports import orders_behind, within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.sequels import sequels
 from decomplex_bt.understanding.rules.telegraph import telegraphed
@@ -252,6 +252,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     document, found = observed.document, {task.token: task.type for task in tasks}
     later = postponed(observed, found)
     told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, {**found, **later})}
+    told |= {i: observed.senses[i][0] for i in orders_behind(document, found) if observed.senses[i]}
     told |= {report.verb: "informing" for report in reports(document, found)}
     told |= {i: "informing" for i, *_ in shouts(document) if document.tokens[i].lower == "gimme" and i not in found}
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
@@ -21,6 +21,8 @@ _TYPED_IS = frozenset(("its", "theres", "hes", "shes", "theyre"))
 """What is typed for "it's" and the like."""
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONTRACTED = frozenset("'s 're 'm 'll 've 'd \u2019s \u2019re \u2019m \u2019ll \u2019ve \u2019d".split())
+_STATING = frozenset("be have do feel look seem love hate think know hope".split())
+_BEING = frozenset("'s 're 'm \u2019s \u2019re \u2019m is are am".split())
 _NEEDING = frozenset("need want like fancy".split())
 """Verbs by which a clause is an order again: "... and I need a towel"."""
 _TIMES = frozenset(("before", "when", "while", "until", "till", "after", "once"))
@@ -68,6 +70,25 @@ def within_reports(document: Document, tasks: Mapping[int, str]) -> frozenset[in
     return frozenset(i for verb in telling for i in reported(document, tasks.keys(), verb))
 
 
+def orders_behind(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The verb of every order that "and" joins to what somebody is told of how something is, and that nothing told can
+    go on with: "tell him I'm busy *and take his number*"; not "tell him I'll wait and do that"."""
+    tokens = document.tokens
+    telling = (verb for verb, kind in tasks.items() if kind == "informing" and tokens[verb].lemma in _TELLING)
+    for verb in telling:
+        stop = _clause_end(document, verb + 1)
+        clause = tokens[verb + 1 : stop]
+        finite = [t for t in clause if t.tag in _FINITE or t.lower in _CONTRACTED]
+        is_state = len(finite) == 1 and finite[0].lower in _BEING and _states(document, range(verb + 1, stop))
+        if not is_state or not _is_joint(document, stop) or any(t.tag in ("VB", "TO", "MD") for t in clause):
+            continue
+        order = tokens[stop + 1]
+        is_order = order.tag == "VB" and order.lower == order.lemma and order.lower not in _NEEDING | _STATING
+        has_thing = any(t.tag in ("DT", "PRP$", "PRP", "NN", "NNS") for t in tokens[order.i + 1 : order.i + 3])
+        if is_order and has_thing and order.i not in tasks:
+            yield order.i
+
+
 def with_reports(
     document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument], verb: int
 ) -> list[FoundArgument]:
@@ -76,6 +97,13 @@ def with_reports(
     if message is None:
         return list(arguments)
     start, stop = message.tokens.start, message.tokens.stop
+    order = next((i for i in message.tokens[2:] if i in tasks and document.tokens[i - 1].lower in _JOINTS), None)
+    if order is not None and _states(document, range(verb + 1, order - 1)):
+        rest = [a for a in arguments if a is not message]
+        thing = next((chunk for chunk in noun_chunks(document) if chunk.start == order + 1), range(0))
+        is_bare = bool(thing) and not any(set(a.tokens) & set(thing) for a in rest)
+        own = [FoundArgument("object", order, thing, CERTAIN)] if is_bare else []
+        return [*rest, replace(message, tokens=range(start, order - 1)), *own]
     cut = next((i for i in message.tokens[1:][-2:] if document.tokens[i].lower in _TIMES), stop)
     if cut < stop and (cut + 1 == stop or document.tokens[stop - 1].lower in _SUBJECTS):  # "... before he"
         end = _clause_end(document, stop)
