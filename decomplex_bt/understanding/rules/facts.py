@@ -52,7 +52,7 @@ from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone, let_be
 from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
-from decomplex_bt.understanding.rules.questions import questions
+from decomplex_bt.understanding.rules.questions import is_deliberated, questions
 from decomplex_bt.understanding.rules.reports import orders_behind, within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.sequels import sequels
@@ -152,6 +152,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or is_left_alone(document, task.token, [i for i, kind in types_found.items() if kind not in _LOOKS])
             or is_planned(document, task.token, types_found)
             or is_hearsay(document, task.token)
+            or is_deliberated(document, task.token)
             or is_explained(document, task.token)
             or task.token in idle
             or (bool(found) and found[-1].token >= task.token)

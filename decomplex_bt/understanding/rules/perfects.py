@@ -17,6 +17,8 @@ _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _ASKING = frozenset("see check find look verify confirm".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
 _NOT = frozenset("not n't n\u2019t nt".split())
+_LISTENER = frozenset(("you", "u", "ya"))
+_HAVING_AT_HAND = frozenset("get got bring take want need like".split())
 _DO = frozenset(("do", "does", "did"))
 _BETWEEN = frozenset("just already not n't n\u2019t finally actually really now all yet both also ever".split())
 _PERFECTS = frozenset(
@@ -126,13 +128,13 @@ def is_done_by_others(document: Document, at: int) -> bool:
 
 
 def is_asked_done(document: Document, at: int) -> bool:
-    """Whether a question asks if somebody else has done what the verb says: "has anybody *fed* the cat?", "did I *lock*
-    the door?"."""
+    """Whether a question asks if somebody has done what the verb says: "has anybody *fed* the cat?", "did I *lock* the
+    door?", "have you *locked* it?"; not "have you got it?"."""
     tokens, start = document.tokens, at
     while start and tokens[start - 1].lower not in MARKS and document.sentences[start - 1] == document.sentences[at]:
         start -= 1
     words = [token.lower for token in tokens[start:at] if token.lower not in _BETWEEN]
-    if len(words) < 2 or words[1] in ("you", "u", "ya"):
+    if len(words) < 2 or (words[1] in _LISTENER and tokens[at].lemma in _HAVING_AT_HAND):
         return False
     is_perfect = words[0] in _HAVING and (tokens[at].tag in _PAST or tokens[at].lower in _SAME_FORMS)
     behind = tokens[at + 1 : at + 2]

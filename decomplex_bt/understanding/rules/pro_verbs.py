@@ -39,7 +39,7 @@ def pro_verbs(observed: Observed, tasks: Mapping[int, str]) -> dict[int, ProVerb
     """Every "do" of an order to do what was asked about last; `tasks`: the tokens that are tasks, with types. What was
     ordered before is not ordered again by a "do it"."""
     document, found = observed.document, dict[int, ProVerb]()
-    for i, token in enumerate(document.tokens[1:-1], start=1):
+    for i, token in enumerate(document.tokens[1:], start=1):
         if token.lower != "do" or not _is_order(document, i):
             continue
         if (done := _done(observed, tasks, i)) is not None:
@@ -76,7 +76,10 @@ def _told(document: Document, task: Task, meant: ProVerb) -> Task:
 
 
 def _is_order(document: Document, do: int) -> bool:
+    """Whether a "do" is an order by itself ("please *do*", where a mark ends it) or with its "so"."""
     tokens = document.tokens
+    if all(token.text in MARKS for token in tokens[do + 1 : do + 2]):
+        return tokens[do - 1].lower == "please"
     behind = tokens[do + 2 : do + 3]
     is_whole = tokens[do + 1].lower in _SO and (not behind or behind[0].lower in _BEHIND)
     return is_whole and tokens[do - 1].lower in _BEFORE

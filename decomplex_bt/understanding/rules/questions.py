@@ -13,6 +13,9 @@ _FINDING = frozenset("check see look find".split())
 _ASKED = frozenset(("who", "what", "which", "how", "whose"))
 _AMOUNTS = frozenset(("much", "many"))
 _ENDS = MARKS | frozenset("and or but then so if unless when before after because please".split())
+_DELIBERATING = frozenset(("should", "shall"))
+_ANSWERS = frozenset("so not yes no".split())
+_DECIDING = frozenset("if only when unless".split())
 _NOUNS = frozenset(("ADJ", "NOUN", "PROPN"))
 _OF_CLAUSE = frozenset("object state location source goal message recipient manner".split())
 _STATES = frozenset(("on", "off", "open", "shut"))
@@ -46,6 +49,18 @@ def questions(document: Document, tasks: Collection[int]) -> Iterator[Question]:
                 break
             stop += 1
         yield from _question(document, verb, range(start, stop))
+
+
+def is_deliberated(document: Document, at: int) -> bool:
+    """Whether a verb only asks what the sentence behind it decides: "should I *wash* it? If it's stained, ...";
+    not "... If so, ..."."""
+    tokens, sentences = document.tokens, document.sentences
+    first = sentences.index(sentences[at])
+    stop = next((i for i in range(at, len(tokens)) if sentences[i] != sentences[at]), len(tokens) - 1)
+    words = [token.lower for token in tokens[first : first + 2]]
+    is_question = words[0] in _DELIBERATING and words[1:] in (["i"], ["we"]) and tokens[stop - 1].text == "?"
+    is_own = stop + 1 < len(tokens) and tokens[stop + 1].lower not in _ANSWERS
+    return is_question and tokens[stop].lower in _DECIDING and is_own
 
 
 def _question(document: Document, verb: int, words: range) -> Iterator[Question]:
