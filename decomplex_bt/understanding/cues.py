@@ -103,7 +103,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "but": ("but", "however", "though", "although", "only"),
         "or": ("or",),
         "and": ("and", "&", "n"),
-        "please": ("please", "pls", "plz", "kindly", "could you", "can you", "would you", "will you", "i want you to", "i need you to", "i would like you to", "would you mind if i asked you to", "would you mind if i ask you to", "do you mind if i ask you to", "may i ask you to", "could i ask you to", "can i ask you to"),
+        "please": ("please", "pls", "plz", "kindly", "could you", "can you", "would you", "will you", "i want you to", "i need you to", "i would like you to", "would you mind if i asked you to", "would you mind if i ask you to", "do you mind if i ask you to", "do you mind if i asked you to", "mind if i ask you to", "mind if i asked you to", "may i ask you to", "could i ask you to", "can i ask you to"),
         "there": ("there",),
     }
 )  # fmt: skip

@@ -42,3 +42,17 @@ def test_what_is_said_around_a_request_is_no_task(interpreter: Interpreter, text
 def test_what_covers_a_window_is_drawn_and_not_put_somewhere(interpreter: Interpreter) -> None:
     assert interpreter.interpret("Drop the blinds, please.").tasks[0].type == "change_state"
     assert interpreter.interpret("Drop the sack on the floor.").tasks[0].type == "placing"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "mind if i ask you to rinse the jug",
+        "Do you mind if I ask you to rinse the jug?",
+        "Mind if I asked you to rinse the jug?",
+    ],
+)
+def test_whether_one_minds_is_no_case(interpreter: Interpreter, text: str) -> None:
+    found = interpreter.interpret(text)
+    assert found.to_json()["flow"] == [1]
+    assert found.tasks[0].value("object") == "the jug"
