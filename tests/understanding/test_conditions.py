@@ -215,3 +215,19 @@ def test_who_has_gone_or_is_done_or_calls_is_waited_for(interpreter: Interpreter
 def test_who_is_done_or_calls(interpreter: Interpreter, text: str, of: tuple[str, str | None]) -> None:
     check = next(task for task in interpreter.interpret(text).tasks if task.type == "check_state")
     assert (check.value("object"), check.value("state")) == of
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Roll up the rug after the paint dries.", [2, 1]),
+        ("Rinse the pan, then pour the sauce in after it cools.", [1, 3, 2]),
+        ("Dim the lamp after they arrive.", [2, 1]),
+        ("Air the tent after it stops and shut the hatch.", [2, 1, 3]),
+        ("Rinse the pan after you dry it.", [2, 1]),
+        ("Tell me after the film ends.", [1]),
+        ("Dust the attic after supper.", [1]),
+    ],
+)
+def test_what_happens_by_itself_is_waited_for(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected

@@ -10,7 +10,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
 from decomplex_bt.understanding.rules.checks import CALLING, OVER
 from decomplex_bt.understanding.rules.uses import uses
@@ -40,6 +40,10 @@ _AHEAD = frozenset(
 )
 """What stands ahead of the verb that says what somebody does or has done."""
 _UNKNOWING = frozenset("know sure idea clue remember recall tell wonder certain unsure dunno".split())
+_OF_EVENTS = frozenset(("it", "they", "he", "she"))
+_FINITE = frozenset(("VBZ", "VBP", "VBD"))
+_AUXILIARY = frozenset("be have do 's 're 've \u2019s \u2019re \u2019ve".split())
+_AFTER_EVENTS = frozenset("and then up down off out over back".split())
 _NAMING = frozenset("DT PRP PRP$ NN NNS NNP NNPS".split())
 _PERFORMING = frozenset("read sing recite announce".split())
 """What one does for others and tells nobody whether something is so."""
@@ -61,6 +65,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         certain
         | frozenset(_departures(document, tasks))
         | frozenset(_ends(document, tasks))
+        | frozenset(_events(document, tasks))
         | frozenset(check for *_, check in _performed(document, tasks))
         | frozenset(_denials(document, tasks))
         | frozenset(_of_anybody(document, tasks))
@@ -115,6 +120,27 @@ def _ends(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
         is_it = len(named) == 1 and tokens[be - 1].lower == "it"
         if (is_thing or is_it) and not _is_told(document, tasks, i):
             yield be
+
+
+def _events(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The verb of every clause that waits for what somebody or something does by itself, and none of whose words is a
+    task: "roll it up after *the paint dries*"; not "after you dry it"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-2]):
+        if token.lower not in ("after", "once") or (i and tokens[i - 1].lower == "for"):
+            continue
+        subject = next((chunk for chunk in noun_chunks(document) if chunk.start == i + 1), range(i + 1, i + 2))
+        verb = subject.stop
+        is_pronoun = len(subject) == 1 and tokens[i + 1].lower in _OF_EVENTS
+        if verb >= len(tokens) or not (is_pronoun or _is_named_subject(document, subject)):
+            continue
+        is_own = tokens[verb].tag in _FINITE and tokens[verb].lemma not in _AUXILIARY and tokens[verb].head != verb
+        behind = tokens[verb + 1 : verb + 2]
+        is_whole = not behind or behind[0].text in MARKS or behind[0].lower in _AFTER_EVENTS
+        is_of_order = any(document.sentences[j] == document.sentences[i] for j in tasks)
+        is_free = tasks.keys().isdisjoint(range(i, verb + 1)) and not _is_told(document, tasks, i)
+        if is_own and is_whole and is_of_order and is_free:
+            yield verb
 
 
 def _performed(document: Document, tasks: Mapping[int, str]) -> Iterator[tuple[int, range, int]]:
@@ -188,7 +214,7 @@ def _of_speaker(document: Document) -> Iterator[int]:
     tokens = document.tokens
     for i, token in enumerate(tokens[:-2]):
         is_opened = token.lower in ("if", "unless", "when", "once") and tokens[i + 1].lower in ("i", "we")
-        if not is_opened or (i and tokens[i - 1].lemma in ASKING_LEMMAS | _TELLING | {"even"}):
+        if not is_opened or (i and tokens[i - 1].lemma in ASKING_LEMMAS | _TELLING | {"even", "mind"}):
             continue
         behind = tokens[i + 3 : i + 4]
         is_of_other = bool(behind) and behind[0].tag in _NAMING and behind[0].lower != "you"
