@@ -22,6 +22,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Option, options_of
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
+from decomplex_bt.understanding.references.pointing import shown
 from decomplex_bt.understanding.references.switching import without_own_place
 
 __all__ = ["REFERENCES_FILE", "REFERRING", "ReferenceModel", "train_references"]
@@ -70,6 +71,8 @@ class ReferenceModel:
                         parts.update(part_of(observed.document, argument, gap, value))
                         argument = replace(argument, value=value, confidence=argument.confidence * probability)
                         context.mention(gap, option.candidate, option.text)
+                    elif (thing := shown(context, gap)) is not None:
+                        context.pool.append(thing)
                 arguments.append(argument)
             arguments = without_own_place(observed.document, task, arguments)
             implied = []

@@ -56,3 +56,24 @@ def test_what_is_wiped_does_not_get_hot(text: str, value: str, encoder: bool) ->
 def test_what_is_looked_for_is_not_what_is_empty(text: str, value: str, encoder: bool) -> None:
     found = Interpreter.load(encoder=encoder).interpret(text)
     assert [task.value("object") for task in found.tasks if task.span.of(text) == "'s"] == [value]
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Take the novel to the library, and if it's closed, come home.", 2, "the library"),
+        ("Take this to the bank. If it's shut, bring it back.", 2, "the bank"),
+        ("Put the plate on the shelf, and if it's full, on the counter.", 2, "the shelf"),
+        ("Put the juice in the fridge. If it's nearly empty, tell me.", 2, "the juice"),
+        ("Spread the cloth on the table. If it's ripped, get another.", 2, "the cloth"),
+        ("Take the mat off the floor. If it's dry, fold it.", 2, "the mat"),
+        # what can be so itself
+        ("Take the bag to the library, and if it's open, close it.", 2, "the bag"),
+        ("Put the jug on the shelf, and if it's full, cover it.", 2, "the jug"),
+        ("Put the wine in the fridge if it's empty.", 2, "the fridge"),
+        ("Put the soup in the pot. If it's empty, fill it.", 2, "the pot"),
+        ("Mop the floor. If it's dry, call me.", 2, "the floor"),
+    ],
+)
+def test_a_state_is_of_what_can_have_it(interpreter: Interpreter, text: str, number: int, value: str) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value

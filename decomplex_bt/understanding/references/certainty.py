@@ -22,8 +22,17 @@ from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
+from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
-from decomplex_bt.understanding.references.roles import ELSEWHERE, is_called_in, is_led, is_nobody, is_sought, is_within
+from decomplex_bt.understanding.references.roles import (
+    ELSEWHERE,
+    is_called_in,
+    is_immovable,
+    is_led,
+    is_nobody,
+    is_sought,
+    is_within,
+)
 from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
@@ -256,6 +265,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True  # "bring it to me before *my call*"
     if candidate.owner == gap.task.id and not candidate.mention and not is_stated_place(context, gap, candidate):
         return True
+    if is_named_later(context, gap, candidate) or is_not_shown(context, gap, candidate):
+        return True
     if is_unswitched(context, gap, candidate) or is_unshut(context, gap, candidate):
         return True
     if gap.type == "object" and not candidate.mention and _is_cut_off(context.observed.document, candidate):
@@ -279,6 +290,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if (is_ahead or is_given) and kind_of(context, candidate) not in ANIMATE:
         return True
     if any(is_not(context, gap, candidate) for is_not in (is_support, is_unfit, is_unwarmed, is_content, _is_feature)):
+        return True
+    if is_immovable(context, gap, candidate):
         return True
     if is_not_on_it(context, gap, candidate) or _is_turned(context, gap, candidate):
         return True

@@ -17,6 +17,8 @@ _NEAR = 3
 _TEMPERATURES = frozenset("hot warm cold cool lukewarm scalding".split())
 _BOILING = frozenset(("boiling", "boiled", "simmering"))
 _DONE = frozenset("cooked baked thawed ironed folded peeled ripe stale mouldy sour".split())
+_WORN = frozenset("torn ripped creased wrinkled crumpled frayed".split())
+"""States of what is made of cloth or paper, which nothing is put on."""
 _WARM = frozenset("hot warm boiling boiled heated preheated toasty ready".split())
 _WARMED = frozenset("pan pot saucepan wok skillet griddle grill barbecue bath bathtub tub pool".split())
 """What is hot or cold itself, beside what has a switch."""
@@ -37,6 +39,16 @@ _LOCKABLE = frozenset(
     "phone tablet laptop computer church shop school gym store lift window padlock cage hatch pantry bathroom toilet "
     "basement hut studio library building truck".split()
 )
+_OPEN = frozenset("open closed shut".split())
+WITH_HOURS = frozenset(
+    "office library shop church school gym store bank pharmacy clinic museum bakery cafe caf\u00e9 laundrette bar "
+    "restaurant canteen cafeteria reception surgery market kiosk lounge pool bookshop chapel".split()
+)
+"""Places that are open at some hours."""
+_SURFACES = frozenset("table desk shelf rack bench counter worktop windowsill sideboard sofa couch bed".split())
+"""What is full where nothing more fits on it."""
+_FLAT = frozenset("plate saucer book towel blanket letter plant lamp cushion".split())
+"""What is never full."""
 _READY_TO_COOK = frozenset(("preheated", "heated"))
 VESSELS = frozenset(
     "bottle can tin cup mug glass jug jar carton pot pan kettle teapot thermos flask tank bucket pail vase bowl "
@@ -45,12 +57,17 @@ VESSELS = frozenset(
     "lunchbox".split()
 )
 """What holds something itself, of the domain or not."""
+_HELD = frozenset(
+    "milk juice lemonade beer wine water cream ketchup mustard mayonnaise jam honey syrup sauce cereal sugar salt "
+    "flour coffee tea oil vinegar butter shampoo soap detergent bleach".split()
+)
+"""What is called by what it is for what it is in."""
 
 
 def is_unfit(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "it" is nothing that could be locked, or full, beside a place named with it that could: "put *the bucket*
-    in the shed unless *it*'s locked", "put *the cake* in the tin if *it* isn't full". What is put into an oven is not
-    what is to be hot *enough* for it."""
+    """Whether "it" is nothing that could be locked, closed, or full, beside a place named with it that could: "put *the
+    bucket* in the shed unless *it*'s locked", "put *the cake* in the tin if *it* isn't full". What is put into an oven
+    is not what is to be hot *enough* for it."""
     if gap.word != "it" or gap.type != "object" or gap.task.type != "check_state" or candidate.type != "object":
         return False
     if candidate.mention or candidate.task_type not in _MOVING or candidate.owner != gap.task.id - 1:
@@ -59,8 +76,15 @@ def is_unfit(context: Context, gap: Gap, candidate: Candidate) -> bool:
     places = [c for c in context.pool if c.owner == candidate.owner and c.type in _WHERE and not c.mention]
     if not words.isdisjoint(_LOCKED):
         return any(_has_lock(context, place) for place in places) and not _has_lock(context, candidate)
+    tokens = context.observed.document.tokens
+    noun = tokens[candidate.head].lemma
+    if not words.isdisjoint(_OPEN) and any(tokens[place.head].lemma in WITH_HOURS for place in places):
+        return noun not in VESSELS and not _has_lock(context, candidate)
+    if "full" in words and any(tokens[place.head].lemma in _SURFACES for place in places):
+        return noun in _FLAT or not _is_container(context, candidate)
     if not words.isdisjoint(_FILLED):
-        return any(_is_container(context, place) for place in places) and not _is_container(context, candidate)
+        able = [place for place in places if not _is_filled_by(context, gap, place, words)]
+        return any(_is_container(context, place) for place in able) and not _is_container(context, candidate)
     is_heated_up = "enough" in words and not words.isdisjoint(_TEMPERATURES)
     is_heated_up = is_heated_up or not words.isdisjoint(_READY_TO_COOK)
     return is_heated_up and any(_gets_warm(context, place) for place in places) and not _gets_warm(context, candidate)
@@ -90,11 +114,23 @@ def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if not words.isdisjoint(_BOILING):
         return tokens[candidate.head].lemma not in _WARMED
-    if not words.isdisjoint(_DONE):
+    if not words.isdisjoint(_DONE | _WORN) or _is_filled_by(context, gap, candidate, words):
         return True
     if "done" in words:
         return tokens[candidate.head].lemma in _COOKERS
     return not words.isdisjoint(_TEMPERATURES) and not _gets_warm(context, candidate)
+
+
+def _is_filled_by(context: Context, gap: Gap, place: Candidate, states: set[str]) -> bool:
+    """Whether a place that a sentence before puts a vessel or a drink in would be empty: "put the juice in *the
+    fridge*. If *it*'s nearly empty, ..."."""
+    document, gazetteer = context.observed.document, context.observed.gazetteer
+    tokens = document.tokens
+    things = [c for c in context.pool if (c.owner, c.type) == (place.owner, "object") and not c.mention]
+    is_held = any(tokens[c.head].lemma in VESSELS | _HELD for c in things)
+    is_piece = gazetteer.category(tokens[place.head].lemma) == "furniture" and has_inside(context, place)
+    is_apart = document.sentences[place.head] != document.sentences[gap.position]
+    return "empty" in states and is_held and is_piece and is_apart
 
 
 def is_unwarmed(context: Context, gap: Gap, candidate: Candidate) -> bool:

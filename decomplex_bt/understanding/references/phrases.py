@@ -168,13 +168,22 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             owner = inside.get(phrase.stop - 1)
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
                 continue
-            if len({inside.get(i) for i in phrase}) > 1:
+            held = {inside.get(i) for i in phrase}
+            if shape == "of" and _are_of_one(held):
+                continue  # "put *the jam on the shelf*"
+            if len(held) > 1:
                 shape = f"across.{shape}"
             if owner is None:
                 found[phrase.start, phrase.stop] = _outside(document, phrase, shape)
             else:
                 found[phrase.start, phrase.stop] = _owned(document, phrase, *owner, f"in.{shape}")
     return [found[place] for place in sorted(found)]
+
+
+def _are_of_one(held: set[tuple[Task, str] | None]) -> bool:
+    """Whether what a phrase holds are two arguments of one task, and no other words."""
+    tasks = {entry[0].id for entry in held if entry is not None}
+    return None not in held and len(held) > 1 and len(tasks) == 1
 
 
 def is_deed(document: Document, phrase: range) -> bool:

@@ -3,7 +3,9 @@ shown in, and nobody is the door that they are at."""
 
 from __future__ import annotations
 
+from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
+from decomplex_bt.understanding.references.fitness import WITH_HOURS
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import Candidate
@@ -11,6 +13,12 @@ from decomplex_bt.understanding.references.phrases import Candidate
 _HANDLING = frozenset(("bringing", "taking", "placing"))
 ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
+_FIXED = frozenset("floor wall ceiling ground lawn pavement porch".split())
+_WHERE = frozenset(("goal", "source", "recipient"))
+_OF_THINGS = frozenset("dry wet damp soaked heavy light broken ripe stale".split())
+"""States that say how something is to be handled."""
+_FOLDING = frozenset("fold iron hang wear peel eat drink".split())
+"""What is done to what can be lifted."""
 _OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
 """What is done to rooms and things, and may have no object."""
 
@@ -51,6 +59,31 @@ def is_nobody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     identity = identity_of(document, document.indices(gap.task.span).start)
     is_who = identity is not None and identity.is_pronoun(document) and identity.is_of_person(document)
     return is_who and kind_of(context, candidate) not in ANIMATE and candidate.type in ("object", "location", "goal")
+
+
+def is_immovable(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a room or a floor, which is neither moved nor folded, nor what a condition asks of that is
+    then moved or folded: "pick up the rug from *the floor*. If *it*'s dry, fold it"."""
+    noun = context.observed.document.tokens[candidate.head].lemma
+    is_room = noun in _FIXED | WITH_HOURS or context.observed.gazetteer.category(noun) == "room"
+    if gap.word != "it" or gap.type != "object" or not is_room:
+        return False
+    order = gap.task
+    if gap.task.type == "check_state":
+        if not any(a.type == "state" and a.value.lower().split()[-1] in _OF_THINGS for a in gap.task.arguments):
+            return False  # "if the office is closed, slip it under the door"
+        behind = next((task for task in context.tasks if task.id == gap.task.id + 1), None)
+        is_governed = (gap.task.id, "then") in context.paths.get(gap.task.id + 1, ())
+        if behind is None or not is_governed or not _is_of_it(context, behind):
+            return False
+        order = behind
+    is_moved = order.type in _HANDLING and any(a.type in _WHERE for a in order.arguments)
+    return is_moved or context.lemmas[order.id].split()[0] in _FOLDING
+
+
+def _is_of_it(context: Context, task: Task) -> bool:
+    said = (a.span.of(context.observed.document.text) for a in task.arguments if a.type == "object" and a.span)
+    return any(text.lower() == "it" for text in said)
 
 
 def is_called_in(context: Context, candidate: Candidate) -> bool:
