@@ -169,3 +169,67 @@ def test_what_is_needed_in_a_case_or_by_another_thing_is_one_order_each(
 def test_what_somebody_needs_or_is_a_case_is_no_order(interpreter: Interpreter, text: str) -> None:
     tasks = interpreter.interpret(text).tasks
     assert not any(task.span.of(text) in ("feeding", "watering") for task in tasks)
+
+
+@pytest.mark.parametrize(
+    ("text", "orders"),
+    [
+        ("The blankets should be aired.", [("change_state", {"object": "The blankets"})]),
+        ("The pillow covers must be boiled.", [("change_state", {"object": "The pillow covers"})]),
+        (
+            "The rake in the yard is to be taken to the shed.",
+            [("bringing", {"object": "The rake", "goal": "to the shed"})],
+        ),
+        ("The letter should be left on the piano.", [("placing", {"object": "The letter", "goal": "on the piano"})]),
+        ("Nana should be given her drops.", [("bringing", {"recipient": "Nana", "object": "her drops"})]),
+        ("The hamster's to be fed at noon.", [("change_state", {"object": "The hamster"})]),
+        ("The carpet should be given a brush.", [("change_state", {"object": "The carpet"})]),
+        (
+            "The twins should be told that lunch is on the table.",
+            [("informing", {"recipient": "The twins", "message": "that lunch is on the table"})],
+        ),
+        (
+            "The shutters should be closed and the fan should be on.",
+            [("change_state", {"object": "The shutters"}), ("change_state", {"object": "the fan"})],
+        ),
+    ],
+)
+def test_what_should_be_done_to_a_thing_is_ordered(text: str, orders: list[tuple[str, dict[str, str]]]) -> None:
+    found = Interpreter.load("household", encoder=False).interpret(text)
+    assert [(task.type, {a.type: a.value for a in task.arguments}) for task in found.tasks] == orders
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("The crates need scrubbing and putting in the van.", "in the van"),
+        ("The blankets should be stripped off and put in the washer.", "in the washer"),
+        ("The bowls must be rinsed, dried and put back on the rack.", "on the rack"),
+        ("The records want dusting and putting on the shelf.", "on the shelf"),
+    ],
+)
+def test_a_further_deed_is_done_to_the_same_thing(text: str, goal: str) -> None:
+    found = Interpreter.load("household", encoder=False).interpret(text)
+    assert len({task.value("object") for task in found.tasks}) == 1 < len(found.tasks)
+    assert (found.tasks[-1].type, found.tasks[-1].value("goal")) == ("placing", goal)
+
+
+def test_a_deed_with_a_particle_is_joined(parser: Parser, gazetteer: Gazetteer) -> None:
+    found_ones = found(parser, gazetteer, "The shears need oiling and hanging up.")
+    assert found_ones == {"oiling": "change_state", "hanging": "placing"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The shears should be put away by now.",  # a guess
+        "The shears are to be found in the shed.",
+        "The shears should be in the shed.",
+        "Is the gate to be locked?",
+        "The fan should be on.",
+        "The crates should be stacked. Put them in the van.",
+        "The mats need beating and vacuuming bags are in the hall.",
+    ],
+)
+def test_what_is_expected_or_taken_up_is_no_order(parser: Parser, gazetteer: Gazetteer, text: str) -> None:
+    assert set(found(parser, gazetteer, text)) <= {"beating"}

@@ -194,7 +194,8 @@ def is_deed(document: Document, phrase: range) -> bool:
     if any(token.pos in ("NOUN", "PROPN", "ADJ") or token.lower in _NO_NOUNS for token in behind):
         return False
     before = [token.lower for token in document.tokens[max(0, phrase.start - _NEAR) : phrase.start]]
-    is_ended = MARKS.isdisjoint(before[before.index("give") :]) if "give" in before else False
+    giving = next((i for i, word in enumerate(before) if word in _GIVING), None)
+    is_ended = giving is not None and MARKS.isdisjoint(before[giving:])
     return said[:1] == ["a"] and said[-1] in _DEEDS and len(said) > 1 and is_ended
 
 
@@ -281,7 +282,10 @@ _OUT_OF = ("out", "of")
 _BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run running was were".split())
 _NEAR = 4
 """Within so many words ahead of a deed stands the "give" that it is given by [tokens]."""
-_DEEDS = frozenset("wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy".split())
+_GIVING = frozenset(("give", "given", "giving"))
+_DEEDS = frozenset(
+    "wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy bath bathe vacuum".split()
+)
 _LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
 """How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""
 _TIMES = frozenset("yesterday today tonight tomorrow now later".split())

@@ -1,18 +1,20 @@
-"""Needs: what a thing needs done, or it is time to do, ordered where nothing behind takes it up ("the ferns want
-watering")."""
+"""Needs: what a thing needs done, what should be done to it, or it is time to do, ordered where nothing behind takes it
+up ("the ferns want watering", "the bins should be emptied and rinsed")."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise, takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.verbs import lemmas
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
-from decomplex_bt.understanding.rules.fragments import Fragment
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_deed, noun_chunks
+from decomplex_bt.understanding.rules.fragments import STATES, Fragment
 from decomplex_bt.understanding.rules.likewise import so_does
 
 NEEDING = frozenset("need needs want wants needed wanted".split())
@@ -25,7 +27,10 @@ OPENING = frozenset(
 )
 """What may stand between the beginning of a sentence and the thing that needs something done, or who wants it."""
 _CASES = frozenset("if when unless once whenever".split())
-_SAYING_SO = NEEDING | {"could", "time"}
+_OBLIGING = frozenset(("should", "must"))
+_OBLIGING_TO = frozenset("ought has have is are 's \u2019s 're \u2019re".split())
+_IN_OBLIGATIONS = frozenset("also all both always first please now then got".split())
+_SAYING_SO = NEEDING | {"could", "time", "be"}
 _BEFORE_TIME = OPENING | frozenset("it 's \u2019s is its about high".split())
 _NOMINAL = frozenset(("DET", "ADJ", "NUM", "NOUN", "PROPN"))
 _PLACING = frozenset("in on at of from by under behind upstairs downstairs outside".split())
@@ -41,8 +46,20 @@ _LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
 _BELONGING = frozenset(("belong", "belongs"))
 _SHOULD = frozenset("should must ought has have".split())
 _WHERE_TO = frozenset("in into on onto under behind by inside next".split())
-_DONE_TO = {"motion": "following", "bringing": "change_state"}
-"""What a verb of a type tells where a thing needs it: "the dog needs walking", "the cat needs feeding"."""
+_DONE_TO = {"walk": "following", "feed": "change_state", "leave": "placing"}
+"""What a verb tells where a thing needs it: "the dog needs walking", "the cat needs feeding"."""
+_FOUND_OUT = frozenset(("searching", "check_state"))
+"""What is to be *found* or *ready* somewhere is said to be there."""
+_GIVING = frozenset("give hand offer show serve bring send".split())
+_SAME_FORMS = frozenset("put cut set shut".split())
+"""Participles that are the bare verbs, too."""
+_SUPPOSING = frozenset("already soon".split())
+_TO_PLACES = frozenset("to into onto up down upstairs downstairs outside inside over across".split())
+_FINITE = frozenset(("VBZ", "VBP", "MD"))
+_OPENING_CLAUSES = frozenset("if when unless until till once before after while but or so because as".split())
+_LEADING_TO = _WHERE_TO | {"with"}
+_ENDING = frozenset(("placing", "bringing", "taking"))
+"""What is done to a thing and may end at a place."""
 
 
 def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
@@ -60,11 +77,14 @@ def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
         if (verb := _due(document, i)) is not None and verb not in tasks:
             found[verb] = _type(observed, verb)
             continue
-        verb = _gerund(document, i) or _passive(document, i) or _noun(observed, i)
-        if verb is None or verb in tasks or not _is_of_thing(document, i):
+        verb = _deed(observed, i)
+        if verb is None or not _is_of_thing(document, i) or _is_taken_up(document, _subject(document, i), verb):
             continue
-        if not _is_taken_up(document, _subject(document, i), verb):
-            found[verb] = _type(observed, verb)
+        deeds = (verb, *_joined(document, verb))
+        found |= {deed: _type(observed, deed) for deed in deeds if deed not in tasks}
+        found |= {deed: "placing" for deed in deeds if _is_put_there(document, deed)}
+        found |= {deed: "change_state" for deed in deeds if _is_given_deed(document, deed)}
+        found |= {deed: "bringing" for deed in deeds if _is_taken_there(document, deed)}
     return found
 
 
@@ -77,7 +97,8 @@ def in_need(observed: Observed, verb: int) -> dict[str, range]:
         return {} if thing is None else {"object": thing}
     first = document.sentences.index(document.sentences[verb])
     for i in range(verb - 1, first - 1, -1):
-        if verb in (_gerund(document, i), _passive(document, i), _noun(observed, i)) and _is_of_thing(document, i):
+        deed = _deed(observed, i)
+        if deed is not None and verb in (deed, *_joined(document, deed)) and _is_of_thing(document, i):
             said = _subject(document, i)
             place = next((j for j in said if document.tokens[j].lower in _PLACING), said.stop)
             found = {"object": range(said.start, place), "location": range(place, said.stop)}
@@ -90,6 +111,67 @@ def needs_of(observed: Observed, verbs: Iterable[int]) -> frozenset[int]:
     tokens = observed.document.tokens
     of_things = (verb for verb in verbs if in_need(observed, verb))
     return frozenset(i for verb in of_things for i in range(max(0, verb - _FARTHEST), verb) if _is_need(tokens[i]))
+
+
+def with_needs(observed: Observed, arguments: Sequence[FoundArgument], verb: int, kind: str) -> list[FoundArgument]:
+    """The arguments with what needs a deed, or should have it done, as what it is done to, of a further one ("the
+    mats should be beaten and *put back*"), or as who is told or given something ("Ann should be *given* her drops");
+    what stands behind a preposition is where it ends."""
+    thing = in_need(observed, verb).get("object", range(0))
+    if not thing or verb < thing.stop:
+        return list(arguments)
+    document = observed.document
+    own = [a for a in arguments if a.owner == verb and a.tokens.start > verb]
+    others = [a for a in arguments if a.owner != verb]
+    kept = [_at_its_end(document, a) if kind in _ENDING and a.type in ("object", "source") else a for a in own]
+    is_given = kind == "bringing" and document.tokens[verb].lemma in _GIVING
+    if (is_given or kind == "placing") and (told := _told_behind(document, verb, is_given)) and not kept:
+        kept.append(FoundArgument("object" if is_given else "goal", verb, told, CERTAIN))
+    is_received = kind == "informing" or (is_given and any(a.type == "object" for a in kept))
+    name = "recipient" if is_received else "object"
+    if name == "object":
+        kept = [a for a in kept if a.type != "object"]
+    return [*others, *kept, FoundArgument(name, verb, thing, CERTAIN)]
+
+
+def _told_behind(document: Document, verb: int, is_given: bool) -> range:
+    """What stands right behind a deed: what somebody is to be given, or with its preposition where something is to be
+    left ("with the porter"); empty where nothing does."""
+    start = verb + 1 if is_given else verb + 2
+    is_led = is_given or not _LEADING_TO.isdisjoint(token.lower for token in document.tokens[start - 1 : start])
+    stop = next((chunk.stop for chunk in noun_chunks(document) if chunk.start == start), 0)
+    return range(verb + 1, stop) if is_led and stop else range(0)
+
+
+def _at_its_end(document: Document, argument: FoundArgument) -> FoundArgument:
+    """What is taken for a thing behind a preposition, or for where it is now, as the place that is told with that:
+    "put in *the wash*"."""
+    start = argument.tokens.start - (argument.type == "object")
+    if document.tokens[start].lower not in _WHERE_TO | _TO_PLACES:
+        return argument
+    return replace(argument, type="goal", tokens=range(start, argument.tokens.stop))
+
+
+def states_due(document: Document) -> Iterator[Fragment]:
+    """What is to be in a state, beside what is to be done to another thing: "the blinds should be closed and *the
+    fan should be on*"."""
+    tokens = document.tokens
+    if document.words.isdisjoint(_OBLIGING):
+        return
+    for i, token in enumerate(tokens[:-2]):
+        words = [word.lower for word in tokens[i + 1 : i + 3]]
+        if token.lower not in _OBLIGING or words[0] != "be" or words[1] not in STATES:
+            continue
+        behind = tokens[i + 3].lower if i + 3 < len(tokens) else "."
+        said = _subject(document, i)
+        if behind in MARKS | {"and", "then"} and _is_of_thing(document, i) and not _is_first(document, said):
+            yield Fragment(range(said.start, i + 3), i + 2, said, range(0), "change_state")
+
+
+def _is_first(document: Document, said: range) -> bool:
+    """Whether nothing but fillers stands ahead of words in their sentence."""
+    first = document.sentences.index(document.sentences[said.start])
+    return all(token.lower in OPENING for token in document.tokens[first : said.start])
 
 
 def belonging(document: Document) -> Iterator[Fragment]:
@@ -137,6 +219,13 @@ def _gerund(document: Document, need: int) -> int | None:
     return None if is_part or verb.tag not in ("VBG", "NN", "JJ") else verb.i
 
 
+def _deed(observed: Observed, at: int) -> int | None:
+    """The verb, or the noun, of what is to be done by the word that says so: "needs *emptying*", "should be *emptied*",
+    "could do with a *wipe*"."""
+    document = observed.document
+    return _gerund(document, at) or _passive(document, at) or _obliged(observed, at) or _noun(observed, at)
+
+
 def _passive(document: Document, need: int) -> int | None:
     """The "emptied" of "needs to be emptied"."""
     if not _is_need(document.tokens[need]):
@@ -145,6 +234,77 @@ def _passive(document: Document, need: int) -> int | None:
     words = [token.lower for token in document.tokens[to.i : to.i + 2]] if to is not None else []
     verb = _behind(document, to.i + 1) if to is not None and words == ["to", "be"] else None
     return verb.i if verb is not None and verb.tag in ("VBN", "VBD") and _VAGUE.isdisjoint(lemmas(verb.lower)) else None
+
+
+def _obliged(observed: Observed, at: int) -> int | None:
+    """The "emptied" of "should be emptied", "is to be emptied"; no more than a guess is "should be emptied by now"."""
+    document, verb = observed.document, _participle(observed.document, at)
+    if verb is None:
+        return None
+    stop = next((t.i for t in document.tokens[verb:] if t.lower in MARKS), len(document))
+    said = [token.lower for token in document.tokens[verb + 1 : stop]]
+    is_guess = not _SUPPOSING.isdisjoint(said) or ("by", "now") in pairwise(said)
+    kinds = {kind for form in _forms(document, verb) for kind in observed.gazetteer.verbs.get(form, ())[:1]}
+    return None if is_guess or not kinds or not _FOUND_OUT.isdisjoint(kinds) else verb
+
+
+def _participle(document: Document, at: int) -> int | None:
+    """The participle of "should be emptied", "has to be emptied" by its first word."""
+    tokens = document.tokens
+    if tokens[at].lower not in _OBLIGING | _OBLIGING_TO:
+        return None
+    words = [token for token in tokens[at + 1 : at + 7] if token.lower not in _IN_OBLIGATIONS]
+    leading = ["be"] if tokens[at].lower in _OBLIGING else ["to", "be"]
+    if [word.lower for word in words[: len(leading)]] != leading or len(words) == len(leading):
+        return None
+    verb = words[len(leading)]
+    return verb.i if verb.tag in ("VBN", "VBD") and _VAGUE.isdisjoint(lemmas(verb.lower)) else None
+
+
+def _joined(document: Document, verb: int) -> Iterator[int]:
+    """The verbs in the same form that an "and" or a comma joins to a deed: "should be dried and *put* away", "needs
+    oiling and *hanging* up"; up to the next clause."""
+    tokens, sentences = document.tokens, document.sentences
+    if tokens[verb].tag not in ("VBG", "VBN", "VBD") and not tokens[verb].lower.endswith("ing"):
+        return  # "needs a wipe"
+    for i in range(verb + 1, len(document) - 1):
+        if sentences[i] != sentences[verb] or tokens[i].tag in _FINITE or tokens[i].lower in _OPENING_CLAUSES:
+            return
+        behind = next(token for token in tokens[i + 1 :] if token.lower not in ("and", "then") or token.i > i + 2)
+        is_joint = tokens[i].lower in (",", "and") and behind.i < len(document) - 1
+        if is_joint and _is_in_form(tokens[verb], behind) and tokens[behind.i + 1].pos not in ("NOUN", "PROPN", "ADJ"):
+            yield behind.i
+
+
+def _is_in_form(deed: Token, verb: Token) -> bool:
+    """Whether a verb is a gerund, or a participle, as the deed is that it is joined to."""
+    if deed.lower.endswith("ing"):
+        return verb.lower.endswith("ing") and verb.tag in ("VBG", "NN")
+    return verb.tag in ("VBN", "VBD") or verb.lower in _SAME_FORMS
+
+
+def _forms(document: Document, verb: int) -> list[str]:
+    """What a deed may be a form of."""
+    token = document.tokens[verb]
+    return list(dict.fromkeys((*lemmas(token.lower), token.lemma)))
+
+
+def _is_given_deed(document: Document, verb: int) -> bool:
+    """Whether what a thing is "given" is a deed: "given *a wipe*"."""
+    return document.tokens[verb].lemma == "give" and is_deed(document, range(verb + 1, verb + 3))
+
+
+def _is_put_there(document: Document, verb: int) -> bool:
+    """Whether what is "put" or "left" is so right behind with a place: "putting *on the rack*"."""
+    behind = document.tokens[verb + 1 : verb + 3]
+    is_place = len(behind) > 1 and behind[0].lower in _WHERE_TO and behind[1].tag in ("DT", "PRP$")
+    return document.tokens[verb].lower in ("put", "putting", "left", "leaving") and is_place
+
+
+def _is_taken_there(document: Document, verb: int) -> bool:
+    """Whether what is "taken" or needs "taking" is so to a place: "taken *to the shed*"."""
+    behind = document.tokens[verb + 1].lower if verb + 1 < len(document) else ""
+    return document.tokens[verb].lower in ("taken", "taking") and behind in _TO_PLACES
 
 
 def _noun(observed: Observed, could: int) -> int | None:
@@ -208,12 +368,15 @@ def _is_of_thing(document: Document, need: int) -> bool:
     is_case = bool(ahead) and tokens[ahead[0]].lower in _CASES and tokens[said.start - 1].text == ","
     if is_case and len(words) == 1 and words[0].lower in _OF_CASE:
         return any(tokens[i].pos in ("NOUN", "PROPN") for i in ahead) and tokens[need].lower in NEEDING
+    is_modal = tokens[need].tag == "MD"  # ahead of which nothing is a verb: "the duvet *covers* should"
+    if is_modal and len(words) > 1 and words[-1].tag in ("VBZ", "VBP", "VB"):
+        words = words[:-1]
     is_named = any(token.pos in ("NOUN", "PROPN") for token in words) or (len(words) > 1 and words[0].pos == "DET")
     if not is_named or not (words[0].pos in _NOMINAL or words[0].tag == "PRP$"):
         return False
     if any(token.pos not in _NOMINAL and token.lower not in _INSIDE and token.tag != "PRP$" for token in words):
         return False
-    needs = [i for i in ahead if _is_need(tokens[i])]
+    needs = [i for i in ahead if _is_need(tokens[i]) or _participle(document, i) is not None]
     is_first = not ahead or is_case or (len(needs) == 1 and _is_of_thing(document, needs[0]))
     end = next((token.lower for token in tokens[need:] if token.lower in ENDS), ".")
     return is_first and end != "?"
@@ -230,9 +393,12 @@ def _is_taken_up(document: Document, subject: range, verb: int) -> bool:
         i for one in so_does(document) for i in (*one.words, *one.other) if tokens[i].lower not in ("its", "their")
     }
     besides.update(_left_alone(document, verb))
+    besides.add(verb + 1)  # "the twins should be told *that* ..."
     near = [token for token in later if sentences[token.i] <= sentences[verb] + 1 and token.i not in besides]
     if any(token.lower in _LEADING_ON and sentences[token.i] == sentences[verb] for token in later):
         return True
+    clause = next((t.i for t in later if t.lower in MARKS | {"and"}), len(tokens))
+    near = [token for token in near if token.tag != "PRP$" or token.i > clause]  # "Dad should be given *his* paper"
     is_of_living = any(tokens[i].lemma in PERSON_NOUNS | ANIMALS for i in subject[-1:])
     if not is_of_living:  # "Tom's shirt needs washing, and *his* socks need washing"
         near = [token for token in near if token.tag != "PRP$" or token.lower not in ("his", "her")]
@@ -266,9 +432,9 @@ def _is_of_weather(document: Document, at: int) -> bool:
 
 def _type(observed: Observed, verb: int) -> str:
     """The task type of a deed by its form, with its particle: one that is done to a thing, or along with somebody."""
-    verbs = observed.gazetteer.verbs
-    particle = observed.gazetteer.particle(observed.document, verb)
-    forms = list(lemmas(observed.document.tokens[verb].lower))
+    verbs, document = observed.gazetteer.verbs, observed.document
+    particle = observed.gazetteer.particle(document, verb)
+    forms = _forms(document, verb)
     known = [f"{form} {particle}" for form in forms] + forms
-    kind = next((verbs[form][0] for form in known if form in verbs), "change_state")
-    return _DONE_TO.get(kind, kind)
+    form = next((form for form in known if form in verbs), None)
+    return "change_state" if form is None else _DONE_TO.get(form, verbs[form][0])

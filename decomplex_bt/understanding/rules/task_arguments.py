@@ -30,7 +30,7 @@ from decomplex_bt.understanding.rules.handing import called, divided, fed, given
 from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.mishaps import mishaps
-from decomplex_bt.understanding.rules.needs import in_need
+from decomplex_bt.understanding.rules.needs import in_need, with_needs
 from decomplex_bt.understanding.rules.preferences import Preference, preferences
 from decomplex_bt.understanding.rules.reports import with_next_told, with_reports, without_times
 from decomplex_bt.understanding.rules.rounds import with_rounds
@@ -73,6 +73,8 @@ def of_task(setting: Setting, arguments: Sequence[FoundArgument], task: int) -> 
         kept = with_told(kept, task, kept_from(document, setting.tasks, task))
     if kind in _HANDLED and not any(a.owner == task and task + 1 in a.tokens for a in kept):
         kept = with_told(kept, task, _taken_up_behind(document, task))
+    if kind != "check_state":
+        kept = with_needs(setting.observed, kept, task, kind)
     if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (task, "object") for a in kept):
         kept = with_told(kept, task, in_need(setting.observed, task) or _telegraphed(document, task))
     return kept

@@ -8,7 +8,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.causatives import causatives
 from decomplex_bt.understanding.rules.elsewhere import elsewhere, other_searches
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
-from decomplex_bt.understanding.rules.needs import belonging
+from decomplex_bt.understanding.rules.needs import belonging, states_due
 from decomplex_bt.understanding.rules.renewals import renewals
 from decomplex_bt.understanding.rules.transfers import transfers
 from decomplex_bt.understanding.rules.wants import wants
@@ -20,6 +20,7 @@ def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]
     yield from fragments(observed.document)
     yield from transfers(observed)
     yield from belonging(observed.document)
+    yield from states_due(observed.document)
     yield from wants(observed, tasks)
     yield from renewals(observed.document)
     yield from causatives(observed)
