@@ -1,4 +1,4 @@
-"""What is to be had done is ordered, each thing with its participle."""
+"""What is to be got done, be it to several things, what somebody else is to do, and what is let go on by itself."""
 
 from __future__ import annotations
 
@@ -6,6 +6,25 @@ import pytest
 from readings import flow
 
 from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "deeds", "thing"),
+    [
+        ("Get the hedge trimmed.", ["trimmed"], "the hedge"),
+        ("Get the lawns mown.", ["mown"], "the lawns"),
+        ("Please get the hamster fed before supper.", ["fed"], "the hamster"),
+        ("Get the stairs swept and mopped.", ["swept", "mopped"], "the stairs"),
+        ("Could you get the blinds dusted?", ["dusted"], "the blinds"),
+        ("Have the carpet beaten.", ["beaten"], "the carpet"),
+    ],
+)
+def test_what_is_to_be_got_done_is_done_to_the_thing(
+    interpreter: Interpreter, text: str, deeds: list[str], thing: str
+) -> None:
+    found = interpreter.interpret(text)
+    assert [task.span.of(text) for task in found.tasks] == deeds
+    assert {task.value("object") for task in found.tasks} == {thing}
 
 
 @pytest.mark.parametrize(
@@ -19,7 +38,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Can the forks be washed and dried?", ["the forks", "the forks"]),
     ],
 )
-def test_what_is_had_done_to_several_things_is_several_orders(
+def test_what_is_got_done_to_several_things_is_several_orders(
     interpreter: Interpreter, text: str, things: list[str | None]
 ) -> None:
     assert flow(interpreter, text) == list(range(1, len(things) + 1))
@@ -42,5 +61,61 @@ def test_what_is_asked_or_tells_the_state_or_place_is_read_as_it_is(
     assert [task.type for task in interpreter.interpret(text).tasks] == types
 
 
+def test_a_table_that_is_laid_is_put_nowhere(interpreter: Interpreter) -> None:
+    types = [task.type for task in interpreter.interpret("Have the table laid and the beds made.").tasks]
+    assert types == ["change_state", "change_state"]
+
+
 def test_what_is_got_shut_is_got_so(interpreter: Interpreter) -> None:
     assert interpreter.interpret("Get the hatch shut.").tasks[0].value("state") == "shut"
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("Get the crate marked fragile.", ["the crate marked fragile"]),
+        ("Get the cooked ham.", ["the cooked ham"]),
+        ("Get the gate closed.", ["the gate"]),
+    ],
+)
+def test_what_tells_which_thing_or_how_it_is_to_be_is_no_deed(
+    interpreter: Interpreter, text: str, things: list[str]
+) -> None:
+    found = interpreter.interpret(text)
+    assert [(task.span.of(text), task.value("object")) for task in found.tasks] == [("Get", *things)]
+
+
+@pytest.mark.parametrize(
+    ("text", "whom", "message"),
+    [
+        ("Have Lena polish the spoons.", "Lena", "polish the spoons"),
+        ("Get Olaf to wind the clock.", "Olaf", "to wind the clock"),
+        ("Could you have my uncle lift the trunk?", "my uncle", "lift the trunk"),
+        ("Let Iris hold the ladder.", "Iris", "hold the ladder"),
+        ("Get the twins to wash their hands.", "the twins", "to wash their hands"),
+    ],
+)
+def test_who_is_to_do_something_is_told_to(interpreter: Interpreter, text: str, whom: str, message: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert (task.type, task.value("recipient"), task.value("message")) == ("informing", whom, message)
+
+
+@pytest.mark.parametrize(
+    ("text", "verbs"),
+    [
+        ("Let the dough rise, then slice it.", ["slice"]),
+        ("Let the stew simmer, then stir it.", ["stir"]),
+        ("Let Nina sleep in, but wake Otto.", ["wake"]),
+        ("Let the cat out.", ["Let"]),
+        ("Let Otto know that the bus is here.", ["Let"]),
+        ("Have a look in the cellar.", ["Have"]),
+        ("Get Olaf to the station.", ["Get"]),
+    ],
+)
+def test_what_is_let_go_on_is_no_order(interpreter: Interpreter, text: str, verbs: list[str]) -> None:
+    assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == verbs
+
+
+def test_a_sleeper_tells_no_state_of_who_is_woken(interpreter: Interpreter) -> None:
+    (task,) = interpreter.interpret("Let Nina sleep in, but wake Otto up.").tasks
+    assert {a.type: a.value for a in task.arguments} == {"object": "Otto"}

@@ -283,6 +283,8 @@ _BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run runnin
 _NEAR = 4
 """Within so many words ahead of a deed stands the "give" that it is given by [tokens]."""
 _GIVING = frozenset(("give", "given", "giving"))
+_CAUSING = frozenset(("get", "have", "let"))
+_BEHIND_LET = frozenset("and but then for before after while until till if unless".split())
 _DEEDS = frozenset(
     "wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy bath bathe vacuum".split()
 )
@@ -526,12 +528,25 @@ def _between(document: Document, chunk: range, verbs: Container[int]) -> Iterato
             start = i + 1
 
 
+def _is_complement(document: Document, verb: int, at: int) -> bool:
+    """Whether a word that is tagged as a noun is what a verb ahead of the phrase has done, or lets be, without which a
+    "let" would say nothing: "get the lawn *mown*", "let the tea *brew*"."""
+    tokens = document.tokens
+    token, behind = tokens[at], tokens[at + 1].lower if at + 1 < len(tokens) else "."
+    if verb < 0 or tokens[verb].lower not in _CAUSING or token.tag not in ("NN", "NNP") or not token.text.islower():
+        return False
+    is_let = tokens[verb].lower == "let" and (behind in MARKS or behind in _BEHIND_LET)
+    return is_let or (token.dep == "ccomp" and token.head == verb)
+
+
 def _trimmed(document: Document, chunk: range) -> Iterator[range]:
     nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN")]
     first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
     if len(nouns) > 1 and document.tokens[nouns[-1]].lower == "open":
         nouns.pop()  # "wants the window open", where the tagger takes it for a noun
-    if nouns:
+    if nouns and nouns[-1] > chunk.start + 1 and _is_complement(document, chunk.start - 1, nouns[-1]):
+        yield range(chunk.start, nouns[-1])
+    elif nouns:
         yield range(chunk.start, nouns[-1] + 1)
     elif first.tag == "PRP$" and len(chunk) == 2 and last.tag == "JJ" and last.lower != "own":
         yield chunk  # "wants her key back", where the tagger takes the noun for an adjective

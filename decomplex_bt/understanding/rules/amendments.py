@@ -15,6 +15,7 @@ from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons
 from decomplex_bt.understanding.rules.assurances import with_assured
 from decomplex_bt.understanding.rules.bounds import up_to_order
+from decomplex_bt.understanding.rules.causatives import let_on
 from decomplex_bt.understanding.rules.conditions import without_cases
 from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.corrections import (
@@ -101,7 +102,7 @@ def _of_tasks(
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
-    idle |= wishers(document, tasks) | let_be(document)
+    idle |= wishers(document, tasks) | let_be(document) | let_on(document)
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     idle = idle.union(*found_places(document), *pauses(document), *unsaid)
     why, meant, how = reasons(document, tasks), plans(document, tasks), means_of(document, tasks)

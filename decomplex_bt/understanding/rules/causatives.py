@@ -1,118 +1,230 @@
-"""Causatives: what is to be had done to things, ordered with participles ("*have the rug beaten* and *the curtains
-washed*", "could the yard be swept and *the gate painted*?")."""
+"""Causatives: what is to be got done ("get the lawn *mown* and the hedge *trimmed*", "could the lawn be *mown* and the
+hedge *trimmed*?"), what somebody else is to be told to do ("have Tom *mow the lawn*"), and what goes on by itself where
+it is let ("let the dough *rise*"), which is no order."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
 
-from decomplex_bt.domain.verbs import lemmas
-from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
+from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
+from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
-from decomplex_bt.understanding.rules.fragments import Fragment
+from decomplex_bt.understanding.references.first_names import MEN, WOMEN
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.rules.deeds import done_to, joined, types_of
 
-_CAUSING = frozenset(("have", "get"))
-_JOINING = frozenset((",", "and"))
-_MODALS = frozenset("can could would will might may".split())
-_LEADING = MARKS | frozenset("and then please also so now just ok okay robot".split())
-_PAST = frozenset(("VBN", "VBD"))
-_NO_DEEDS = frozenset("been got had gone come left eaten done".split())
-"""Participles of what somebody has done: "have the boys eaten?"."""
-_NOMINAL = frozenset(("ADJ", "NOUN", "PROPN", "NUM"))
-_BEHIND = MARKS | PARTICLES | frozenset("and then please too before by when once if for first again".split())
-_HANDLING = frozenset("bringing taking placing change_state".split())
+_CAUSING = frozenset(("get", "have"))
+_BIDDING = _CAUSING | {"let"}
+_BEFORE_ORDERS = MARKS | frozenset("and then please just also so now ok okay robot".split())
+_REQUESTING = frozenset("can could will would might may".split())
+_JOINING = frozenset((",", "and", "then"))
+_OTHERS = frozenset("him her them".split())
+_PRONOUNS = _OTHERS | {"it", "this", "that"}
+_OBJECTS = _PRONOUNS | {"me", "us"}
+_BARE = frozenset(("VB", "VBP", "VBD", "VBN", "NN", "JJ"))
+"""Tags of bare verbs, and those that a tagger gives them where they stand behind somebody."""
+_ENDING = MARKS | frozenset(
+    "and then please now too again first before after when while once if unless by for so or but".split()
+)
+_CLAUSE_ENDS = MARKS | frozenset("and then but or if unless when before after while until till once because".split())
+_OF_LET = frozenset("know go be have hear cool".split())
+"""What "let" makes one verb with."""
+_DONE = ("VBN", "VBD")
+_LIKE_PARTICIPLES = ("ed", "en", "wn")
+_NO_DEEDS = frozenset("was were been being got had gone come left eaten done".split())
+"""What is said of a thing, or is what somebody has done: "have the boys eaten?"."""
 
 
-def causatives(observed: Observed) -> Iterator[Fragment]:
-    """What is to be had done, each thing with its participle, which carries the order; of a passive request the things
-    that "and" adds without an auxiliary of their own. Not what a question asks ("have the cups been washed?") nor what
-    only tells which thing is meant ("get the cups stacked on the shelf")."""
+class Done(NamedTuple):
+    """What is to be got done: the first word that says so, what it is done to, and the participles of what is done."""
+
+    first: int
+    thing: range
+    deeds: tuple[int, ...]
+
+
+class Bidding(NamedTuple):
+    """Who is to do what: the verb, who, and what from the first word on to the end of its clause."""
+
+    verb: int
+    whom: range
+    message: range
+
+
+def got_done(observed: Observed) -> Iterator[Done]:
+    """Every order to get something done that says with its last word what: "*get* the beds *changed*", "*have* it
+    *hoovered* and *polished*", and what is to be done to each further thing in a list ("and *the hall swept*"); of a
+    request in the passive only where it asks for several. Not "get the box *marked* fragile", nor what tells a state
+    ("get the door *shut*")."""
+    document, tokens = observed.document, observed.document.tokens
+    for verb, thing in _orders(document, _CAUSING | _REQUESTING):
+        done, is_request = _done(document, verb, thing), tokens[verb].lower in _REQUESTING
+        if done is None or is_request != (tokens[done.deeds[0] - 1].lower == "be"):
+            continue
+        added = list(_added(document, done))
+        if is_request and (_is_somebody(document, thing) or not (added or len(done.deeds) > 1)):
+            continue
+        if tokens[verb].lower != "get" or tokens[done.deeds[0]].lower not in observed.gazetteer.pairs:
+            yield done
+        yield from added
+
+
+def biddings(document: Document) -> Iterator[Bidding]:
+    """Every order to have somebody do something: "*have* Tom mow the lawn", "*get* her to sign it", "*let* him carry
+    the box"; where somebody is let do what nothing is done to, nothing is asked for ("let the baby sleep")."""
+    tokens = document.tokens
+    for verb, whom in _orders(document, _BIDDING):
+        start = whom.stop + (tokens[verb].lower == "get")
+        if not _is_somebody(document, whom) or start >= len(tokens) or not _is_bare(document, start):
+            continue
+        if tokens[verb].lower == "get" and tokens[whom.stop].lower != "to":
+            continue
+        if tokens[verb].lower == "let" and (tokens[start].lower in _OF_LET or not _has_object(document, start)):
+            continue
+        stop = next((t.i for t in tokens[start:] if t.lower in _CLAUSE_ENDS), len(tokens))
+        yield Bidding(verb, whom, range(whom.stop, stop))
+
+
+def let_on(document: Document) -> frozenset[int]:
+    """The words by which somebody or something is let go on by itself: "*let the dough rise*, then bake it", "*let Ann
+    sleep in*"; not "let the dog out", "let Ann know"."""
+    tokens = document.tokens
+    found: set[int] = set()
+    bidden = {bidding.verb for bidding in biddings(document)}
+    for verb, thing in _orders(document, frozenset(("let",))):
+        start = thing.stop
+        if verb in bidden or start >= len(tokens) or not _is_bare(document, start) or tokens[start].lower in _OF_LET:
+            continue
+        if _has_object(document, start):
+            continue  # "let it dust the altar", as some call the one they speak to
+        stop = next((t.i for t in tokens[start:] if t.lower in _CLAUSE_ENDS), len(tokens))
+        found.update(range(verb, stop))
+    return frozenset(found)
+
+
+def with_biddings(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
+    """The arguments with who is to do something as who is told to, and what as the message."""
+    for bidding in biddings(document):
+        if bidding.verb == verb:
+            words = range(verb, bidding.message.stop)
+            rest = [a for a in arguments if a.owner != verb and set(a.tokens).isdisjoint(words)]
+            told = {"recipient": bidding.whom, "message": bidding.message}
+            return rest + [FoundArgument(name, verb, said, CERTAIN) for name, said in told.items()]
+    return list(arguments)
+
+
+def with_done(observed: Observed, arguments: Sequence[FoundArgument], deed: int, kind: str) -> list[FoundArgument]:
+    """The arguments with what is to be got done as what that is done to."""
+    for done in got_done(observed):
+        if deed in done.deeds:
+            words = {*done.thing, *done.deeds}
+            kept = [a for a in arguments if words.isdisjoint(a.tokens) or a.owner in {*done.deeds} - {deed}]
+            return done_to(observed.document, kept, deed, kind, done.thing)
+    return list(arguments)
+
+
+def causative_types(observed: Observed, tasks: Collection[int]) -> dict[int, str]:
+    """The tokens of what is to be got done, and of who is to be told to do something, with task types."""
     document = observed.document
-    if document.words.isdisjoint(_CAUSING | _MODALS):
+    found: dict[int, str] = {}
+    if document.words.isdisjoint(_BIDDING | _REQUESTING):
+        return found
+    for done in got_done(observed):
+        found |= types_of(observed, done.thing, done.deeds, ())
+    return found | {bidding.verb: "informing" for bidding in biddings(document)}
+
+
+def without_tasks(observed: Observed) -> frozenset[int]:
+    """The words in which nothing is a task: what somebody else is to do, what is let go on, and what is to be got
+    done up to the participles of that."""
+    document = observed.document
+    if document.words.isdisjoint(_BIDDING | _REQUESTING):
+        return frozenset()
+    messages = (bidding.message for bidding in biddings(document))
+    got = (set(range(done.first, done.deeds[-1])) - {*done.deeds} for done in got_done(observed))
+    return let_on(document).union(*messages, *got)
+
+
+def _orders(document: Document, verbs: Collection[str]) -> Iterator[tuple[int, range]]:
+    """The verbs of orders and requests, with what is named right behind each."""
+    if document.words.isdisjoint(verbs):
         return
-    for i, token in enumerate(document.tokens):
-        is_caused = token.lower in _CAUSING and _begins_order(document, i)
-        if not is_caused and not (token.lower in _MODALS and _begins_clause(document, i)):
-            continue
-        first = _done_to(document, i + 1)
-        is_passive = first is not None and document.tokens[first.stop - 2].lower == "be"
-        if first is None or is_caused == is_passive:
-            continue
-        if token.lower == "get" and document.tokens[first.stop - 1].lower in observed.gazetteer.pairs:
-            continue  # "get the gate shut" tells the state
-        added = list(_added(document, first.stop))
-        if is_caused or added:
-            yield _fragment(observed, i, first)
-        yield from (_fragment(observed, one.start, one) for one in added)
+    for token in document.tokens[:-2]:
+        if token.lower in verbs and _is_order(document, token.i) and (named := _named(document, token.i + 1)):
+            yield token.i, named
 
 
-def _added(document: Document, stop: int) -> Iterator[range]:
-    """The further things with their participles that follow one that ends there in a list, and what is to be done to
-    the same thing as well ("washed *and dried*")."""
+def _named(document: Document, start: int) -> range:
+    """What is named from a token on; empty where nothing is."""
+    if document.tokens[start].lower in _PRONOUNS:
+        return range(start, start + 1)
+    return next((chunk for chunk in noun_chunks(document) if chunk.start == start), range(0))
+
+
+def _done(document: Document, first: int, thing: range) -> Done | None:
+    """What is said right behind a thing to be done to it, with a "be" at most between, at the end of its clause."""
     tokens = document.tokens
-    while stop < len(tokens) and tokens[stop].lower in PARTICLES:
-        stop += 1
-    start = stop
-    while start < len(tokens) and tokens[start].lower in _JOINING:
-        start += 1
-    if start == stop or start >= len(tokens):
-        return
-    other = _done_to(document, start)
-    if other is None and tokens[start - 1].lower == "and" and tokens[start].tag in _PAST:
-        other = range(start, start + 1)
-    if other is not None:
-        yield other
-        yield from _added(document, other.stop)
-
-
-def _done_to(document: Document, start: int) -> range | None:
-    """A thing named from a token on, up to the participle of what is done to it, with a "be" at most between."""
-    tokens = document.tokens
-    if start >= len(tokens) or not (tokens[start].tag in ("DT", "PRP$") or tokens[start].lower in ("all", "both")):
+    deed = thing.stop + (thing.stop < len(tokens) and tokens[thing.stop].lower == "be")
+    if deed >= len(tokens) or not _is_done(document, deed):
         return None
-    at = start + 1
-    while (
-        at < len(tokens)
-        and (tokens[at].pos in _NOMINAL or tokens[at].tag in ("DT", "POS"))
-        and not _is_done(tokens, at)
-    ):
-        at += 1
-    noun = at - 1
-    at += at < len(tokens) and tokens[at].lower == "be"
-    is_thing = noun > start and tokens[noun].pos in ("NOUN", "PROPN") and tokens[noun].lemma not in PERSON_NOUNS
-    is_done = at < len(tokens) and tokens[at].tag in _PAST and tokens[at].lower not in _NO_DEEDS
-    behind = tokens[at + 1].lower if at + 1 < len(tokens) else "."
-    return range(start, at + 1) if is_thing and is_done and behind in _BEHIND | ENDS else None
+    between = ("CC", ",", "RP", *_DONE)
+    further = [i for i in joined(document, deed) if all(t.tag in between or t.lower == "then" for t in tokens[deed:i])]
+    deeds = (deed, *further)
+    behind = _behind(document, deeds[-1])
+    is_ended = behind == len(tokens) or tokens[behind].lower in _ENDING
+    return Done(first, thing, deeds) if is_ended else None
 
 
-def _is_done(tokens: Sequence[Token], at: int) -> bool:
-    return tokens[at].tag in _PAST and tokens[at - 1].pos in ("NOUN", "PROPN")
+def _added(document: Document, done: Done) -> Iterator[Done]:
+    """What is to be done to further things, named in a list: "the lawn mown and *the hedge trimmed*"."""
+    tokens, behind = document.tokens, _behind(document, done.deeds[-1])
+    start = next((token.i for token in tokens[behind:] if token.lower not in _JOINING), behind)
+    thing = _named(document, start) if start > behind else range(0)
+    added = _done(document, start, thing) if thing else None
+    if added is not None:
+        yield added
+        yield from _added(document, added)
 
 
-def _fragment(observed: Observed, first: int, done_to: range) -> Fragment:
-    verb = done_to.stop - 1
-    stop = verb - (len(done_to) > 1 and observed.document.tokens[verb - 1].lower == "be")
-    thing = range(done_to.start, stop)
-    return Fragment(range(first, done_to.stop), verb, thing, range(0), type=_type(observed, verb))
+def _behind(document: Document, deed: int) -> int:
+    """The first token behind a deed and its particle."""
+    behind = (t.i for t in document.tokens[deed + 1 :] if t.tag != "RP" and t.lower not in PARTICLES)
+    return next(behind, len(document))
 
 
-def _type(observed: Observed, verb: int) -> str:
-    """The task type of what is done to a thing, by the form of the participle."""
-    verbs, particle = observed.gazetteer.verbs, observed.gazetteer.particle(observed.document, verb)
-    forms = list(lemmas(observed.document.tokens[verb].lower))
-    known = (kind for form in (*(f"{form} {particle}" for form in forms), *forms) for kind in verbs.get(form, ()))
-    return next((kind for kind in known if kind in _HANDLING), "change_state")
+def _is_done(document: Document, at: int) -> bool:
+    """Whether a word is a participle, be it tagged as a noun or an adjective: "get the lawns *mown*"."""
+    token = document.tokens[at]
+    is_like = token.dep in ("ccomp", "advmod") and token.lower.endswith(_LIKE_PARTICIPLES)
+    return (token.tag in _DONE or is_like) and token.lower not in _NO_DEEDS
 
 
-def _begins_clause(document: Document, i: int) -> bool:
-    is_first = i == 0 or document.sentences[i - 1] != document.sentences[i]
-    return is_first or document.tokens[i - 1].lower in _LEADING
+def _is_order(document: Document, verb: int) -> bool:
+    """Whether a verb begins what is ordered: a sentence or a clause, or a "could you"; or an auxiliary a request."""
+    tokens, first = document.tokens, document.sentences.index(document.sentences[verb])
+    end = next((token.text for token in tokens[verb:] if token.text in ENDS), ".")
+    before = verb - 1
+    if before > first and tokens[before].lower == "you" and tokens[before - 1].lower in _REQUESTING:
+        return True
+    is_said_so = end != "?" or tokens[verb].lower in _REQUESTING
+    return is_said_so and (before < first or tokens[before].lower in _BEFORE_ORDERS)
 
 
-def _begins_order(document: Document, i: int) -> bool:
-    """Whether a "have" or "get" orders: it begins a clause and no question, or stands behind a "could you"."""
-    tokens = document.tokens
-    end = next((token.lower for token in tokens[i:] if token.lower in ENDS), ".")
-    is_asked = i > 1 and tokens[i - 1].lower == "you" and tokens[i - 2].lower in _MODALS
-    return is_asked or (_begins_clause(document, i) and end != "?")
+def _is_somebody(document: Document, whom: range) -> bool:
+    last = document.tokens[whom[-1]]
+    is_name = last.lower in MEN | WOMEN or (last.tag == "NNP" and len(whom) == 1 and last.text[:1].isupper())
+    return last.lower in _OTHERS or last.lemma in PERSON_NOUNS or is_name
+
+
+def _is_bare(document: Document, at: int) -> bool:
+    """Whether a word behind somebody or something is a verb in its bare form."""
+    token = document.tokens[at]
+    return token.lower == token.lemma and token.tag in _BARE and token.text.islower()
+
+
+def _has_object(document: Document, verb: int) -> bool:
+    """Whether something is done to a thing that is named right behind a verb."""
+    behind = document.tokens[verb + 1 : verb + 2]
+    return bool(behind) and (behind[0].tag in ("DT", "PRP$") or behind[0].lower in _OBJECTS)

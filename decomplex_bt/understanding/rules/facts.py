@@ -23,6 +23,7 @@ from decomplex_bt.understanding.rules.asides import (
     tagged,
 )
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
+from decomplex_bt.understanding.rules.causatives import causative_types, without_tasks
 from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
@@ -51,7 +52,7 @@ from decomplex_bt.understanding.rules.preferences import is_wished, preferences
 from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
 from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone, let_be
 from decomplex_bt.understanding.rules.purposes import purposes
-from decomplex_bt.understanding.rules.puttings import is_put_on, is_put_somewhere, is_the_table
+from decomplex_bt.understanding.rules.puttings import LAYING, is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import is_deliberated, questions
 from decomplex_bt.understanding.rules.reports import orders_behind, within_reports
 from decomplex_bt.understanding.rules.second_cases import second_cases
@@ -66,7 +67,6 @@ from decomplex_bt.understanding.tasks import FoundTask
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _NEAR_DOWN = 4
 """Within so many words behind "set" stands the "down" by which something is put down [tokens]."""
-_LAYING = frozenset(("lay", "set"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _SOME = frozenset("any some enough anything".split())
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
@@ -100,7 +100,9 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
-    idle = (forgone(document) | let_be(document)).union(*pauses(document), *found_places(document))
+    idle = (forgone(document) | let_be(document) | without_tasks(observed)).union(
+        *pauses(document), *found_places(document)
+    )
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others |= purposes(document, types_found) | accounts(document, types_found)
     within_others = within_others.union(*(sequel.words for sequel in sequels(observed, types_found)))
@@ -255,6 +257,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, {**found, **later})}
     told |= {i: observed.senses[i][0] for i in orders_behind(document, found) if observed.senses[i]}
     told |= {report.verb: "informing" for report in reports(document, found)}
+    told |= causative_types(observed, found)
     told |= {i: "informing" for i, *_ in shouts(document) if document.tokens[i].lower == "gimme" and i not in found}
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}
@@ -421,7 +424,7 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     if task.type == "change_state" and lemma == "put":
         return "placing" if is_put_somewhere(said) else task.type
     if task.type == "placing" and (
-        is_put_on(observed, said) if lemma == "put" else lemma in _LAYING and is_the_table(said)
+        is_put_on(observed, said) if lemma == "put" else lemma in LAYING and is_the_table(said)
     ):
         return "change_state"
     if task.type == "change_state" and lemma == "set" and any(t.lower == "down" for t in said[:_NEAR_DOWN]):

@@ -4,16 +4,16 @@ up ("the ferns want watering", "the bins should be emptied and rinsed")."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import pairwise, takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.domain.verbs import lemmas
-from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
+from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_deed, noun_chunks
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.rules.deeds import WHERE_TO, done_to, forms, joined, type_of, types_of
 from decomplex_bt.understanding.rules.fragments import STATES, Fragment
 from decomplex_bt.understanding.rules.likewise import so_does
 
@@ -45,21 +45,9 @@ _LEAVE_IT = frozenset((("leave", "it"), ("leave", "them"), ("leave", "that")))
 _LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
 _BELONGING = frozenset(("belong", "belongs"))
 _SHOULD = frozenset("should must ought has have".split())
-_WHERE_TO = frozenset("in into on onto under behind by inside next".split())
-_DONE_TO = {"walk": "following", "feed": "change_state", "leave": "placing"}
-"""What a verb tells where a thing needs it: "the dog needs walking", "the cat needs feeding"."""
 _FOUND_OUT = frozenset(("searching", "check_state"))
 """What is to be *found* or *ready* somewhere is said to be there."""
-_GIVING = frozenset("give hand offer show serve bring send".split())
-_SAME_FORMS = frozenset("put cut set shut".split())
-"""Participles that are the bare verbs, too."""
 _SUPPOSING = frozenset("already soon".split())
-_TO_PLACES = frozenset("to into onto up down upstairs downstairs outside inside over across".split())
-_FINITE = frozenset(("VBZ", "VBP", "MD"))
-_OPENING_CLAUSES = frozenset("if when unless until till once before after while but or so because as".split())
-_LEADING_TO = _WHERE_TO | {"with"}
-_ENDING = frozenset(("placing", "bringing", "taking"))
-"""What is done to a thing and may end at a place."""
 
 
 def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
@@ -75,16 +63,12 @@ def needed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
         return found
     for i in range(len(document)):
         if (verb := _due(document, i)) is not None and verb not in tasks:
-            found[verb] = _type(observed, verb)
+            found[verb] = type_of(observed, verb)
             continue
         verb = _deed(observed, i)
         if verb is None or not _is_of_thing(document, i) or _is_taken_up(document, _subject(document, i), verb):
             continue
-        deeds = (verb, *_joined(document, verb))
-        found |= {deed: _type(observed, deed) for deed in deeds if deed not in tasks}
-        found |= {deed: "placing" for deed in deeds if _is_put_there(document, deed)}
-        found |= {deed: "change_state" for deed in deeds if _is_given_deed(document, deed)}
-        found |= {deed: "bringing" for deed in deeds if _is_taken_there(document, deed)}
+        found |= types_of(observed, _subject(document, i), (verb, *joined(document, verb)), tasks)
     return found
 
 
@@ -98,7 +82,7 @@ def in_need(observed: Observed, verb: int) -> dict[str, range]:
     first = document.sentences.index(document.sentences[verb])
     for i in range(verb - 1, first - 1, -1):
         deed = _deed(observed, i)
-        if deed is not None and verb in (deed, *_joined(document, deed)) and _is_of_thing(document, i):
+        if deed is not None and verb in (deed, *joined(document, deed)) and _is_of_thing(document, i):
             said = _subject(document, i)
             place = next((j for j in said if document.tokens[j].lower in _PLACING), said.stop)
             found = {"object": range(said.start, place), "location": range(place, said.stop)}
@@ -114,42 +98,11 @@ def needs_of(observed: Observed, verbs: Iterable[int]) -> frozenset[int]:
 
 
 def with_needs(observed: Observed, arguments: Sequence[FoundArgument], verb: int, kind: str) -> list[FoundArgument]:
-    """The arguments with what needs a deed, or should have it done, as what it is done to, of a further one ("the
-    mats should be beaten and *put back*"), or as who is told or given something ("Ann should be *given* her drops");
-    what stands behind a preposition is where it ends."""
+    """The arguments with what needs a deed, or should have it done, as what that is done to, also where that is told
+    ahead of another deed ("the mats should be beaten and *put back*")."""
     thing = in_need(observed, verb).get("object", range(0))
-    if not thing or verb < thing.stop:
-        return list(arguments)
-    document = observed.document
-    own = [a for a in arguments if a.owner == verb and a.tokens.start > verb]
-    others = [a for a in arguments if a.owner != verb]
-    kept = [_at_its_end(document, a) if kind in _ENDING and a.type in ("object", "source") else a for a in own]
-    is_given = kind == "bringing" and document.tokens[verb].lemma in _GIVING
-    if (is_given or kind == "placing") and (told := _told_behind(document, verb, is_given)) and not kept:
-        kept.append(FoundArgument("object" if is_given else "goal", verb, told, CERTAIN))
-    is_received = kind == "informing" or (is_given and any(a.type == "object" for a in kept))
-    name = "recipient" if is_received else "object"
-    if name == "object":
-        kept = [a for a in kept if a.type != "object"]
-    return [*others, *kept, FoundArgument(name, verb, thing, CERTAIN)]
-
-
-def _told_behind(document: Document, verb: int, is_given: bool) -> range:
-    """What stands right behind a deed: what somebody is to be given, or with its preposition where something is to be
-    left ("with the porter"); empty where nothing does."""
-    start = verb + 1 if is_given else verb + 2
-    is_led = is_given or not _LEADING_TO.isdisjoint(token.lower for token in document.tokens[start - 1 : start])
-    stop = next((chunk.stop for chunk in noun_chunks(document) if chunk.start == start), 0)
-    return range(verb + 1, stop) if is_led and stop else range(0)
-
-
-def _at_its_end(document: Document, argument: FoundArgument) -> FoundArgument:
-    """What is taken for a thing behind a preposition, or for where it is now, as the place that is told with that:
-    "put in *the wash*"."""
-    start = argument.tokens.start - (argument.type == "object")
-    if document.tokens[start].lower not in _WHERE_TO | _TO_PLACES:
-        return argument
-    return replace(argument, type="goal", tokens=range(start, argument.tokens.stop))
+    is_ahead = bool(thing) and thing.stop <= verb
+    return done_to(observed.document, arguments, verb, kind, thing) if is_ahead else list(arguments)
 
 
 def states_due(document: Document) -> Iterator[Fragment]:
@@ -187,7 +140,7 @@ def belonging(document: Document) -> Iterator[Fragment]:
         thing = _subject(document, i)
         start = verb + 1 + (tokens[verb + 1 : verb + 2] != () and tokens[verb + 1].lower == "back")
         stop = next((t.i for t in tokens[start:] if t.lower in MARKS or t.lower in ("and", "please")), len(tokens))
-        is_place = stop - start > 1 and tokens[start].lower in _WHERE_TO and tokens[stop - 1].pos in ("NOUN", "PROPN")
+        is_place = stop - start > 1 and tokens[start].lower in WHERE_TO and tokens[stop - 1].pos in ("NOUN", "PROPN")
         living = PERSON_NOUNS | ANIMALS
         is_somebody = tokens[i - 1].lemma in living or (tokens[i - 1].pos == "PROPN" and len(thing) == 1)
         if is_place and not is_somebody and not _is_taken_up(document, thing, verb):
@@ -244,7 +197,7 @@ def _obliged(observed: Observed, at: int) -> int | None:
     stop = next((t.i for t in document.tokens[verb:] if t.lower in MARKS), len(document))
     said = [token.lower for token in document.tokens[verb + 1 : stop]]
     is_guess = not _SUPPOSING.isdisjoint(said) or ("by", "now") in pairwise(said)
-    kinds = {kind for form in _forms(document, verb) for kind in observed.gazetteer.verbs.get(form, ())[:1]}
+    kinds = {kind for form in forms(document, verb) for kind in observed.gazetteer.verbs.get(form, ())[:1]}
     return None if is_guess or not kinds or not _FOUND_OUT.isdisjoint(kinds) else verb
 
 
@@ -259,52 +212,6 @@ def _participle(document: Document, at: int) -> int | None:
         return None
     verb = words[len(leading)]
     return verb.i if verb.tag in ("VBN", "VBD") and _VAGUE.isdisjoint(lemmas(verb.lower)) else None
-
-
-def _joined(document: Document, verb: int) -> Iterator[int]:
-    """The verbs in the same form that an "and" or a comma joins to a deed: "should be dried and *put* away", "needs
-    oiling and *hanging* up"; up to the next clause."""
-    tokens, sentences = document.tokens, document.sentences
-    if tokens[verb].tag not in ("VBG", "VBN", "VBD") and not tokens[verb].lower.endswith("ing"):
-        return  # "needs a wipe"
-    for i in range(verb + 1, len(document) - 1):
-        if sentences[i] != sentences[verb] or tokens[i].tag in _FINITE or tokens[i].lower in _OPENING_CLAUSES:
-            return
-        behind = next(token for token in tokens[i + 1 :] if token.lower not in ("and", "then") or token.i > i + 2)
-        is_joint = tokens[i].lower in (",", "and") and behind.i < len(document) - 1
-        if is_joint and _is_in_form(tokens[verb], behind) and tokens[behind.i + 1].pos not in ("NOUN", "PROPN", "ADJ"):
-            yield behind.i
-
-
-def _is_in_form(deed: Token, verb: Token) -> bool:
-    """Whether a verb is a gerund, or a participle, as the deed is that it is joined to."""
-    if deed.lower.endswith("ing"):
-        return verb.lower.endswith("ing") and verb.tag in ("VBG", "NN")
-    return verb.tag in ("VBN", "VBD") or verb.lower in _SAME_FORMS
-
-
-def _forms(document: Document, verb: int) -> list[str]:
-    """What a deed may be a form of."""
-    token = document.tokens[verb]
-    return list(dict.fromkeys((*lemmas(token.lower), token.lemma)))
-
-
-def _is_given_deed(document: Document, verb: int) -> bool:
-    """Whether what a thing is "given" is a deed: "given *a wipe*"."""
-    return document.tokens[verb].lemma == "give" and is_deed(document, range(verb + 1, verb + 3))
-
-
-def _is_put_there(document: Document, verb: int) -> bool:
-    """Whether what is "put" or "left" is so right behind with a place: "putting *on the rack*"."""
-    behind = document.tokens[verb + 1 : verb + 3]
-    is_place = len(behind) > 1 and behind[0].lower in _WHERE_TO and behind[1].tag in ("DT", "PRP$")
-    return document.tokens[verb].lower in ("put", "putting", "left", "leaving") and is_place
-
-
-def _is_taken_there(document: Document, verb: int) -> bool:
-    """Whether what is "taken" or needs "taking" is so to a place: "taken *to the shed*"."""
-    behind = document.tokens[verb + 1].lower if verb + 1 < len(document) else ""
-    return document.tokens[verb].lower in ("taken", "taking") and behind in _TO_PLACES
 
 
 def _noun(observed: Observed, could: int) -> int | None:
@@ -428,13 +335,3 @@ def _is_of_weather(document: Document, at: int) -> bool:
     """Whether it is the "it" of "it's raining"."""
     behind = document.tokens[at + 1 : at + 4]
     return document.tokens[at].lower == "it" and any(token.lemma in WEATHER for token in behind)
-
-
-def _type(observed: Observed, verb: int) -> str:
-    """The task type of a deed by its form, with its particle: one that is done to a thing, or along with somebody."""
-    verbs, document = observed.gazetteer.verbs, observed.document
-    particle = observed.gazetteer.particle(document, verb)
-    forms = _forms(document, verb)
-    known = [f"{form} {particle}" for form in forms] + forms
-    form = next((form for form in known if form in verbs), None)
-    return "change_state" if form is None else _DONE_TO.get(form, verbs[form][0])

@@ -9,6 +9,8 @@ from itertools import pairwise
 from decomplex_bt.understanding.document import ENDS, Token
 from decomplex_bt.understanding.features import Observed
 
+LAYING = frozenset(("lay", "set"))
+"""What is done to a table."""
 _PLAYED = frozenset("music song film movie tune album playlist podcast news".split())
 _COOKERS = frozenset("hob stove cooker range".split())
 """What has power, and things are put on."""

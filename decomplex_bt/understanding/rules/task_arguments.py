@@ -10,6 +10,7 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import is_deed
 from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden
+from decomplex_bt.understanding.rules.causatives import with_biddings, with_done
 from decomplex_bt.understanding.rules.checks import (
     asked,
     departed,
@@ -74,7 +75,7 @@ def of_task(setting: Setting, arguments: Sequence[FoundArgument], task: int) -> 
     if kind in _HANDLED and not any(a.owner == task and task + 1 in a.tokens for a in kept):
         kept = with_told(kept, task, _taken_up_behind(document, task))
     if kind != "check_state":
-        kept = with_needs(setting.observed, kept, task, kind)
+        kept = with_needs(setting.observed, with_done(setting.observed, kept, task, kind), task, kind)
     if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (task, "object") for a in kept):
         kept = with_told(kept, task, in_need(setting.observed, task) or _telegraphed(document, task))
     return kept
@@ -121,7 +122,7 @@ def _of_check(setting: Setting, kept: list[FoundArgument], task: int) -> list[Fo
 def _of_informing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = without_times(document, with_reports(document, setting.tasks, kept, task), task)
-    return with_next_told(document, kept, task)
+    return with_biddings(document, with_next_told(document, kept, task), task)
 
 
 def _of_searching(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:

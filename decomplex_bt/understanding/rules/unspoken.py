@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.rules.causatives import causatives
 from decomplex_bt.understanding.rules.elsewhere import elsewhere, other_searches
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
 from decomplex_bt.understanding.rules.needs import belonging, states_due
@@ -16,13 +15,12 @@ from decomplex_bt.understanding.rules.wants import wants
 
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again,
-    what is to be had done, where else something is; `tasks`: tokens that are tasks, with types."""
+    where else something is; `tasks`: tokens that are tasks, with types."""
     yield from fragments(observed.document)
     yield from transfers(observed)
     yield from belonging(observed.document)
     yield from states_due(observed.document)
     yield from wants(observed, tasks)
     yield from renewals(observed.document)
-    yield from causatives(observed)
     yield from elsewhere(observed.document)
     yield from other_searches(observed.document, tasks)
