@@ -49,6 +49,8 @@ def test_what_a_clause_before_states_is_not_to_be_brought_about() -> None:
         ("Turn off every light but the one in the hall.", "every light but the one in the hall"),
         ("Water the plants except for the cactus.", "the plants except for the cactus"),
         ("Wash all the cups apart from the red one.", "all the cups apart from the red one"),
+        ("Bring me the bowls except the cracked one.", "the bowls except the cracked one"),
+        ("Switch off every heater save the one in the attic.", "every heater save the one in the attic"),
     ],
 )
 def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str, said: str, encoder: bool) -> None:
@@ -59,8 +61,23 @@ def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str,
 
 
 @pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("Vacuum everywhere but the attic.", "everywhere but the attic"),
+        ("Turn the radiators off everywhere but in the den.", "everywhere but in the den"),
+        ("Close the curtains in every room except the den.", "in every room except the den"),
+        ("Carry all the chairs to the shed except the rocking chair.", None),
+        ("Look everywhere, but move nothing.", "everywhere"),
+    ],
+)
+def test_of_places_what_is_left_out_is_part_of_all_of_a_kind(text: str, place: str | None) -> None:
+    assert arguments(text, False).get("location") == place
+
+
+@pytest.mark.parametrize(
     ("text", "left_out"),
     [
+        ("Empty the dishwasher, except for the roasting tin.", "except for the roasting tin"),
         ("Bring me a chair, but not the broken one.", "but not the broken one"),
         ("Take the boxes to the cellar, all but the small one.", "all but the small one"),
         ("Bring me the cup, but wash it first.", None),

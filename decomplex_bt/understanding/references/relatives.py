@@ -21,12 +21,16 @@ _WHERE = frozenset("in on at by under behind beside inside near over above below
 _PREDICATES = frozenset(("ADJ", "ADV", "VERB", "ADP"))
 LONGEST_SUBJECT = 6
 """The most words of which a "whichever" asks before its verb ("whichever of the two mugs is clean")."""
-_WHOLE = frozenset("every all any each no everything anything everyone everybody both".split())
+WHOLE = frozenset("every all any each no everything anything everyone everybody everywhere anywhere both".split())
+_OF_WHOLE = frozenset((("but",), ("save",)))
+"""What leaves something out only behind a phrase of all things."""
+_BEFORE_PLACES = frozenset((("but",), ("but", "not"), ("except",)))
+_IN = frozenset("in on at".split())
 _EXCEPTING = tuple(
     tuple(phrase.split())
     for phrase in (
         "except for", "except", "excepting", "excluding", "apart from", "aside from", "other than", "save for",
-        "with the exception of", "but not", "but for", "but",
+        "with the exception of", "but not", "but for", "but", "save",
     )
 )  # fmt: skip
 _FIRST_EXCEPTING = frozenset(first for first, *_ in _EXCEPTING)
@@ -123,15 +127,15 @@ def exclusions(document: Document, tasks: Collection[int]) -> Iterator[Exclusion
         phrase = next((p for p in _EXCEPTING if tuple(t.lower for t in tokens[i : i + len(p)]) == p), None)
         if phrase is None or i in tasks or not any(_is_before(document, task, i) for task in tasks):
             continue
-        if phrase[0] != "but" or phrase in (("but", "not"), ("but", "for")):
-            is_led = tokens[i - 1].lower not in ("quite", "and", "not")
-        else:
-            is_led = _is_whole(document, i)
-        stop = _end(document, i + len(phrase), tasks)
+        is_led = _is_whole(document, i) if phrase in _OF_WHOLE else tokens[i - 1].lower not in ("quite", "and", "not")
+        start = i + len(phrase)
+        is_place = phrase in _BEFORE_PLACES and start < len(tokens) and tokens[start].lower in _IN
+        stop = _end(document, start + is_place, tasks)
         if not is_led or stop is None:
             continue
         is_all = tokens[i - 1].lower == "all" and tokens[i - 2].text in MARKS
-        is_part = phrase != ("but", "not") and not is_all and tokens[i - 1].pos in _NOUNS | {"PRON", "DET"}
+        is_named = tokens[i - 1].pos in _NOUNS | {"PRON", "DET"} or tokens[i - 1].lower in WHOLE
+        is_part = phrase != ("but", "not") and not is_all and is_named
         yield Exclusion(range(i - is_all, stop), is_part)
 
 
@@ -143,7 +147,7 @@ def _is_whole(document: Document, at: int) -> bool:
     """Whether a phrase of all things ends right before a token: "every lamp" but ..."""
     tokens = document.tokens
     for i in range(at - 1, max(-1, at - 6), -1):
-        if tokens[i].lower in _WHOLE:
+        if tokens[i].lower in WHOLE:
             return True
         if tokens[i].pos not in _NOMINAL | {"PRON"} and tokens[i].lower not in ("of", "'s"):
             return False
@@ -158,10 +162,16 @@ def _end(document: Document, start: int, tasks: Collection[int]) -> int | None:
     stop = start
     while stop < len(tokens) and tokens[stop].text not in MARKS and tokens[stop].lower not in _JOINTS:
         is_of_clause = any(token.lower in _RELATIVES for token in tokens[start + 1 : stop])
-        if stop in tasks or (tokens[stop].pos in ("VERB", "AUX") and not is_of_clause):
+        is_attribute = tokens[stop].tag in ("VBN", "VBG") and stop + 1 < len(tokens) and _is_nominal(tokens[stop + 1])
+        if stop in tasks or (tokens[stop].pos in ("VERB", "AUX") and not (is_of_clause or is_attribute)):
             return None
         stop += 1
-    return stop if any(t.pos in _NOUNS or t.lower in ("one", "ones") for t in tokens[start:stop]) else None
+    return stop if any(map(_is_nominal, tokens[start:stop])) else None
+
+
+def _is_nominal(token: Token) -> bool:
+    """Whether a word may end a phrase: "the chipped *one*", "the frying *pan*"."""
+    return token.pos in _NOUNS or token.lower in ("one", "ones")
 
 
 def found_places(document: Document) -> Iterator[range]:

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.references.relatives import (
     ADVERBS,
     BE,
     WHATEVER,
+    WHOLE,
     clauses,
     exclusions,
     free_relatives,
@@ -198,17 +199,23 @@ def _is_stated(document: Document, task: Task, argument: Argument) -> bool:
     return before > 0 and argument.span.end <= task.span.start and tokens[before].lower in BE - {"be"}
 
 
+def _is_whole(document: Document, argument: FoundArgument) -> bool:
+    """Whether something may be left out of what is named: any object, and of places all of a kind ("in every room")."""
+    is_all = not WHOLE.isdisjoint(document.tokens[i].lower for i in argument.tokens)
+    return argument.type == "object" or (argument.type in _PLACES and is_all)
+
+
 def without_excluded(
     document: Document, tasks: Collection[int], arguments: Sequence[FoundArgument]
 ) -> list[FoundArgument]:
-    """The arguments without what is left out: that is part of the object that it stands right behind ("everything but
-    the landing light"), and else nobody's."""
+    """The arguments without what is left out: that is part of the object or the place that it stands right behind
+    ("everything but the landing light", "everywhere but in the hall"), and else nobody's."""
     kept = list(arguments)
     for left_out in exclusions(document, tasks):
         words = left_out.tokens
         kept = [a for a in kept if a.tokens.start not in words]
         whole = next(
-            (a for a in kept if a.type == "object" and a.tokens.stop in range(words.start, words.stop + 1)), None
+            (a for a in kept if _is_whole(document, a) and a.tokens.stop in range(words.start, words.stop + 1)), None
         )
         if whole is not None and left_out.is_part:
             kept[kept.index(whole)] = replace(whole, tokens=range(whole.tokens.start, words.stop))
