@@ -12,6 +12,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
 from decomplex_bt.understanding.rules.alternatives import alternatives
+from decomplex_bt.understanding.rules.omissions import of_all
 from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
 from decomplex_bt.understanding.rules.times import times
 
@@ -126,6 +127,9 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         span = document.span(left_out.tokens.start, left_out.tokens.stop - 1)
         if not any(one.start <= span.start and span.end <= one.end for one in said_of):
             yield f"{span.of(document.text)!r} leaves something out, which no argument says: planning alone heeds it"
+    for words in of_all(observed):
+        phrase = document.span(words.start, words.stop - 1).of(document.text)
+        yield f"{phrase!r} leaves something out, which no argument says: planning alone heeds it"
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)

@@ -63,7 +63,6 @@ def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str,
 @pytest.mark.parametrize(
     ("text", "place"),
     [
-        ("Vacuum everywhere but the attic.", "everywhere but the attic"),
         ("Turn the radiators off everywhere but in the den.", "everywhere but in the den"),
         ("Close the curtains in every room except the den.", "in every room except the den"),
         ("Carry all the chairs to the shed except the rocking chair.", None),
@@ -71,7 +70,7 @@ def test_what_is_left_out_is_part_of_the_phrase_that_it_stands_behind(text: str,
     ],
 )
 def test_of_places_what_is_left_out_is_part_of_all_of_a_kind(text: str, place: str | None) -> None:
-    assert arguments(text, False).get("location") == place
+    assert arguments(text, True).get("location") == place
 
 
 @pytest.mark.parametrize(

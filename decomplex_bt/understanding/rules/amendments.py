@@ -50,6 +50,7 @@ from decomplex_bt.understanding.rules.guesses import without_guessed
 from decomplex_bt.understanding.rules.handing import accompanied
 from decomplex_bt.understanding.rules.hearsay import hearsays
 from decomplex_bt.understanding.rules.needs import due
+from decomplex_bt.understanding.rules.omissions import omitted
 from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.plans import plans
 from decomplex_bt.understanding.rules.precautions import precautions
@@ -102,7 +103,7 @@ def _of_tasks(
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
-    idle |= wishers(document, tasks) | let_be(document) | let_on(document)
+    idle |= wishers(document, tasks) | let_be(document) | let_on(document) | omitted(observed)
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     idle = idle.union(*found_places(document), *pauses(document), *unsaid)
     why, meant, how = reasons(document, tasks), plans(document, tasks), means_of(document, tasks)

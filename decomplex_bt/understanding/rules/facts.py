@@ -36,6 +36,7 @@ from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, i
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import needed, needs_of
+from decomplex_bt.understanding.rules.omissions import omitted
 from decomplex_bt.understanding.rules.pauses import pauses
 from decomplex_bt.understanding.rules.perfects import (
     are_gone,
@@ -100,7 +101,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         if not _is_genitive(document, looked.values(), task.token)
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
-    idle = (forgone(document) | let_be(document) | without_tasks(observed)).union(
+    idle = (forgone(document) | let_be(document) | without_tasks(observed) | omitted(observed)).union(
         *pauses(document), *found_places(document)
     )
     within_others = within_reports(document, types_found) | precautions(document, types_found)
