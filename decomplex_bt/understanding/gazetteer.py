@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.domain.lexicon import Lexicon
@@ -25,6 +26,11 @@ class Gazetteer:
     ending: Mapping[str, str] = field(default_factory=dict)
     colours: frozenset[str] = frozenset()
     containers: frozenset[str] = frozenset()
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The nouns that are no verbs."""
+        return frozenset(self.nouns.keys() - self.verbs.keys())
 
     @classmethod
     def of(cls, lexicon: Lexicon, kinds: Kinds) -> Gazetteer:

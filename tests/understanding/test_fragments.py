@@ -181,3 +181,20 @@ def test_what_no_task_has_is_no_argument_of_another() -> None:
     instruction = Interpreter.load().interpret("If the tea is cold, a big coffee.")
     assert [task.value("object") for task in instruction.tasks] == ["the tea"]
     assert any("a big coffee" in warning for warning in instruction.warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "orders"),
+    [
+        ("Radio down, please, and shut the hatch.", [("change_state", "Radio"), ("change_state", "the hatch")]),
+        ("Rubbish out, please.", [("taking", "Rubbish")]),
+        ("Heater off, oven on.", [("change_state", "Heater"), ("change_state", "oven")]),
+        ("Curtains open upstairs, fan off downstairs.", [("change_state", "Curtains"), ("change_state", "fan")]),
+        ("Telly off.", [("change_state", "Telly")]),
+        ("Hang on, shut the hatch.", [("change_state", "the hatch")]),
+        ("Later on, shut the hatch.", [("change_state", "the hatch")]),
+    ],
+)
+def test_a_state_is_ordered_of_whatever_is_known_as_a_thing(text: str, orders: list[tuple[str, str]]) -> None:
+    found = Interpreter.load().interpret(text)
+    assert [(task.type, task.value("object")) for task in found.tasks] == orders

@@ -3,11 +3,11 @@ orders of a state ("lamp off, heater on"), lists of where things go ("sort the s
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.cues import OPPOSITES
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import Document, Token
 
 STOPS = frozenset((".", "?", "!", ";", ":", "...", "…"))
 _FILLERS = frozenset("and oh so hey ok okay well but , - then also still".split())
@@ -38,11 +38,15 @@ _SHORTEST = 2
 """The words at least of what is asked for: "a coin"."""
 STATES = frozenset("on off open closed shut".split())
 _COVERING = frozenset("blind shade shutter curtain".split())
+_LEVELLED = frozenset("music volume sound heating radio telly tv".split())
+_REFUSE = frozenset("bin rubbish trash garbage recycling".split())
+"""What is taken out."""
 _STATES_OF = {
-    "out": frozenset("light lamp lantern candle torch fire".split()), "up": _COVERING, "down": _COVERING,
+    "out": frozenset("light lamp lantern candle torch fire cat dog".split()) | _REFUSE,
+    "up": _COVERING | _LEVELLED, "down": _COVERING | _LEVELLED,
     "locked": frozenset("door gate window safe shed garage".split()), "drawn": _COVERING,
 }  # fmt: skip
-"""States that are ordered of some things only: "lights *out*", "blinds *down*"."""
+"""States that are ordered of some things only: "lights *out*", "blinds *down*", "music *up*"."""
 _THINGS = frozenset().union(*_STATES_OF.values())
 NO_THINGS = frozenset(
     "hand eye finger paw foot day time game back shoe boot sock coat jacket hat cap glove scarf shirt belt seatbelt "
@@ -50,6 +54,7 @@ NO_THINGS = frozenset(
 )
 """Nouns of which "hands off", "shoes on" and the like order no state."""
 _LEADING = frozenset("please now then so ok okay right and just also otherwise".split())
+_FLOORS = frozenset("upstairs downstairs".split())
 _TRAILING = frozenset("please now again too everywhere".split())
 _NAMING = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
 _SORTING = frozenset(
@@ -84,8 +89,9 @@ class Fragment:
         return {name: tokens for name, tokens in told.items() if tokens}
 
 
-def fragments(document: Document) -> Iterator[Fragment]:
-    """The fragments of a document, in text order."""
+def fragments(document: Document, names: Collection[str] = frozenset()) -> Iterator[Fragment]:
+    """The fragments of a document, in text order; `names`: words that are no verbs but name things, however they are
+    tagged ("*telly* off")."""
     tokens = document.tokens
     start = 0
     for i, token in enumerate(tokens):
@@ -95,10 +101,10 @@ def fragments(document: Document) -> Iterator[Fragment]:
                 if fragment is not None:
                     yield fragment
             else:
-                yield from _orders(document, start, i)
+                yield from _orders(document, start, i, names)
                 yield from _placings(document, start, i)
             start = i + 1
-    yield from _orders(document, start, len(tokens))
+    yield from _orders(document, start, len(tokens), names)
     yield from _placings(document, start, len(tokens))
 
 
@@ -182,7 +188,7 @@ def _is_telegram(document: Document, named: range, stop: int) -> bool:
     return stop + 1 < len(document) and all(word.pos in ("ADJ", "NOUN", "PROPN") for word in words)
 
 
-def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
+def _orders(document: Document, start: int, stop: int, names: Collection[str]) -> Iterator[Fragment]:
     """The orders of states among the clauses from `start` to `stop`, from the first one on or behind a condition. What
     an "and" joins to a verb has that verb ("turn the tv on and the radio off")."""
     tokens = document.tokens
@@ -194,7 +200,7 @@ def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
         if before not in (",", "and", "then", ":"):
             continue
         end = next((j for j in range(first, stop) if tokens[j].lower in (",", "and", "then", ":")), stop)
-        order = _order(document, first, end) if is_open else None
+        order = _order(document, first, end, names) if is_open else None
         if order is not None:
             yield order
         is_condition = end < stop and tokens[end].text == "," and tokens[first].lower in _OPENING
@@ -202,7 +208,7 @@ def _orders(document: Document, start: int, stop: int) -> Iterator[Fragment]:
         is_open = order is not None or is_condition or (is_open and is_idle)
 
 
-def _order(document: Document, start: int, stop: int) -> Fragment | None:
+def _order(document: Document, start: int, stop: int, names: Collection[str]) -> Fragment | None:
     """The clause as an order of a state."""
     tokens = document.tokens
     first = start
@@ -216,15 +222,23 @@ def _order(document: Document, start: int, stop: int) -> Fragment | None:
     if sorted(is_led, reverse=True) != is_led:
         return None  # "dude turn that fan off"
     thing = named[-1]
-    is_thing = thing.pos in ("NOUN", "PROPN") or thing.lemma in _THINGS  # "*blinds* down", which is tagged as a verb
-    if not is_thing or thing.lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
+    if not _is_thing(thing, names) or thing.lemma in NO_THINGS or named[0].lower in _SOME | _NONE:
         return None
     behind = [token for token in tokens[carrier + 1 : stop] if token.lower not in _TRAILING]
     is_place = len(behind) > 1 and behind[0].lower in ("in", "at") and behind[-1].pos in ("NOUN", "PROPN")
-    if behind and not (is_place and all(token.pos in _NAMING or token.tag == "PRP$" for token in behind[1:])):
+    is_floor = len(behind) == 1 and behind[0].lower in _FLOORS
+    if behind and not is_floor and not (is_place and all(t.pos in _NAMING or t.tag == "PRP$" for t in behind[1:])):
         return None
     location = range(behind[0].i, behind[-1].i + 1) if behind else range(0)
-    return Fragment(range(start, stop), carrier, range(first, carrier), location, "change_state")
+    is_taken = thing.lemma in _REFUSE and tokens[carrier].lower == "out"
+    kind = "taking" if is_taken else "change_state"
+    return Fragment(range(start, stop), carrier, range(first, carrier), location, kind)
+
+
+def _is_thing(word: Token, names: Collection[str]) -> bool:
+    """Whether a word names a thing, be it tagged as a verb: "*blinds* down", "*oven* off"."""
+    is_known = word.lower in names or word.lower.removesuffix("s") in names
+    return word.pos in ("NOUN", "PROPN") or word.lemma in _THINGS or is_known
 
 
 def _is_state(document: Document, i: int) -> bool:

@@ -16,7 +16,7 @@ from decomplex_bt.understanding.rules.wants import wants
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again,
     where else something is; `tasks`: tokens that are tasks, with types."""
-    yield from fragments(observed.document)
+    yield from fragments(observed.document, observed.gazetteer.names)
     yield from transfers(observed)
     yield from belonging(observed.document)
     yield from states_due(observed.document)
