@@ -267,3 +267,21 @@ def test_whom_one_runs_into_is_found(parser: Parser, text: str, told: str) -> No
 def test_a_gander_is_a_look_and_no_thing() -> None:
     (task,) = Interpreter.load("household").interpret("Have a gander in the shed for my rake.").tasks
     assert (task.type, task.values("object")) == ("searching", ("for my rake",))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Once you hear the gong, light the candles.", "the gong"),
+        ("Lock the shed as soon as you hear the siren.", "the siren"),
+        ("Open the gate if you hear a horn.", "a horn"),
+    ],
+)
+def test_what_is_to_be_heard_is_a_check(text: str, said: str) -> None:
+    found = [task for task in Interpreter.load().interpret(text).tasks if task.span.of(text) == "hear"]
+    assert [(task.type, task.value("object")) for task in found] == [("check_state", said)]
+
+
+def test_what_is_to_be_heard_may_be_told() -> None:
+    (task,) = Interpreter.load().interpret("Tell me when you hear the gong.").tasks
+    assert (task.type, task.value("message")) == ("informing", "when you hear the gong")

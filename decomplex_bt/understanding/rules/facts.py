@@ -32,7 +32,14 @@ from decomplex_bt.understanding.rules.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, is_light, prospect_of
+from decomplex_bt.understanding.rules.idioms import (
+    encountered,
+    for_somebody,
+    idiomatic,
+    is_heard,
+    is_light,
+    prospect_of,
+)
 from decomplex_bt.understanding.rules.loading import loading
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import needed, needs_of
@@ -430,6 +437,8 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type == "change_state" and lemma == "set" and any(t.lower == "down" for t in said[:_NEAR_DOWN]):
         return "placing"
+    if task.type in ("searching", "informing") and is_heard(document, task.token):
+        return "check_state"
     if task.type in ("following", "informing") and lemma == "meet":
         return "searching"
     if task.type == "taking" and for_somebody(document, task.token):

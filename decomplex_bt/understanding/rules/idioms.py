@@ -10,7 +10,7 @@ from decomplex_bt.understanding.cues import OPPOSITES, normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed, noun_chunks
 from decomplex_bt.understanding.rules.doors import LONGEST_NAMED, PEOPLE, admissions
 from decomplex_bt.understanding.rules.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
@@ -45,6 +45,7 @@ _BEFORE_ORDERS = frozenset("and then please first just always but".split())
 _BEHIND_KNOCKS = frozenset("first before and on at twice once when if gently softly loudly".split())
 _ITS = frozenset(("it", "them"))
 _OPENING = frozenset(("when", "whenever", "once", "if", "unless", "while"))
+_HEARING = frozenset("when whenever once if unless as until".split())
 _NOBODY = (
     ("nobody", "else"), ("no", "one", "else"), ("nobody",), ("no", "one"), ("no", "-", "one"),
 )  # fmt: skip
@@ -65,6 +66,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
     )
     checks |= {i for i, told in awaited(document, tasks).items() if told.forbidden in tasks} - tasks.keys()
     checks |= _identities(document, tasks) | _prospects(document, tasks)
+    checks |= {i for i in range(len(document)) if is_heard(document, i) and not _is_told(document, tasks, i)}
     orders = {order_behind(document, identity) for identity in identities(document) if identity.be in tasks}
     return {
         **{i: "change_state" for i in orders if i is not None and i not in tasks},
@@ -76,6 +78,19 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **dict.fromkeys(_knocks(document, tasks), "informing"),
         **dict.fromkeys(checks, "check_state"),
     }
+
+
+def is_heard(document: Document, at: int) -> bool:
+    """Whether a verb says of a case what is to be heard in it: "once you *hear* the bell", "if you *hear* the baby"."""
+    ahead = [token.lower for token in document.tokens[max(0, at - 2) : at]]
+    return document.tokens[at].lower == "hear" and ahead[1:] == ["you"] and ahead[0] in _HEARING
+
+
+def heard(document: Document, at: int) -> dict[str, range]:
+    """What is to be heard in a case, as the object of the verb that says so; empty for any other verb."""
+    chunks = noun_chunks(document) if is_heard(document, at) else ()
+    thing = next((chunk for chunk in chunks if chunk.start == at + 1), None)
+    return {} if thing is None else {"object": thing}
 
 
 def _deeds(document: Document) -> Iterator[int]:

@@ -28,7 +28,14 @@ from decomplex_bt.understanding.rules.checks import (
 from decomplex_bt.understanding.rules.doors import admitted
 from decomplex_bt.understanding.rules.goals import gone_to, put_in, put_inside, put_out
 from decomplex_bt.understanding.rules.handing import called, divided, fed, given, served
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, foreseen, predicated, troubled
+from decomplex_bt.understanding.rules.idioms import (
+    encountered,
+    for_somebody,
+    foreseen,
+    heard,
+    predicated,
+    troubled,
+)
 from decomplex_bt.understanding.rules.loading import with_loaded
 from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import in_need, with_needs
@@ -111,7 +118,7 @@ def _of_check(setting: Setting, kept: list[FoundArgument], task: int) -> list[Fo
     kept = departed(document, without_left(document, kept, task), task)
     for told in (done_by_nobody(document, task), doing(document, task), setting.happening.get(task, {})):
         kept = with_told(kept, task, told)
-    kept = _of_now(document, kept, task)
+    kept = with_told(_of_now(document, kept, task), task, heard(document, task))
     kept = with_told(kept, task, before_orders(setting.tasks, predicated(document, task)))
     kept = setting.wishes[task].told(kept) if task in setting.wishes else kept
     kept = asked(document, kept, task, setting.tasks)
