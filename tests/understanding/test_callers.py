@@ -55,3 +55,38 @@ def test_a_case_behind_somebody_else_is_no_message(interpreter: Interpreter, tex
 def test_what_somebody_is_to_tell_stays_a_message(interpreter: Interpreter) -> None:
     (task,) = interpreter.interpret("Tell me or Lea if the stew is hot.").tasks
     assert task.value("message") == "if the stew is hot"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the phone rings, answer it. It might be my sister. If it is, bring me the phone.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If the doorbell rings, go to the hall. It could be Kim. If it is, let her in. If it isn't, come back.",
+            [{"if": 1, "then": [2, {"if": [3, 5], "then": [4], "else": [6]}]}],
+        ),
+        (
+            "If somebody knocks, open the gate. It may be Kim. If it's not, shut it again.",
+            [{"if": 1, "then": [2, {"if": 3, "else": [4]}]}],
+        ),
+        (
+            "If it's the dog, come back, but if there's a stranger, call me.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If it's the plumber, let him in, but if there's a salesman, shut the gate.",
+            [{"if": 1, "then": [2], "else": [{"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If it's the dog, come back, but if it's raining, bring him in.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+    ],
+)
+def test_who_it_is_is_asked_where_somebody_rings_or_is_there(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

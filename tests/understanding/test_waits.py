@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
+from readings import flow
 
 from decomplex_bt.understanding.interpreter import Interpreter
 
@@ -43,3 +46,19 @@ def test_what_is_no_order_is_not_waited_with(interpreter: Interpreter, text: str
 def test_what_is_left_is_where_one_is_not_to_go_from(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Before you've shut the hatch, don't leave the shed.")
     assert found.tasks[1].value("source") == "the shed"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If the grill isn't hot yet, wait. As soon as it is, put the beans on it.", [{"if": 1, "else": [2]}, 3]),
+        ("If the floor isn't clean, wait. Once it's clean, put the mat back.", [{"if": 1, "else": [2]}, 3]),
+        ("If the study is occupied, wait. When it's free, sweep it.", [{"if": 1, "then": [2]}, 3]),
+        ("If the lift is busy, wait a minute. Then take the box up.", [1, 2]),
+        ("If the study is dark, wait. Turn on the lamp.", [{"if": 1, "then": [2]}]),
+        ("If Kim is home, great. Then give her the letter.", [{"if": 1, "then": [2]}]),
+        ("If the stove isn't hot, turn it on. When it's hot, put the beans on it.", [{"if": 1, "else": [2]}, 3, 4]),
+    ],
+)
+def test_what_follows_a_wait_is_done_in_both_cases(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

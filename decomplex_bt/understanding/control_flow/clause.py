@@ -177,6 +177,10 @@ class Clause:
     either*"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
+    is_past_wait: bool = False
+    """Whether the words ahead, in a sentence before, only say to wait: "if it isn't hot, *wait*. Then bring it"."""
+    is_past_supposition: bool = False
+    """Whether the sentence before says what "it" might be: "*it might be Ann*. If it is, ..."."""
 
     def names_same(self, other: Clause) -> bool:
         """Whether the objects of both may be one thing, by the words for it: "the old stove" and "the stove", not "the

@@ -24,6 +24,8 @@ from decomplex_bt.understanding.control_flow.openings import (
     is_mere_contrast,
     is_on_arrival,
     is_past_forbidden,
+    is_past_supposition,
+    is_past_wait,
     is_waited_for,
     of_both,
     opens_matter,
@@ -230,6 +232,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         of_both=of_both(document, previous, token, own_last if task.type in FINDING_OUT else token - 1),
         is_urged=[t.lower for t in document.tokens[max(0, token - 2) : token]] == ["but", "do"],
         is_reminder=[t.lower for t in document.tokens[max(0, token - 2) : token]] == ["forget", "to"],
+        is_past_wait=is_past_wait(document, previous, token),
+        is_past_supposition=task.type == "check_state" and is_past_supposition(document, token),
         is_had=_is_had([t.lower for t in document.tokens[previous + 1 : token]]),
     )
 

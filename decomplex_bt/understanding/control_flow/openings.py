@@ -63,6 +63,8 @@ _CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | d
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
 _AMOUNTS = (["how", "many"], ["how", "much"])
+_WAITING = frozenset(("wait", "hold"))
+_SUPPOSING = frozenset(("might", "may", "could"))
 OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 
 
@@ -112,6 +114,20 @@ def is_on_arrival(document: Document, previous: int, token: int) -> bool:
     words = [normal_form(t.lower) for t in document.tokens[previous + 1 : token]]
     openings = (i for i, word in enumerate(words) if word in ("once", "when"))
     return any(words[i + 1 : i + 4] in _ARRIVING for i in openings)
+
+
+def is_past_wait(document: Document, previous: int, token: int) -> bool:
+    """Whether all that the sentences between the task before and that of a verb order is to wait: "if it isn't hot,
+    *wait*. Then bring it"."""
+    ahead = [t for t in document.tokens[previous + 1 : token] if document.sentences[t.i] < document.sentences[token]]
+    return previous >= 0 and any(t.lower in _WAITING and t.tag in ("VB", "VBP", "NN") for t in ahead)
+
+
+def is_past_supposition(document: Document, token: int) -> bool:
+    """Whether the sentence before that of a verb says what "it" might be: "*it might be Ann*. If it is, ..."."""
+    sentence = document.sentences[token] - 1
+    words = [t.lower for t in document.tokens[:token] if document.sentences[t.i] == sentence]
+    return words[:1] == ["it"] and words[1:2] != [] and words[1] in _SUPPOSING and words[2:3] == ["be"]
 
 
 def takes_up_case(document: Document, previous: int, token: int) -> str:

@@ -44,6 +44,7 @@ _RULES = (
     orders.go_first,
     replies.report,
     replies.lack_too,
+    replies.suppose,
     parts.count,
     parts.look_over,
     parts.name_other,

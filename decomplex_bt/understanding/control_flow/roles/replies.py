@@ -31,6 +31,7 @@ _PARTING = frozenset((".", "!", ";"))
 _GOING_ON = frozenset(("keep", "continue"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
+_RINGING = frozenset("ring knock call buzz".split())
 _TURNS = frozenset("if unless else fail so not then".split())
 _SEEMING = frozenset("look smell taste feel seem".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))
@@ -171,6 +172,39 @@ def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "task"
     if is_when and ends_of_case(clauses, roles, k):
         roles[k] = "condition"
+    if roles[k] == "condition" and waits_out(clauses, roles, k):
+        roles[k] = "task"
+
+
+def waits_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` is what is waited for where it is not so: "if it isn't hot, wait. *As soon as it is*, ...",
+    "if the bathroom is occupied, wait. *When it's free*, ..."."""
+    check, clause = clauses[k - 1], clauses[k]
+    is_next = roles[k - 1] == "condition" and clause.is_past_wait and clause.sentence == check.sentence + 1
+    is_led = clause.near in (("when",), ("after",)) and clause.is_check and not clause.wording.is_negated
+    one, other = clause.wording, check.wording
+    is_reached = other.is_negated and (one.is_echo or one.state == other.state)
+    is_reached = is_reached or (not other.is_negated and (one.is_opposite_of(other) or other.is_opposite_of(one)))
+    is_same = clause.names_same(check) or (clause.has_pronoun and not clause.objects) or one.is_echo
+    return is_next and is_led and is_reached and is_same
+
+
+def suppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether it is who it might be is no mention of the ringing ("if the bell rings, ... It might be Tom. *If it is*,
+    let him in")."""
+    if roles[k] == "mention" and rings_before(clauses, roles, k) is not None:
+        roles[k] = "condition"
+
+
+def rings_before(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
+    """The condition that asks if somebody rings or knocks, behind whose orders clause `k` asks if it is who it might
+    be; else None."""
+    clause = clauses[k]
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or not clause.is_past_supposition:
+        return None
+    is_ring = clauses[first].is_check and clauses[first].verb in _RINGING and not clauses[first].wording.is_negated
+    return first if is_ring and clause.says_only_whether and "if" in clause.near else None
 
 
 def ends_of_case(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:

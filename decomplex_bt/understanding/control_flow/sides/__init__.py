@@ -151,6 +151,8 @@ _RULES = (
     scopes.ask_each,
     scopes.ask_besides,
     scopes.wait_in_case,
+    scopes.wait_out,
+    scopes.ask_of_ring,
     scopes.ask_of_needs,
     scopes.do_too,
     scopes.be_too_much,

@@ -19,8 +19,16 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
-from decomplex_bt.understanding.control_flow.roles.replies import ends_of_case
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, PARTING, TURNING, beside
+from decomplex_bt.understanding.control_flow.roles.replies import ends_of_case, rings_before, waits_out
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    FAILS,
+    HOLDS,
+    OPENING,
+    PARTING,
+    TURNING,
+    beside,
+    goes_on,
+)
 
 _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
@@ -227,11 +235,13 @@ def contrast(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
         return
     check, between = clauses[first], range(first + 1, k)
-    is_led = clause.near == ("but", "if") and clause.boundary == "," and check.near[-1:] == ("if",)
+    is_there = clause.says_there_is and bool(check.identified) and not clause.is_of_nobody
+    is_led = clause.near == ("but", "if", *["there"] * is_there) and clause.boundary == ","
+    is_led = is_led and check.near[-1:] == ("if",)
     is_one = check.sentence == clause.sentence and all(sides[j] in (HOLDS, ">1-", ">1+") for j in between)
     if not (is_led and is_one) or sides[k] not in (HOLDS, FAILS) or check.wording.is_negated:
         return
-    is_rival = asks_same_of_another(clause, check) or (clause.asks_who and check.asks_who)
+    is_rival = asks_same_of_another(clause, check) or (clause.asks_who and check.asks_who) or is_there
     is_other = bool(clause.objects) and check.nouns.isdisjoint(clause.nouns) and clause.verb != check.verb
     is_other = is_other and not (clause.has_pronoun or clause.places or clause.is_of_weather)
     is_other = is_other and not (check.said_state or clause.said_state) and "be" not in (clause.verb, check.verb)
@@ -334,6 +344,30 @@ def wait_in_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     done*, ...")."""
     if roles[k] == "condition" and ends_of_case(clauses, roles, k) and sides[k - 2] in (">1+", ">1-"):
         sides[k] = f"<1{sides[k - 2][2:]}"
+
+
+def wait_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is waited for in a case is so after that in any, and what follows is done then ("if it isn't hot, wait. *As
+    soon as it is*, bring it", "if it isn't hot, wait a minute. *Then bring it*")."""
+    clause, before = clauses[k], clauses[k - 1]
+    first = k - 1
+    if k > 1 and roles[k - 1] == "task" and waits_out(clauses, roles, k - 1):
+        first, sides[k - 1] = k - 2, HOLDS
+    is_then = clause.is_past_wait and clause.near[:1] == ("then",) and clause.sentence == before.sentence + 1
+    is_awaited = first < k - 1 and clause.sentence == before.sentence
+    if roles[first] != "condition" or not (is_then or is_awaited):
+        return
+    for j in range(k, len(clauses)):
+        if not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)) or sides[j] not in (HOLDS, FAILS):
+            return
+        sides[j] = beside(sides[first])
+
+
+def ask_of_ring(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Whether it is who it might be is asked where somebody rings ("if the bell rings, ... It might be Tom. *If it is*,
+    let him in")."""
+    if roles[k] == "condition" and rings_before(clauses, roles, k) is not None:
+        sides[k] = HOLDS
 
 
 def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
