@@ -136,3 +136,33 @@ def test_what_is_asked_in_the_same_words_again_is_the_same_case(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "If the attic is hot and the hatch is shut, open it. If it's still hot after that, turn on the fan.",
+            [{"if": 1, "then": [{"if": 2, "then": [3, {"if": 4, "then": [5]}]}]}],
+        ),
+        (
+            "If the pan is cold and the stove is free, heat it. If it's still cold afterwards, call me.",
+            [{"if": 1, "then": [{"if": 2, "then": [3, {"if": 4, "then": [5]}]}]}],
+        ),
+        (
+            "If the hall is wet and the mop is clean, mop it. If the hall is still wet, open the hatch.",
+            [{"if": 1, "then": [{"if": 2, "then": [3]}]}, {"if": 4, "then": [5]}],
+        ),
+        (
+            "If the attic is hot and the hatch is shut, open it. If the hatch is open, turn on the fan.",
+            [{"if": 1, "then": [{"if": [2, 4], "then": [3], "else": [5]}]}],
+        ),
+    ],
+)
+def test_one_part_of_two_is_asked_anew(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+def test_who_is_told_otherwise_is_not_turned_to_the_other_case(interpreter: Interpreter) -> None:
+    text = "Unless I tell you otherwise, close the curtains when it gets dark and open them when it gets light."
+    assert flow(interpreter, text) == [{"if": 1, "else": [{"if": 3, "then": [2]}, {"if": 5, "then": [4]}]}]

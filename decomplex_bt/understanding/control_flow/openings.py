@@ -334,7 +334,10 @@ def is_past_forbidden(observed: Observed, previous: int, split: int, token: int)
 
 
 def is_adverb(document: Document, otherwise: int) -> bool:
-    """Whether an "otherwise" opens nothing: "or otherwise damaged", "if he says otherwise"."""
+    """Whether an "otherwise" opens nothing: "or otherwise damaged", "if he says otherwise", "unless I tell you
+    otherwise, ..."."""
     before, after = document.tokens[otherwise - 1 : otherwise], document.tokens[otherwise + 1 : otherwise + 2]
     is_of_adjective = bool(after) and after[0].tag in ("VBN", "JJ")
-    return is_of_adjective or (bool(before) and before[0].pos == "VERB")
+    is_told = otherwise > 1 and document.tokens[otherwise - 2].lemma == "tell" and before[0].pos == "PRON"
+    is_told = is_told and (not after or after[0].text in PUNCTUATION)
+    return is_of_adjective or is_told or (bool(before) and before[0].pos == "VERB")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
@@ -48,7 +49,8 @@ def ask_twice(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """Whether something is still so, once something was done about it, is asked anew ("if it's red, restart it, and if
-    it's *still red*, call Tom")."""
+    it's *still red*, call Tom"), be that the one part of two ("if it's hot and the door is shut, ... If it's *still
+    hot*, ...")."""
     is_after = clauses[k].says_still and clauses[k - 1].verb in _MENDING and clauses[k].is_check
     if is_after and roles[k - 1 : k + 1] == ["condition", "mention"]:  # "change the bulb, and if it still doesn't work"
         roles[k - 1 : k + 1] = "task", "condition"
@@ -63,7 +65,8 @@ def ask_again(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_later = is_later and clauses[k].near == ("and", "if") and roles[first + 1 : k] == ["task"] * (k - first - 1)
     if clauses[first].is_check and is_done and (is_going_on or is_later):  # "and if it keeps dripping, ..."
         roles[k] = "condition"
-    if clauses[first].is_check and is_done and is_asked_again_after(clauses[k], clauses[first]):
+    parts = [first, *takewhile(lambda j: roles[j] in CONDITION_ROLES, range(first - 1, -1, -1))]
+    if is_done and any(clauses[j].is_check and is_asked_again_after(clauses[k], clauses[j]) for j in parts):
         roles[k] = "condition"
 
 

@@ -75,7 +75,8 @@ def restrict(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         first -= 1
     is_own = first < k and clauses[first].sentence == clauses[k].sentence
     leading = {*clauses[first].far, *clauses[first].near}
-    if is_own and leading & {"else", "fail"} and not CONDITION_ROLES.isdisjoint(roles[:first]):
+    is_turned = bool(clauses[first].turns) or "fail" in leading  # not "unless I say *otherwise*, ..."
+    if is_own and is_turned and not CONDITION_ROLES.isdisjoint(roles[:first]):
         sides[k] = FAILS
 
 
