@@ -176,8 +176,6 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
             names = ()
         if length == 1 and "if" in names and _is_request(words, position):
             names = ("please",)
-        if words[position] == "otherwise" and not _SAYING.isdisjoint(words[max(0, position - 2) : position]):
-            names = ()  # "unless I tell you otherwise"
         if names == ("instead",) and _counts(document, position):
             names = ()
         if "not" in names and words[position + 1 : position + 2] == ["forget"]:
@@ -435,7 +433,6 @@ def _answers(document: Document, words: Sequence[str]) -> list[Cue]:
     return found
 
 
-_SAYING = frozenset("say says said tell tells told hear know instructed agreed think".split())
 _NO = frozenset(("no", "not", "nope", "nothing", "none", "nowhere", "neither", "nobody"))
 _YES = frozenset(("yes", "yep", "yeah"))
 _LONGEST_ANSWER = 4
