@@ -228,7 +228,6 @@ _PARSER = Parser()
         "Turn left, turn left again, and go in.",
         "Take the key from the locker no 7.",
         "Put the spoons in the thingy by the stove.",
-        "Get the, um, plug out of the basin.",
         "Anna will tell you what to do.",
         "What I need is for you to close the hatch.",
         "What I want you to do is close the hatch.",
@@ -337,3 +336,17 @@ def test_an_order_that_looks_like_a_state_stands_in_place_of_another(
 @pytest.mark.parametrize("text", ["Is the hatch open? No, close it.", "If the forks are wet, no matter, dry them."])
 def test_an_answer_or_a_remark_takes_no_order_back(interpreter: Interpreter, text: str) -> None:
     assert [task.type for task in interpreter.interpret(text).tasks] == ["check_state", "change_state"]
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Bring me the, um, ladle.", "the ladle"),
+        ("Take this, er, box to the shed.", "this box"),
+        ("Fetch my, uh, slippers.", "my slippers"),
+        ("Get the, um, plug out of the basin.", "the plug"),
+    ],
+)
+def test_a_hesitation_between_marks_parts_no_phrase(text: str, thing: str) -> None:
+    (task,) = Interpreter.load().interpret(text).tasks
+    assert task.value("object") == thing

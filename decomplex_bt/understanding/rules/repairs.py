@@ -55,7 +55,8 @@ def repaired(document: Document) -> frozenset[int]:
 
 def _hesitations(said: Said) -> Iterator[range]:
     """Every "um" that no mark sets off ("on the *uh* table", "if it's big *um* tell Dad"), with a "you know" beside it,
-    and a "you know" right behind an article; it says nothing, and parts what belongs together."""
+    and a "you know" right behind an article; it says nothing, and parts what belongs together. So does one between
+    marks behind an article ("the*, um,* table")."""
     words, i = said.words, 0
     while i < len(words):
         stop = i
@@ -67,7 +68,15 @@ def _hesitations(said: Said) -> Iterator[range]:
             and MARKS.isdisjoint((*words[max(0, i - 1) : i], *words[stop : stop + 1]))
         ):
             yield range(i, stop)
+        elif stop > i > 1 and {*words[i - 1 : i], *words[stop : stop + 1]} <= MARKS and _is_parted(said, i - 2, stop):
+            yield range(i - 1, stop + 1)
         i = max(stop, i + 1)
+
+
+def _is_parted(said: Said, article: int, stop: int) -> bool:
+    """Whether a word is the article or the like of a noun behind a token."""
+    token = said.document.tokens[article]
+    return token.tag in ("DT", "PRP$") and token.head > stop
 
 
 def _hesitation(said: Said, start: int, at: int) -> int:
