@@ -10,6 +10,7 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.certainty import CLEANING
 from decomplex_bt.understanding.references.phrases import is_deed, noun_chunks
 from decomplex_bt.understanding.rules.puttings import LAYING, is_the_table
 
@@ -25,6 +26,7 @@ _FAR = 3
 """At most so far behind a comma stands the verb that it joins: ", and then *dried*" [tokens]."""
 _ENDING = frozenset(("placing", "bringing", "taking"))
 """What is done to a thing and may end at a place."""
+_FREEING = frozenset("drain shake rinse wash towel".split())
 _FINITE = frozenset(("VBZ", "VBP", "MD"))
 _OPENING_CLAUSES = frozenset("if when unless until till once before after while but or so because as".split())
 
@@ -80,6 +82,37 @@ def done_to(
     if name == "object":
         kept = [a for a in kept if a.type != "object"]
     return [*others, *kept, FoundArgument(name, deed, thing, CERTAIN)]
+
+
+def without_deed(document: Document, arguments: Sequence[FoundArgument], giving: int) -> list[FoundArgument]:
+    """The arguments without a deed that a thing is given, and with that as what it is done to: "give *the shoes* a
+    brush"."""
+    kept = [a for a in arguments if not is_deed(document, a.tokens)]
+    own = {a.type for a in kept if a.owner == giving}
+    is_given = document.tokens[giving].lemma == "give" and (len(kept) < len(arguments) or _is_of_deed(document, giving))
+    if not is_given or "object" in own:
+        return kept
+    return [replace(a, type="object") if (a.owner, a.type) == (giving, "recipient") else a for a in kept]
+
+
+def without_particle(observed: Observed, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
+    """The arguments without an "off" as the state of what is cleaned or freed of something, unless it makes a verb of
+    its own: "wipe the table *off*"."""
+    document = observed.document
+    lemma = document.tokens[verb].lemma
+    if lemma not in CLEANING | _FREEING or f"{lemma} off" in observed.gazetteer.verbs:
+        return list(arguments)
+    return [
+        a
+        for a in arguments
+        if (a.owner, a.type) != (verb, "state") or [document.tokens[i].lower for i in a.tokens] != ["off"]
+    ]
+
+
+def _is_of_deed(document: Document, giving: int) -> bool:
+    """Whether a deed ends the phrase behind a "give"."""
+    ends = range(giving + 2, min(giving + 8, len(document) - 1))
+    return any(is_deed(document, range(i, i + n)) for i in ends for n in (2, 3) if i + n <= len(document))
 
 
 def _at_its_end(document: Document, argument: FoundArgument) -> FoundArgument:

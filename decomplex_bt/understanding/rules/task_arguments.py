@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import is_deed
 from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden
 from decomplex_bt.understanding.rules.causatives import with_biddings, with_done
 from decomplex_bt.understanding.rules.checks import (
@@ -25,6 +24,7 @@ from decomplex_bt.understanding.rules.checks import (
     without_air,
     without_left,
 )
+from decomplex_bt.understanding.rules.deeds import without_deed, without_particle
 from decomplex_bt.understanding.rules.doors import admitted
 from decomplex_bt.understanding.rules.goals import gone_to, put_in, put_inside, put_out
 from decomplex_bt.understanding.rules.handing import called, divided, fed, given, served
@@ -104,7 +104,7 @@ def _of_bringing(setting: Setting, kept: list[FoundArgument], task: int) -> list
 def _of_change(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = [a for a in kept if a.owner != task or not is_of_forbidden(document, a)]
-    kept = [a for a in fed(document, kept, task) if not is_deed(document, a.tokens)]  # "give it *a wipe*"
+    kept = without_particle(setting.observed, without_deed(document, fed(document, kept, task), task), task)
     if whom := admitted(document, task):
         kept = [a for a in kept if a.owner != task or not set(a.tokens) & set(range(task, whom.stop + 1))]
         kept.append(FoundArgument("object", task, whom, CERTAIN))
