@@ -119,3 +119,30 @@ def test_what_is_let_go_on_is_no_order(interpreter: Interpreter, text: str, verb
 def test_a_sleeper_tells_no_state_of_who_is_woken(interpreter: Interpreter) -> None:
     (task,) = interpreter.interpret("Let Nina sleep in, but wake Otto up.").tasks
     assert {a.type: a.value for a in task.arguments} == {"object": "Otto"}
+
+
+@pytest.mark.parametrize(
+    ("text", "objects"),
+    [
+        ("Give my boots a brush.", ["my boots"]),
+        ("Fold the sheets and give the sideboard a polish.", ["the sheets", "the sideboard"]),
+        ("Give the hamster a bath.", ["the hamster"]),
+        ("Wipe the counter off.", ["the counter"]),
+        ("Shake the mat off.", ["the mat"]),
+    ],
+)
+def test_a_deed_is_done_to_what_it_is_given_to(text: str, objects: list[str]) -> None:
+    found = Interpreter.load().interpret(text)
+    assert [{a.type: a.value for a in task.arguments} for task in found.tasks] == [{"object": o} for o in objects]
+
+
+@pytest.mark.parametrize(
+    ("text", "verbs"),
+    [
+        ("If you find my earring when you sweep, bring it to me.", ["find", "bring"]),
+        ("If somebody comes to collect the crate, call me.", ["comes", "call"]),
+        ("When you sweep the hall, open the door.", ["sweep", "open"]),
+    ],
+)
+def test_what_only_tells_of_a_case_is_no_order(text: str, verbs: list[str]) -> None:
+    assert [task.span.of(text) for task in Interpreter.load().interpret(text).tasks] == verbs

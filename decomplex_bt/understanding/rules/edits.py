@@ -51,7 +51,7 @@ AFTER_NO = frozenset(
 _AFTER_SORRY = frozenset("about for if that to but i it he she they".split())
 TELLING = frozenset("tell tells told say says said answer answers".split())
 _YES = frozenset(("yes", "yeah", "yep"))
-UNFINISHED = frozenset("the a an my your our their".split())
+UNFINISHED = frozenset("the a an my our your their".split())
 """Words after which nothing ends."""
 OPENERS = frozenset("if when unless whether once after before while is are has does can could would will".split())
 BREAKS = MARKS | ENDS | frozenset((":", "and", "but", "or", "then", "so"))

@@ -167,6 +167,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             or task.token in idle
             or (bool(found) and found[-1].token >= task.token)
             or _is_joined_state(document, task.token, types_found)
+            or (bool(found) and _is_of_case(document, found[-1], task))
             or _is_name(observed, task.token)
             or (not found and following is not None and _is_missed(observed, task))
         )
@@ -379,6 +380,19 @@ def _is_joined_state(document: Document, at: int, tasks: Mapping[int, str]) -> b
         return False
     first = next((i for i in range(check + 1, at) if document.tokens[i].tag in ("JJ", "VBN")), at)
     return first < at and at in whole_state(document, range(first, first + 1))
+
+
+def _is_of_case(document: Document, check: FoundTask, task: FoundTask) -> bool:
+    """Whether a verb only tells of what a case asks when or what for: "if you see it *when you vacuum*", "if anybody
+    comes *to fetch it*"."""
+    tokens, at = document.tokens, task.token
+    between = [token.lower for token in tokens[check.token + 1 : at]]
+    first = document.sentences.index(document.sentences[at])
+    ahead = {token.lower for token in tokens[first : check.token]}
+    if ahead.isdisjoint(("if", "unless")) or not MARKS.isdisjoint(between) or task.type == "check_state":
+        return False
+    is_when = between[-2:] in (["when", "you"], ["while", "you"]) and check.type in _LOOKS
+    return is_when or (between == ["to"] and tokens[check.token].lemma == "come" and check.type == "check_state")
 
 
 def _is_name(observed: Observed, at: int) -> bool:
