@@ -52,6 +52,8 @@ _TIMING = frozenset(
 _PUTTING_OFF = frozenset("wait delay postpone not only".split())
 _HOLDING_BACK = frozenset("but first before yet though".split())
 _PARTING = PUNCTUATION | frozenset("and but then so or first before please just".split())
+_TRIED = frozenset(("that", "this", "it", "you"))
+_TRYING = frozenset("help work works trick fail fails succeed manage possible impossible".split())
 _ABLE = frozenset("can could able unable manage".split())
 _BESIDE_ABLE = frozenset("you is to still possibly actually somehow even".split())
 _OPEN_QUESTIONS = frozenset("what who whose which where when why".split())
@@ -81,6 +83,12 @@ def ability(document: Document, ahead: Sequence[Cue], token: int) -> str:
         if cue.name in ("if", "when") and "you" in between and between & _ABLE and between <= _ABLE | _BESIDE_ABLE:
             return "asked"
     return ""
+
+
+def says_in_vain(ahead: Sequence[Cue], document: Document) -> bool:
+    """Whether what opens a clause says that what was done before it was of no use: "if that doesn't help"."""
+    said = [{t.lower for t in document.tokens[cue.first : cue.last + 1]} for cue in ahead if cue.name == "fail"]
+    return any(not _TRYING.isdisjoint(words) and not _TRIED.isdisjoint(words) for words in said)
 
 
 def asks_open(document: Document, token: int) -> bool:

@@ -39,6 +39,7 @@ _RULES = (
     orders.turn_back,
     replies.be_able,
     replies.be_unable,
+    replies.do_in_vain,
     replies.ask_openly,
     orders.find_first,
     orders.go_first,

@@ -245,7 +245,8 @@ def find_nobody(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def find_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """That something cannot be found which was not spoken of is no failure of an order that looks for nothing ("wash
-    the pan. If you can't find *the phone*, ...")."""
+    the pan. If you can't find *the phone*, ..."), nor the other side of its case ("lock it if it's shut. If you can't
+    find *the key*, ...")."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     is_found = roles[k] == "mention" and clause.task.type == "searching" and not clause.has_pronoun
@@ -253,10 +254,11 @@ def find_other(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     order = clauses[first]
     known = {noun for before in clauses[:k] for noun in (*before.nouns, *before.thing)} | _STANDING_FOR
-    if order.task.type not in LEADING | {"change_state"} or not known.isdisjoint(clause.objects):
+    is_case = order.is_check and bool(order.said_state) and order.is_trailing
+    if not (is_case or order.task.type in LEADING | {"change_state"}) or not known.isdisjoint(clause.objects):
         return
     roles[k] = "condition"
-    if "mention" not in roles[first + 1 :]:
+    if "mention" not in roles[first + 1 :] and not is_case:
         roles[first] = "task"
 
 

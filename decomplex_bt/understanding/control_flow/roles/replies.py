@@ -372,3 +372,23 @@ def be_unable(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_case = check.is_check and not check.ability
     if is_case and order.task.type in _DOING | {"informing"} and not order.is_forbidden and not order.turns:
         roles[k - 1] = "condition"
+
+
+def do_in_vain(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Behind an order and its case an "if that doesn't help" or "if you can't" is of the order ("wash it if it's
+    stained. *If that doesn't help*, ...")."""
+    if tried_in_case(clauses, roles, k) and roles[k - 2] == "task":
+        roles[k - 2] = "condition"
+
+
+def tried_in_case(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` is for where the order two before it fails, behind which its case is told, or says so."""
+    if k < 2 or roles[k - 2] not in ("task", "condition") or roles[k - 1] != "condition":
+        return False
+    order, case, clause = clauses[k - 2 : k + 1]
+    is_case = case.is_check and case.boundary == "none" and case.near in (("if",), ("unless",), ("if", "not"))
+    is_case = is_case and case.sentence == order.sentence and not case.ability
+    is_order = order.task.type in _DOING and not order.is_forbidden
+    is_of_order = clause.ability == "denied" or clause.is_in_vain
+    is_said = roles[k] == "mention" and is_failure_of(clause, order, last_named(clauses, k - 1))
+    return is_case and is_order and ((is_of_order and roles[k] == "task") or is_said)

@@ -36,6 +36,7 @@ _RULES = (
     mentions.miss_anywhere,
     mentions.tell_of_both,
     mentions.find_neither,
+    mentions.do_in_vain,
     prohibitions.make_exception,
     prohibitions.except_behind,
     prohibitions.replace_order,

@@ -18,7 +18,12 @@ from decomplex_bt.understanding.control_flow.roles.parts import (
     missed_anywhere,
     taken_up,
 )
-from decomplex_bt.understanding.control_flow.roles.replies import fetched_before, replied_to, sought_twice
+from decomplex_bt.understanding.control_flow.roles.replies import (
+    fetched_before,
+    replied_to,
+    sought_twice,
+    tried_in_case,
+)
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, goes_on
 from decomplex_bt.understanding.cues import are_apart
 
@@ -214,3 +219,16 @@ def miss_thing(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     sides[k] = "<2"
     is_first = any(c.wording.orders for c in clauses[order + 2 : k])
     sides[order + 1] = sides[order] if is_first and sides[order] in ("top", HOLDS, FAILS) else HOLDS
+
+
+def do_in_vain(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done where an order fails behind which its case is told is done in that case (`roles`)."""
+    if k < 2 or roles[k - 2] != "condition" or sides[k - 2][:2] != ">1" or not tried_in_case(clauses, roles, k):
+        return
+    if roles[k] == "mention":
+        sides[k] = "<2"
+        return
+    for j in range(k, len(clauses)):
+        if j > k and not goes_on(clauses, roles, sides, j, clauses[k].sentence):
+            return
+        sides[j] = "<2-"
