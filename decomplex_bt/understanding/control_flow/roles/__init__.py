@@ -52,6 +52,7 @@ _RULES = (
     parts.find_instead,
     parts.ask_of_person,
     parts.lack,
+    parts.lack_ordered,
     parts.hold,
     parts.find_nobody,
     parts.find_other,

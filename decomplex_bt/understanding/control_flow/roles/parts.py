@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS, Wording
-from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, LEADING, PRESENT, Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING, FINDING_OUT, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import (
     is_apart_from,
     is_content_of,
@@ -23,6 +23,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
 from decomplex_bt.understanding.cues import WISHING
 
 _HAVING = frozenset(("have", "get", "be"))
+_WANTING = WISHING | {"need"}
 _NONE_OF = frozenset(("one", "any"))
 _STANDING_FOR = frozenset("none one any some more left drop bit lot answer sign reply".split())
 """What there is that may be what was named, or an answer to it, in other words."""
@@ -130,6 +131,36 @@ def lack(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_done = any(clauses[j].task.type != "informing" for j in range(first + 1, k))
     if is_none and is_of_state and is_done and not check.is_of_whereabouts and check.wording.state not in PRESENT:
         roles[k] = "condition"
+
+
+def lack_ordered(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That there is none of what is to be fetched in a case tells of the order to fetch it, not of the case ("if Lea is
+    thirsty, bring her a juice, and *if there isn't any*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] != "condition" or roles[k] not in ("mention", "condition"):
+        return
+    clause, order, check = clauses[k], clauses[k - 1], clauses[first]
+    is_fetched = roles[k - 1] == "task" and order.task.type in FINDING and not (order.is_forbidden or order.turns)
+    is_supply = check.says_there_is or check.is_of_whereabouts or check.is_of_any or check.verb == "have"
+    is_case = check.is_check and (bool(check.said_state) or check.verb in _WANTING) and not is_supply
+    is_named = check.wording.state in PRESENT or bool(clause.places) or not {"if"} <= {*clause.near}
+    if is_fetched and is_case and not is_named and clause.sentence - order.sentence <= 1 and _is_lacking(clause, order):
+        roles[k - 1 : k + 1] = "condition", "mention"
+
+
+def _is_lacking(clause: Clause, order: Clause) -> bool:
+    """Whether it says that there is none of what an order names: "if there are none left", "if we don't have any", "if
+    we're out of it"."""
+    is_none = clause.wording.is_negated and clause.verb in _HAVING and not clause.says_too
+    is_none = is_none and clause.boundary != "none" and not clause.is_of_person
+    of_what = clause.said_state[2:] if clause.said_state[:2] == ("out", "of") else ("",)
+    is_out = clause.wording.is_contrary and (
+        of_what[-1] in ("", "it", "them") or any(of_what[-1].startswith(noun) for noun in order.nouns)
+    )
+    is_of_some = not _NONE_OF.isdisjoint(clause.thing) or (
+        clause.says_there_is and not (clause.objects or clause.thing)
+    )
+    return clause.is_check and ((is_none and is_of_some) or is_out)
 
 
 def find_instead(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
