@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 from annotated import clauses
+from readings import flow
 
 from decomplex_bt.understanding.control_flow.failures import finds_out
+from decomplex_bt.understanding.interpreter import Interpreter
 
 WET_OR_DARK = (
     "[it](2:object)['s](2:check_state) [wet](2:state) {} [the lamp](3:object) [is](3:check_state) [off](3:state)"
@@ -129,3 +131,19 @@ def test_a_condition_may_say_that_all_hangs_on_it(opening: str, covers: str) -> 
 def test_what_is_used_up_is_not_there(words: str, is_contrary: bool) -> None:
     found = clauses(f"[See](1:check_state) if there are [rolls](1:object), and if {words}, [call](3:informing) Ann.")
     assert found[1].wording.is_contrary == is_contrary
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Look on the shelf, and if the jam isn't there, call Kim.",
+        "Look in the shed, and if the stick isn't there, call Kim.",
+        "Look in the shed and the hall, and if the jam is in neither, call Kim.",
+    ],
+)
+def test_a_thing_with_a_name_like_a_failure_says_none(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 2], "else": [3]}]
+
+
+def test_a_thing_that_sticks_fails(interpreter: Interpreter) -> None:
+    assert flow(interpreter, "Open the drawer. If it sticks, call Kim.") == [{"if": [1, 2], "else": [3]}]

@@ -66,8 +66,12 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         *(label for name in near for label in _SUBORDINATE.get(name, ())),
         *(label for said in (leading, behind) for name in _ADVERBIAL if name in said for label in _ADVERBIAL[name]),
     ]
+    named = {indices[-1] for kind, indices in task.arguments if kind == "object" and len(indices)}
+    named = {j for j in named if tokens[j].tag in ("NN", "NNS")}  # "if *the jam* isn't there"
     lemmas = {
-        tokens[j].lemma for j in range(first, last + 1) if not j or tokens[j - 1].lower not in ("right", "straight")
+        tokens[j].lemma
+        for j in range(first, last + 1)
+        if j not in named and (not j or tokens[j - 1].lower not in ("right", "straight"))
     }  # "right away" is no "away"
     lemmas -= {tokens[j].lemma for j in refusing}
     return Wording(
