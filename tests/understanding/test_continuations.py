@@ -116,3 +116,18 @@ def test_a_but_sets_two_things_apart(interpreter: Interpreter, text: str, expect
 )
 def test_who_is_watched_over_is_so_until_something_happens(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("If there's a postcard put it on my desk, everything else can go in the basket.", [{"if": 1, "then": [2]}, 3]),
+        ("If there are any clean mugs bring me one, the rest can go in the rack.", [{"if": 1, "then": [2]}, 3]),
+        ("If any plate is chipped, show it to me, and put the rest in the rack.", [{"if": 1, "then": [2]}, 3]),
+        ("If the jug is dirty, rinse it; the cloth can go in the basket.", [{"if": 1, "then": [2]}, 3]),
+        ("If there's a cake, bring me a slice and put the rest in the fridge.", [{"if": 1, "then": [2, 3]}]),
+        ("If the loaf is stale, bring it to me and put the rest in the bin.", [{"if": 1, "then": [2, 3]}]),
+    ],
+)
+def test_the_rest_is_seen_to_in_any_case(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

@@ -165,6 +165,8 @@ class Clause:
     """Whether it says to take something "away", "out" or "off" again."""
     is_of_any: bool = False
     """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
+    names_any: bool = False
+    """Whether it asks something of any of those that it names: "if *any cup* is cracked"."""
     is_urged: bool = False
     """Whether a "but do" sets it against what was forbidden: "don't open it if it rains, *but do* close this"."""
     is_reminder: bool = False

@@ -228,6 +228,10 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ),
         removes=any(t.lower in _AWAY for t in document.tokens[token + 1 : own_last + 1]),
         is_of_any=is_of_somebody(document, task, _ANY),
+        names_any=any(
+            kind == "object" and len(indices) > 1 and document.tokens[indices[0]].lower in _ANY
+            for kind, indices in task.arguments
+        ),
         turns=turns(document, ahead, token),
         case=takes_up_case(document, previous, token),
         is_on_arrival=is_on_arrival(document, previous, token),

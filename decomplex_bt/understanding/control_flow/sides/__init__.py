@@ -127,6 +127,7 @@ _RULES = (
     continuations.turn_from_answer,
     continuations.begin_anew,
     continuations.set_apart,
+    continuations.allow_besides,
     continuations.ask_of_own_thing,
     resumptions.gather,
     guards.confine,

@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
     OPENING,
+    PARTING,
     TURNING,
     VESSELS,
     beside,
@@ -93,6 +94,18 @@ def ask_of_own_thing(clauses: Sequence[Clause], roles: Sequence[str], sides: lis
     is_other = not order.has_pronoun and bool(order.objects) and known.isdisjoint(order.nouns)
     if is_undone and is_own and is_added and is_other and sides[k - 1][:2] == ">1" and sides[k] == HOLDS:
         sides[k] = beside(sides[k - 3])
+
+
+def allow_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a sentence of its own lets be done with another thing than a case and its one order spoke of is done in any
+    ("if the jug is chipped, bin it; *the cups can go in the rack*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("condition", "task", "task") or sides[k] not in (HOLDS, FAILS):
+        return
+    check, order, clause = clauses[k - 2 : k + 1]
+    is_let = clause.boundary in PARTING and clause.near == ("can",) and not clause.far
+    is_one = "if" in check.near and order.has_pronoun and not order.objects and sides[k - 1] == HOLDS
+    if is_let and is_one and bool(check.objects) and _is_unrelated(clause, order, check):
+        _take_beside(clauses, roles, sides, k, sides[k - 2])
 
 
 def set_apart(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

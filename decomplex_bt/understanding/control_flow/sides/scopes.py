@@ -33,6 +33,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
 _IFS = frozenset(("if", "when"))
 _ENDING = frozenset((".", "?", "!"))
 _ALL = frozenset(("everything", "anything", "all"))
+_GOING_ON = frozenset(("and", "but", "can"))
 _WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish chilly".split())
 """States in which somebody wants something, of which one keeps none from another."""
 _CALLING = frozenset("call ring phone knock buzz come arrive text message visit".split())
@@ -302,7 +303,8 @@ def tell_who(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with everything else than what a case spoke of, in a clause of its own, is done in any case ("if
     there's a letter, bring it; *leave everything else* on the mat", "if there's anything for me, bring it. Bin *the
-    rest*")."""
+    rest*"), and so is what goes on in its sentence where only what the case found was seen to ("if any cup is cracked,
+    bring it here, *and put the rest away*"), not "if the shopping has come, put the milk away and leave the rest"."""
     clause = clauses[k]
     is_all = "else" in clause.thing and not _ALL.isdisjoint(clause.thing)
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
@@ -310,6 +312,15 @@ def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     is_rest = roles[k] == "task" and (is_all or is_of_some)
     if is_rest and clause.boundary in PARTING and sides[k] == HOLDS:
         sides[k] = "top"
+    is_found = clauses[first].names_any or (is_all and clauses[first].says_there_is)  # not "the rest" of a cake
+    is_of_it = first == k - 2 and clauses[k - 1].has_pronoun and not clauses[k - 1].objects and is_found
+    is_left = (
+        roles[k] == "task"
+        and (is_all or clause.objects == ("rest",))
+        and _GOING_ON.issuperset({*clause.near} - ({"else"} if is_all else set()))
+    )
+    if is_left and is_of_it and not clauses[first].wording.is_negated and sides[k] in (HOLDS, FAILS):
+        sides[k] = beside(sides[first])
 
 
 def ask_each(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
