@@ -175,3 +175,19 @@ def test_who_is_ill_is_neither_woken_nor_brought_anything(interpreter: Interpret
 )
 def test_what_comes_back_was_taken_there(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Bring me the shawl. If it's torn, get me a blanket, please.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Bring me the jug. If it's cracked, bring me a bottle, please.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Fetch me the cape. If it's dirty, get me a jacket.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Bring me the soup. If it's cold, bring me a salad, please.", [1, {"if": 2, "then": [3]}]),
+        ("Bring me my tablets; if the jar is empty, bring me the phone too.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_another_thing_is_brought_in_place_of_what_is_of_no_use(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

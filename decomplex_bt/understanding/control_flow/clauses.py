@@ -62,6 +62,7 @@ _AWAY = frozenset("away out off back".split())
 _HAVE = frozenset(("have", "'ve", "\u2019ve"))
 _MORE_OR_LESS = frozenset("more fewer less over under at".split())
 _ANY = frozenset(("any", "some", "one"))
+_OF_KIND = frozenset(("a", "an", "another"))
 _WHETHER = frozenset("if whether does do is are has have can could would will".split())
 _CASES = frozenset(("if", "only_if", "unless", "when"))
 _IT = ("this", "that", "it")
@@ -228,10 +229,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ),
         removes=any(t.lower in _AWAY for t in document.tokens[token + 1 : own_last + 1]),
         is_of_any=is_of_somebody(document, task, _ANY),
-        names_any=any(
-            kind == "object" and len(indices) > 1 and document.tokens[indices[0]].lower in _ANY
-            for kind, indices in task.arguments
-        ),
+        is_of_kind=_begins_with(document, task, _OF_KIND),
+        names_any=_begins_with(document, task, _ANY),
         turns=turns(document, ahead, token),
         case=takes_up_case(document, previous, token),
         is_on_arrival=is_on_arrival(document, previous, token),
@@ -242,6 +241,12 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_past_supposition=task.type == "check_state" and is_past_supposition(document, token),
         is_had=_is_had([t.lower for t in document.tokens[previous + 1 : token]]),
     )
+
+
+def _begins_with(document: Document, task: MarkedTask, words: Collection[str]) -> bool:
+    """Whether one of some words begins an object of more than that word."""
+    things = [indices for kind, indices in task.arguments if kind == "object" and len(indices) > 1]
+    return any(document.tokens[indices[0]].lower in words for indices in things)
 
 
 def _is_had(words: Sequence[str]) -> bool:

@@ -253,15 +253,21 @@ def leave_in_place(clauses: Sequence[Clause], roles: Sequence[str], sides: list[
 def stand_in(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is fetched likewise in a case in which the thing ahead is of no use, or as another "one", is fetched in its
     place ("bring me a spoon, and if they're all dirty, *bring me a fork*", "bring me the blue towel, and if it's wet,
-    *the white one*", as `retelling` tells it), not "bring me the paper and, if it's hot, bring me the coffee"."""
+    *the white one*", as `retelling` tells it), and another thing of its own kind in a sentence of its own ("bring me
+    the shawl. If it's torn, *get me a blanket, please*"), not "bring me the paper and, if it's hot, bring me the
+    coffee"."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
     is_alike = (order.verb, order.task.type) == (other.verb, other.task.type) and order.task.type in CARRYING
-    is_other = is_alike and not (other.near or other.behind) and not other.names_same(order)
     is_led = check.near == ("and", "if") and check.has_pronoun and not check.objects and check.is_check
+    is_led = is_led and other.sentence == order.sentence and not (other.near or other.behind)
     is_useless = check.wording.state in _USELESS and not check.wording.is_negated
-    if not (is_other and is_led and other.sentence == order.sentence and (is_useless or "one" in other.thing)):
+    is_apart = check.boundary in PARTING and check.near == ("if",) and check.takes_up(order) and is_useless
+    is_apart = is_apart and order.task.type == other.task.type == "bringing" and other.is_of_kind
+    is_apart = is_apart and {"please"}.issuperset((*other.near, *other.behind)) and other.number == order.number
+    is_replaced = is_alike and is_led and (is_useless or "one" in other.thing)
+    if other.names_same(order) or not (is_apart or is_replaced):
         return
     if sides[k + 1] == HOLDS and sides[k] == sides[k - 1] and sides[k] in ("top", HOLDS, FAILS):
         sides[k - 1] = ">1-"
