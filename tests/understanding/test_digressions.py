@@ -67,3 +67,29 @@ def test_from_whom_something_is_taken_is_no_cause(interpreter: Interpreter) -> N
 def test_what_is_sworn_is_passed_over(interpreter: Interpreter) -> None:
     text = "If the iron's on, for heaven's sake turn it off, and bring the shirts down."
     assert [task.span.of(text) for task in interpreter.interpret(text).tasks] == ["'s", "turn", "bring"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Fetch the wheelbarrow. It's in the barn, unless somebody has borrowed it.",
+        "Bring my scarf. It should be on the hook unless I left it at work.",
+        "Bring my scarf, it's in the chest unless Ann took it.",
+    ],
+)
+def test_where_something_may_not_be_is_no_ban(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).flow.to_json() == [1]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Bring my scarf unless Ann took it.", [{"if": 2, "else": [1]}]),
+        (
+            "Fetch the wheelbarrow. It's in the barn, unless Tom has borrowed it, in which case ask Ann.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+    ],
+)
+def test_what_an_order_hangs_on_stays(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).flow.to_json() == expected

@@ -1,5 +1,6 @@
 """Digressions: clauses within an instruction whose verbs order nothing and ask nothing, and that are read past: what is
-feared, what is to be seemed, what makes no difference, what something comes from, what is sworn."""
+feared, what is to be seemed, what makes no difference, what something comes from, what is sworn, where something may
+not be after all."""
 
 from __future__ import annotations
 
@@ -17,6 +18,9 @@ _SUBJECTS = frozenset("i it he she they we you that".split())
 _OBJECTS = frozenset("me him her us them you".split())
 _CAUSES = (("from",), ("because", "of"), ("on", "account", "of"), ("due", "to"), ("thanks", "to"), ("owing", "to"))
 _HEAVENS = frozenset("heaven god goodness pete christ crying".split())
+_THINGS = frozenset("it they he she".split())
+_BEING = frozenset("is are 's \u2019s 're \u2019re be should must will 'll \u2019ll ought to probably usually".split())
+_GOING_BY = frozenset("if in otherwise then else".split())
 _DETERMINERS = frozenset("the my our your his her their that this".split())
 _FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 
@@ -34,6 +38,8 @@ def digressions(said: Said) -> Iterator[range]:
         yield from _caused(said)
     if "sake" in words:
         yield from _sworn(said)
+    if "unless" in words:
+        yield from _doubted(said)
 
 
 def _feared(said: Said) -> Iterator[range]:
@@ -109,6 +115,25 @@ def _sworn(said: Said) -> Iterator[range]:
         before, whose, _, sake = words[i : i + 4]
         if (before, sake) == ("for", "sake") and whose in _HEAVENS:
             yield range(i, i + 4)
+
+
+def _doubted(said: Said) -> Iterator[range]:
+    """ "Unless Tom has moved it" at the end of a sentence, behind where something that was ordered "is" or "should be";
+    not where the next sentence tells what to do then."""
+    words, tokens = said.words, said.document.tokens
+    for i in (i for i, word in enumerate(words) if word == "unless"):
+        behind = i - 1 if words[i - 1] in MARKS else i
+        start = next((j + 1 for j in range(behind - 1, -1, -1) if words[j] in MARKS | ENDS), 0)
+        told = words[start + 1 : behind]
+        place = next((n for n, token in enumerate(tokens[start + 1 : behind]) if token.tag == "IN"), 0)
+        is_told = 0 < start < i and words[start] in _THINGS and _BEING.issuperset(told[:place]) and place > 0
+        stop = next((j for j in range(i, len(words)) if words[j] in MARKS | ENDS), len(words))
+        is_ordered = any(token.tag in ("VB", "VBP") for token in tokens[:start])
+        is_last = stop == len(words) or words[stop] in ENDS
+        goes_by = words[stop + 1 : stop + 2] and words[stop + 1] in _GOING_BY
+        is_moved = any(token.tag in ("VBD", "VBN") for token in tokens[i:stop])
+        if is_told and is_ordered and is_last and is_moved and not goes_by:
+            yield range(behind, stop)
 
 
 def _end(said: Said, start: int) -> int:
