@@ -191,3 +191,17 @@ def test_another_thing_is_brought_in_place_of_what_is_of_no_use(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Wash the mugs, and if it's late, the pans can wait.", [1, 2]),
+        ("Put away the shopping, and if there's no room in the larder, the jars can stay on the table.", [1, 2]),
+        ("Sweep the stairs. If the hall is wet, the rug can stay on the line.", [1, 2]),
+        ("Wash the car, but if it's raining, it can wait.", [{"if": 2, "else": [1]}]),
+        ("Wash the mugs, but if it's late, the mugs can wait.", [{"if": 2, "else": [1]}]),
+    ],
+)
+def test_another_thing_that_can_wait_keeps_from_nothing(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

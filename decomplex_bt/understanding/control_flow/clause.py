@@ -165,6 +165,8 @@ class Clause:
     """Whether it says to take something "away", "out" or "off" again."""
     is_of_any: bool = False
     """Whether it asks if there are any of what was named: "are there *any* in the tin?"."""
+    lets_be: str = ""
+    """The noun of what may be as it is in its case, if no more is said of that: "if it's late, *the pots can wait*"."""
     is_of_kind: bool = False
     """Whether any of a kind will do as its object, not a certain one: "a blanket", "another shawl"."""
     names_any: bool = False

@@ -14,6 +14,8 @@ from decomplex_bt.understanding.rules.prohibitions import NEGATIONS, is_behind_o
 
 ITS = frozenset("it them 'em em him her this that these those".split())
 STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))
+_MAY = frozenset("can may could will 'll \u2019ll".split())
+_BEING_LEFT = frozenset("stay wait keep do remain".split())
 _OPENERS = frozenset(("if", "when"))
 _LEAVING = tuple(
     tuple(phrase.split())
@@ -216,6 +218,22 @@ def tells_where(document: Document, token: int) -> bool:
     be = next((n for n, t in enumerate(said) if t.lower in _BE), 0)
     is_named = be > 0 and (said[be - 1].pos in ("NOUN", "PROPN") or said[be - 1].lower in _SAID_WHERE)
     return is_named and any(t.lower in PREPOSITIONS for t in said[be + 1 :]) and all(t.tag != "VB" for t in said)
+
+
+def let_be(document: Document, token: int) -> str:
+    """The noun, as a lemma, of what may be as it is, or the "it", where that is all that is said behind a case up to
+    the end of its sentence: "if there's no room, *the jars can stay* out", "if it's late, *it can wait*"; "" else."""
+    tokens, sentences = document.tokens, document.sentences
+    rest = [t for t in tokens[token + 1 :] if sentences[t.i] == sentences[token]]
+    comma = next((n for n, t in enumerate(rest) if t.text == ","), len(rest))
+    said = rest[comma + 1 :]
+    may = next((n for n, t in enumerate(said) if t.lower in _MAY), 0)
+    is_named = may > 1 and said[0].pos == "DET" and said[may - 1].pos in ("NOUN", "PROPN")
+    is_named = is_named or (may == 1 and said[0].lower in ITS and "do" not in (t.lower for t in said))
+    is_named = is_named and said[may + 1 : may + 2] != [] and said[may + 1].lower in _BEING_LEFT
+    is_alone = is_named and all(t.text not in PUNCTUATION for t in said[may:-1])
+    is_alone = is_alone and all(t.pos not in ("VERB", "CCONJ") for t in said[may + 2 :])
+    return said[may - 1].lemma if is_alone else ""
 
 
 def _calls_off_ahead(document: Document, previous: int, token: int) -> bool:

@@ -96,6 +96,7 @@ _RULES = (
     exemptions.clear_way,
     substitutions.break_down,
     exemptions.go_besides,
+    exemptions.let_other_be,
     exemptions.put_elsewhere,
     exemptions.do_as_well,
     exemptions.fetch_for_both,

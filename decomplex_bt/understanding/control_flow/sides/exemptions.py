@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.openings import ITS
 from decomplex_bt.understanding.control_flow.outcomes import is_cleared
 from decomplex_bt.understanding.control_flow.sides.labels import CARRYING, FAILS, HOLDS, MOVING, PARTING, TURNING
 
@@ -95,6 +96,18 @@ def go_besides(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     is_other = other.task.type in ("change_state", "informing") and not {*other.far, *other.near} & TURNING
     if is_apart and is_other and "instead" not in other.behind and not check.is_of_weather:
         sides[k - 1] = "top"
+
+
+def let_other_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered is done though nothing is in a case but that another thing may be as it is ("wash the plates, and
+    *if it's late, the pots can wait*"), and is not done where its own may ("mow the lawn, but *if it's wet, it can
+    wait*")."""
+    order, check = clauses[k - 1 : k + 1]
+    is_behind = (roles[k - 1], roles[k]) == ("task", "condition") and check.ends_sentence and check.boundary != "none"
+    is_led = {"if"} <= {*check.near} <= {"and", "but", "if", "there", "not"} and not order.is_forbidden
+    if is_behind and is_led and check.lets_be and sides[k - 1] in ("top", ">1+", ">1-") and sides[k] == "top":
+        is_own = check.lets_be in order.objects or check.lets_be in ITS
+        sides[k - 1] = ">1-" if is_own else "top"
 
 
 def put_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
