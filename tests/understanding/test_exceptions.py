@@ -205,3 +205,16 @@ def test_another_thing_is_brought_in_place_of_what_is_of_no_use(
 )
 def test_another_thing_that_can_wait_keeps_from_nothing(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Set the table, but if Leo isn't coming, take one chair away.", [1, {"if": 2, "else": [3]}]),
+        ("Lay the table, but if Ann is late, take her plate away.", [1, {"if": 2, "then": [3]}]),
+        ("Make the bed, but if Leo is away, take his pillow away.", [1, {"if": 2, "then": [3]}]),
+        ("Set the table, but if it's laid already, take it away.", [{"if": 2, "then": [3], "else": [1]}]),
+    ],
+)
+def test_what_is_taken_away_from_what_was_made_ready(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected

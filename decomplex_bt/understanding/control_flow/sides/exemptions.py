@@ -169,15 +169,18 @@ def spare_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
 def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put back in a case was taken before that was asked, and what is taken away again was given or put there
     ("take the book from the shelf, but if it's the wrong one, *put it back*", "give her a biscuit, but if she leaves
-    it, *take it away*")."""
+    it, *take it away*"); what is taken away of a thing that was made ready leaves that as it is ("set the table, but if
+    Leo isn't coming, *take a plate away*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
     types = (order.task.type, other.task.type)
     is_put_back = types == ("taking", "placing") and "back" in other.ways
     is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
-    is_led = check.near == ("but", "if") and other.has_pronoun
-    if (is_put_back or is_removed) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
+    is_lessened = types == ("change_state", "taking") and other.removes and bool(other.objects)
+    is_lessened = is_lessened and order.nouns.isdisjoint(other.nouns)
+    is_led = check.near == ("but", "if") and (other.has_pronoun or is_lessened)
+    if (is_put_back or is_removed or is_lessened) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
         sides[k - 1] = "top"
 
 
