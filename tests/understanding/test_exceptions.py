@@ -211,6 +211,8 @@ def test_another_thing_that_can_wait_keeps_from_nothing(interpreter: Interpreter
     ("text", "expected"),
     [
         ("Set the table, but if Leo isn't coming, take one chair away.", [1, {"if": 2, "else": [3]}]),
+        ("Set the table for six, but if Leo's not coming, take one chair away.", [1, {"if": 2, "else": [3]}]),
+        ("Make the bed, but if it's hot, take the quilt off.", [1, {"if": 2, "then": [3]}]),
         ("Lay the table, but if Ann is late, take her plate away.", [1, {"if": 2, "then": [3]}]),
         ("Make the bed, but if Leo is away, take his pillow away.", [1, {"if": 2, "then": [3]}]),
         ("Set the table, but if it's laid already, take it away.", [{"if": 2, "then": [3], "else": [1]}]),

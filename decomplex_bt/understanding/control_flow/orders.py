@@ -21,6 +21,7 @@ def stated_orders(
         _await(clauses, roles, sides, stated, k)
         _keep_turn(clauses, roles, sides, stated, k)
         _keep_on(clauses, roles, sides, stated, k)
+        _take_away(clauses, roles, sides, stated, k)
         _go_behind(clauses, roles, sides, stated, k)
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
@@ -86,6 +87,20 @@ def _keep_on(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[st
     is_ahead = before.near[-1:] == ("until",) and before.is_check and clause.verb in _KEEPING
     if is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
         orders[k - 1 : k + 1] = "keep", "before"
+
+
+def _take_away(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What a "but" has taken away in a case is so from what was made ready before ("set the table, *but if Leo isn't
+    coming, take a plate away*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_removed = order.task.type == "change_state" and other.task.type == "taking" and other.removes
+    is_plain = check.near == ("but", "if") and not (check.wording.orders or other.wording.orders)
+    if is_removed and is_plain and not order.wording.orders and sides[k - 1] == sides[k] == "top":
+        orders[k - 1 : k + 1] = "keep", "keep"
 
 
 def _go_behind(
