@@ -9,6 +9,7 @@ from types import MappingProxyType
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.rules.certain_cases import certain_cases
 from decomplex_bt.understanding.rules.concessions import concessions
+from decomplex_bt.understanding.rules.expectations import expectations
 from decomplex_bt.understanding.rules.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -189,6 +190,7 @@ def find_cues(document: Document) -> tuple[Cue, ...]:
     said = {i for cue in cues if cue.name in PRO_FORMS for i in range(cue.first, cue.last + 1)}
     cues += [cue for cue in _answers(document, words) if cue.first not in said and cue.last not in said]
     cues += [Cue("if", i, i) for i in range(len(words)) if _inverts(document, i)]
+    cues += [Cue("until", one.opening, one.opening) for one in expectations(document)]  # "wait *for* it to boil"
     for conceded in concessions(document):  # "whether it is or not, ..." opens no condition
         cues = [cue for cue in cues if cue.first not in conceded]
         cues.append(Cue("either_way", conceded.start, conceded.stop - 1))

@@ -62,3 +62,27 @@ def test_what_is_left_is_where_one_is_not_to_go_from(interpreter: Interpreter) -
 )
 def test_what_follows_a_wait_is_done_in_both_cases(interpreter: Interpreter, text: str, expected: Any) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Wait for Kim to finish, then sweep the yard.", [1, 2]),
+        ("Wait for the pan to boil, then add the rice.", [1, 2]),
+        ("Start the pump, wait for it to heat up and open the valve.", [1, 2, 3]),
+        ("Wait for the paint to dry before you close the hatch.", [1, 2]),
+        ("Wait for Kim in the yard.", [1]),
+    ],
+)
+def test_what_somebody_is_waited_for_to_do_comes_first(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected
+
+
+def test_who_is_waited_for(interpreter: Interpreter) -> None:
+    task = interpreter.interpret("Wait for Kim to finish, then sweep the yard.").tasks[0]
+    assert (task.type, task.value("object")) == ("check_state", "Kim")
+
+
+def test_what_is_not_waited_for_is_no_task(interpreter: Interpreter) -> None:
+    tasks = interpreter.interpret("Don't wait for Kim to finish, sweep the yard now.").tasks
+    assert [task.type for task in tasks] == ["change_state"]

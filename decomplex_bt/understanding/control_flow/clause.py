@@ -116,8 +116,6 @@ class Clause:
     ability: str = ""
     """Whether it is "asked" if its verb can be done ("if you can find it"), or "answered" or "denied" that what was
     asked of can be ("if you can, ...", "if you can't, ...")."""
-    """Whether it is "asked" if its verb can be done ("if you can find it"), or "denied" that what was asked of can be
-    ("if you can't, ...")."""
     is_in_vain: bool = False
     """Whether what opens it says that what was done before was of no use: "if that doesn't help"."""
     is_unwilling: bool = False

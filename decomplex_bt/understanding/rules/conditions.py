@@ -13,6 +13,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 from decomplex_bt.understanding.rules.certain_cases import CertainCase, certain_cases
 from decomplex_bt.understanding.rules.checks import CALLING, OVER
+from decomplex_bt.understanding.rules.expectations import expectations
 from decomplex_bt.understanding.rules.uses import uses
 
 _OPENING = frozenset(("if", "unless", "when"))
@@ -66,6 +67,7 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         | frozenset(_departures(document, tasks))
         | frozenset(_ends(document, tasks))
         | frozenset(_events(document, tasks))
+        | frozenset(one.verb for one in expectations(document) if one.verb not in tasks)
         | frozenset(check for *_, check in _performed(document, tasks))
         | frozenset(_denials(document, tasks))
         | frozenset(_of_anybody(document, tasks))
@@ -288,6 +290,10 @@ def without_cases(
         for a in arguments
         if not any(a.owner < case.words.start <= a.tokens.stop - 1 <= case.words[-1] for case in cases)
     ]
+    for _, who, verb in expectations(document):
+        if tasks.get(verb) == "check_state":
+            kept = [a for a in kept if set(a.tokens).isdisjoint(who)]
+            kept.append(FoundArgument("object", verb, who, CERTAIN))
     for owner, words, check in _performed(document, tasks):
         ahead = [a for a in kept if a.owner != owner or a.tokens.start < words.start]
         kept = [
