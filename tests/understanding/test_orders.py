@@ -129,3 +129,18 @@ def test_what_is_done_until_something_is_so_comes_before_that(
     interpreter: Interpreter, text: str, expected: object
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Fill the pool, but check the gate is shut before Kim gets in.", [1, 2]),
+        ("Light the stove, but open the hatch before she comes.", [1, 2]),
+        ("Run the shower, but check it isn't too hot before Dad gets in.", [1, 2]),
+        ("Light the stove, but open the hatch before you start.", [2, 1]),
+    ],
+)
+def test_what_is_due_before_others_act_need_not_come_first(
+    interpreter: Interpreter, text: str, expected: object
+) -> None:
+    assert flow(interpreter, text) == expected

@@ -19,6 +19,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     asks_open,
     calls_off,
     is_adverb,
+    is_due_before_others,
     is_end,
     is_had_done,
     is_mere_contrast,
@@ -217,7 +218,8 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_past_forbidden=is_past_forbidden(observed, previous, split, token),
         is_either_way=any(previous < words.start < token for words in concessions(document)),
         is_past_guess=any(document.sentences[w.start] == document.sentences[token] - 1 for w in guesses(document)),
-        is_mere_contrast=task.type != "check_state" and is_mere_contrast(document, token),
+        is_mere_contrast=(task.type != "check_state" or is_due_before_others(document, token))
+        and is_mere_contrast(document, token),
         is_waited_for=is_waited_for(document, ahead, token),
         is_end=is_end(document, ahead, token),
         says_already=task.type == "check_state"

@@ -313,13 +313,29 @@ def is_had_done(document: Document, cues: Sequence[Cue], i: int) -> bool:
 
 def is_mere_contrast(document: Document, i: int) -> bool:
     """Whether a "but" stands right ahead of the order at token `i`, and no word up to the end of its sentence may say
-    that it comes before or between others."""
+    that it comes before or between others; what others do later says nothing of that ("but open it *before she comes
+    in*")."""
     tokens, sentences = document.tokens, document.sentences
     start = i - 1
     while start > 0 and tokens[start].lower in _URGING:
         start -= 1
-    behind = (token.lower for token in tokens[i:] if sentences[token.i] == sentences[i])
+    behind = (t.lower for t in tokens[i:] if sentences[t.i] == sentences[i] and not _is_before_others(document, t.i))
     return start >= 0 and tokens[start].lower == "but" and _TIMING.isdisjoint(behind)
+
+
+def is_due_before_others(document: Document, i: int) -> bool:
+    """Whether the words behind the verb at token `i`, in its sentence, say that it is due before somebody else acts."""
+    sentences = document.sentences
+    return any(_is_before_others(document, j) for j in range(i, len(document)) if sentences[j] == sentences[i])
+
+
+def _is_before_others(document: Document, at: int) -> bool:
+    """Whether a "before" at a token opens what somebody else does: "before *Kim* comes in"."""
+    who, does = (*document.tokens[at + 1 : at + 3], None, None)[:2]
+    if document.tokens[at].lower != "before" or who is None or does is None:
+        return False
+    is_somebody = who.lower in PERSONS or (who.tag == "NNP" and who.text[:1].isupper())
+    return is_somebody and does.tag in ("VBZ", "VBP", "VBD")
 
 
 def is_waited_for(document: Document, cues: Sequence[Cue], i: int) -> bool:
