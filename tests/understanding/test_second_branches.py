@@ -370,4 +370,17 @@ def test_a_choice_stands_in_the_branch_of_its_case(interpreter: Interpreter, tex
     ],
 )
 def test_an_order_against_the_first_has_its_own_condition(interpreter: Interpreter, text: str, expected: Any) -> None:
+            "Grab the rug, or if it's wet take the mat, and put it by the stove.",
+            [{"if": 2, "then": [3], "else": [1]}, 4],
+        ),
+        (
+            "Take the jug, or if it's cracked get the flask, and bring it here.",
+            [{"if": 2, "then": [3], "else": [1]}, 4],
+        ),
+        ("Take the jug, or if it's cracked get the flask and rinse it.", [{"if": 2, "then": [3, 4], "else": [1]}]),
+    ],
+)
+def test_what_is_done_with_a_thing_or_its_substitute_is_done_with_either(
+    interpreter: Interpreter, text: str, expected: object
+) -> None:
     assert flow(interpreter, text) == expected

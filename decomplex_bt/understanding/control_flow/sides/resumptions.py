@@ -299,7 +299,8 @@ def have_at_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
 
 def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done, set off by a comma, with what is picked up in one case and got otherwise in the other is done with
-    either ("take a plate if there is one, otherwise take a bowl, *and bring it to me*")."""
+    either ("take a plate if there is one, otherwise take a bowl, *and bring it to me*", "take the plate, or if it's
+    dirty get the bowl, *and bring it*")."""
     clause, order = clauses[k], clauses[k - 1]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or roles[first] != "condition" or (roles[k - 1], roles[k]) != ("task", "task"):
@@ -307,8 +308,11 @@ def share(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: 
     is_one = clause.sentence == order.sentence == clauses[first].sentence
     is_set_off = is_one and clause.boundary == "," and clause.near in (("and",), ("then",), ("and", "then"))
     is_of_it = clause.has_pronoun and not clause.objects and clause.task.type in ("bringing", "placing")
-    is_other = sides[k] == sides[k - 1] == FAILS and order.task.type in ("taking", "change_state")
-    held = [j for j in range(k - 1) if sides[j] == HOLDS or (sides[j] == ">1+" and j == first - 1)]
+    is_substitute = "or" in clauses[first].near and sides[k] == HOLDS
+    is_other = sides[k] == sides[k - 1] and order.task.type in ("taking", "change_state")
+    is_other = is_other and (sides[k] == FAILS or is_substitute)
+    held_by = (FAILS, ">1-") if is_substitute else (HOLDS, ">1+")
+    held = [j for j in range(k - 1) if sides[j] == held_by[0] or (sides[j] == held_by[1] and j == first - 1)]
     is_held = bool(held) and all(clauses[j].task.type == "taking" and roles[j] == "task" for j in held)
     if is_set_off and is_of_it and is_other and is_held:
         sides[k] = beside(sides[first])
