@@ -144,3 +144,17 @@ def test_the_other_side_of_a_case_is_asked_once(interpreter: Interpreter, text: 
 )
 def test_what_an_order_in_a_case_comes_to_is_waited_for_there(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 2, "then": [1, {"if": 3, "then": [4]}]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Take the rubbish out, then, if it isn't raining, the papers too.", [1, {"if": 2, "else": [3]}]),
+        ("Water the ferns, then, if it's hot, the roses too.", [1, {"if": 2, "then": [3]}]),
+        ("Sweep the yard, then, if it's dry, paint it.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_what_comes_on_top_in_a_case_keeps_from_no_order_before(
+    interpreter: Interpreter, text: str, expected: object
+) -> None:
+    assert flow(interpreter, text) == expected

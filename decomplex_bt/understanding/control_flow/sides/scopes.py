@@ -402,7 +402,13 @@ def ask_of_needs(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
 
 def do_too(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done "too" in a further case is so whether the case before held or not ("if the bike is there, bring it,
-    if the scooter is there, bring that *too*")."""
+    if the scooter is there, bring that *too*"), and comes on top of an order ("sweep the yard, *then, if it's dry*, the
+    porch *too*")."""
+    if k + 1 < len(clauses) and tuple(roles[k - 1 : k + 2]) == ("task", "condition", "task"):
+        clause, order = clauses[k], clauses[k + 1]
+        is_next = "then" in (*clause.far, *clause.near) and clauses[k - 1].sentence == clause.sentence == order.sentence
+        if is_next and "also" in (*order.near, *order.behind) and sides[k + 1] == HOLDS and sides[k - 1][:2] == ">1":
+            sides[k - 1] = "top"
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
     if first is None or first == k - 1 or k + 1 >= len(clauses) or (roles[k], roles[k + 1]) != ("condition", "task"):
         return
