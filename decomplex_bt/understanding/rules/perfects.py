@@ -134,7 +134,9 @@ def is_asked_done(document: Document, at: int) -> bool:
     while start and tokens[start - 1].lower not in MARKS and document.sentences[start - 1] == document.sentences[at]:
         start -= 1
     words = [token.lower for token in tokens[start:at] if token.lower not in _BETWEEN]
-    if len(words) < 2 or (words[1] in _LISTENER and tokens[at].lemma in _HAVING_AT_HAND):
+    if len(words) < 2:
+        return False
+    if words[1] in _LISTENER and (tokens[at].lemma in _HAVING_AT_HAND or _is_ordered_behind(document, at)):
         return False
     is_perfect = words[0] in _HAVING and (tokens[at].tag in _PAST or tokens[at].lower in _SAME_FORMS)
     behind = tokens[at + 1 : at + 2]
@@ -142,6 +144,12 @@ def is_asked_done(document: Document, at: int) -> bool:
     is_perfect = is_perfect and (words[0] != "have" or is_object)  # not "have the table laid by six"
     is_past = words[0] == "did" and tokens[at].tag in ("VB", "VBP")
     return (is_perfect or is_past) and not any(token.pos == "VERB" for token in tokens[start + 1 : at])
+
+
+def _is_ordered_behind(document: Document, at: int) -> bool:
+    """Whether the sentence behind that of a token is no case: "did you lock it? *Go and check*"."""
+    behind = next((t for t in document.tokens[at:] if document.sentences[t.i] != document.sentences[at]), None)
+    return behind is not None and behind.lower not in _WHETHER
 
 
 def is_denied_of_others(document: Document, at: int) -> bool:
