@@ -79,8 +79,12 @@ def is_blemish(context: Context, gap: Gap, candidate: Candidate) -> bool:
     tokens = context.observed.document.tokens
     is_another = any(tokens[i].lower == "another" for i in gap.tokens[:1])
     is_treated = gap.task.type in ("placing", "bringing") or context.lemmas[gap.task.id] in _SOAKING
-    is_put = gap.word in _PRONOUNS and is_treated
-    return gap.type == "object" and (is_another or is_put) and tokens[candidate.head].lemma in _BLEMISHES
+    is_whole = candidate.head == candidate.tokens.stop - 1 or bool(candidate.mention)  # no "hole puncher"
+    is_put = gap.word in _PRONOUNS and is_treated and is_whole
+    is_place = gap.type == "goal" and not gap.word
+    return (is_place or (gap.type == "object" and (is_another or is_put))) and tokens[
+        candidate.head
+    ].lemma in _BLEMISHES
 
 
 def _is_some(context: Context, candidate: Candidate) -> bool:

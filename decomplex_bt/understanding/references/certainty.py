@@ -34,6 +34,7 @@ from decomplex_bt.understanding.references.roles import (
     is_within,
 )
 from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
+from decomplex_bt.understanding.references.unsaid_goals import is_no_goal
 from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
 
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
@@ -248,6 +249,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_later = candidate.tokens.start > gap.position and candidate.type == "location"
     if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
+    if is_no_goal(context, gap, candidate):
+        return True
     if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody, is_blemish)):
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):

@@ -41,8 +41,8 @@ _LOCKABLE = frozenset(
 )
 _OPEN = frozenset("open closed shut".split())
 WITH_HOURS = frozenset(
-    "office library shop church school gym store bank pharmacy clinic museum bakery cafe caf\u00e9 laundrette bar "
-    "restaurant canteen cafeteria reception surgery market kiosk lounge pool bookshop chapel".split()
+    "office library shop church school gym store bank pharmacy clinic museum bakery cafe caf\u00e9 laundrette "
+    "restaurant canteen cafeteria reception surgery market kiosk lounge bookshop chapel".split()
 )
 """Places that are open at some hours."""
 _SURFACES = frozenset("table desk shelf rack bench counter worktop windowsill sideboard sofa couch bed".split())

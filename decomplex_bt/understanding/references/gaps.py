@@ -191,7 +191,7 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             continue  # "put the cups away", "hang up the washing"
         if group[0] == "goal" and _is_put_aside(document, position):
             continue
-        if group[0] == "goal" and _is_put_away(document, position):
+        if group[0] == "goal" and (_is_put_away(document, position) or _is_kept(document, position)):
             continue
         if group[0] in ("object", "goal") and not said & set(group):
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
@@ -209,11 +209,18 @@ def _is_put_aside(document: Document, verb: int) -> bool:
 
 def _is_put_away(document: Document, verb: int) -> bool:
     """Whether something is put out or away, which is where it goes: "put the bins *out*", "put *out* a towel", "put the
-    pan *away*"."""
+    pan *away*", "leave *out* the jam"."""
     tokens = document.tokens
-    is_put = tokens[verb].lemma in ("put", "let")
+    is_put = tokens[verb].lemma in ("put", "let", "leave")
     behind = tokens[verb + 1].lower if verb + 1 < len(tokens) else ""
     return is_put and (last_word(document, verb) in ("out", "away") or behind in ("out", "away"))
+
+
+def _is_kept(document: Document, verb: int) -> bool:
+    """Whether something is kept, or somebody let or tucked in, which is nowhere in particular: "keep *the lid*", "let
+    the cat back *in*"."""
+    lemma = document.tokens[verb].lemma
+    return lemma in ("keep", "tuck") or (lemma == "let" and last_word(document, verb) == "in")
 
 
 def last_word(document: Document, verb: int) -> str:

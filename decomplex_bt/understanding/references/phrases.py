@@ -169,10 +169,10 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
                 continue
             held = {inside.get(i) for i in phrase}
-            if shape == "of" and _are_of_one(held):
-                continue  # "put *the jam on the shelf*"
             if len(held) > 1:
                 shape = f"across.{shape}"
+            if shape.endswith("of") and _are_of_one(held):
+                continue  # "put *the jam on the shelf*"
             if owner is None:
                 found[phrase.start, phrase.stop] = _outside(document, phrase, shape)
             else:

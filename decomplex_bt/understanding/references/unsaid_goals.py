@@ -1,0 +1,70 @@
+"""Unsaid goals: where something is not put "in" or "on", be it the place that was named last: nothing goes into what it
+was just taken out of, into what was taken out itself, or into its like."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.context import Context, kind_of
+from decomplex_bt.understanding.references.fitness import VESSELS
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.insides import has_inside
+from decomplex_bt.understanding.references.phrases import Candidate
+
+_STIRRED = frozenset("stir drain taste whisk serve eat drink".split())
+"""What is done with food, which nothing is put on or in for good."""
+_LAYING = frozenset("set lay spread".split())
+"""What is done with things in no vessel."""
+_INTO = frozenset(("in", "inside"))
+_JOINING = frozenset("and but or then if unless when before after until".split())
+
+
+def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether an unsaid goal cannot be a candidate: "take *the tart* out of the oven and put the loaf in", "get the
+    bulbs out of *the drawer* and put them in", "pull the plug out of *the sink* and hang the towels up"."""
+    if gap.type != "goal" or gap.word or gap.task.type != "placing" or not candidate.owner:
+        return False
+    verb, said = context.lemmas[gap.task.id].split()[0], _said(context.observed.document, gap.position)
+    is_in = not said.isdisjoint(_INTO)
+    things = [c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object")]
+    if candidate.type == "object" and any(_is_alike(c, candidate) for c in things):
+        return True
+    if verb in _LAYING and not is_in and (has_inside(context, candidate) or candidate.task_type == "placing"):
+        return has_inside(context, candidate) or candidate.type == "object"
+    if candidate.type == "object" and not _holds(context, candidate):
+        is_out = "out" in context.lemmas[candidate.owner].split()[1:] or any(
+            (c.owner, c.type) == (candidate.owner, "source") for c in context.pool
+        )
+        is_taken = candidate.task_type in ("taking", "bringing") and is_out and "on" not in said
+        is_stirred = not _STIRRED.isdisjoint(context.lemmas.get(candidate.owner, "").split()[:1])
+        is_somebody = kind_of(context, candidate) in ("person", "name") and candidate.head == candidate.tokens.stop - 1
+        return is_taken or is_stirred or is_somebody
+    if candidate.type != "source" or candidate.mention or "back" in said or verb == "leave":
+        return False
+    tokens = context.observed.document.tokens
+    before = [token.lower for token in tokens[max(0, candidate.tokens.start - 2) : candidate.tokens.start]]
+    taken = {c.head for c in context.pool if (c.owner, c.type) == (candidate.owner, "object")}
+    is_same = any(c.head in taken for c in things)
+    return before == ["out", "of"] and (is_same or (verb in _LAYING | {"hang"} and not is_in))
+
+
+def _said(document: Document, verb: int) -> set[str]:
+    """The words of a clause behind its verb."""
+    words = [token.lower for token in document.tokens[verb + 1 :]]
+    return set(words[: next((i for i, word in enumerate(words) if word in MARKS | _JOINING), len(words))])
+
+
+def _is_alike(thing: Candidate, candidate: Candidate) -> bool:
+    """Whether two phrases name different things of one kind: a bag goes into no bag."""
+    one, other = thing.text.lower(), candidate.text.lower()
+    return one != other and one.split()[-1] == other.split()[-1]
+
+
+def _holds(context: Context, candidate: Candidate) -> bool:
+    noun = context.observed.document.tokens[candidate.head].lemma
+    gazetteer = context.observed.gazetteer
+    return (
+        noun in VESSELS
+        or has_inside(context, candidate)
+        or "fill" in gazetteer.changeable.get(noun, ())
+        or "power" in gazetteer.changeable.get(noun, ())
+    )
