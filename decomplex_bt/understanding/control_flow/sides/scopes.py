@@ -303,8 +303,9 @@ def tell_who(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done with everything else than what a case spoke of, in a clause of its own, is done in any case ("if
     there's a letter, bring it; *leave everything else* on the mat", "if there's anything for me, bring it. Bin *the
-    rest*"), and so is what goes on in its sentence where only what the case found was seen to ("if any cup is cracked,
-    bring it here, *and put the rest away*"), not "if the shopping has come, put the milk away and leave the rest"."""
+    rest*"), and so is what a comma adds to its sentence where only what the case found was seen to ("if any cup is
+    cracked, bring it here, *and put the rest away*"), not "if the shopping has come, put the milk away and leave
+    the rest"."""
     clause = clauses[k]
     is_all = "else" in clause.thing and not _ALL.isdisjoint(clause.thing)
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
@@ -319,7 +320,8 @@ def leave_rest(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
         and (is_all or clause.objects == ("rest",))
         and _GOING_ON.issuperset({*clause.near} - ({"else"} if is_all else set()))
     )
-    if is_left and is_of_it and not clauses[first].wording.is_negated and sides[k] in (HOLDS, FAILS):
+    is_set_off = clause.boundary in (",", *PARTING) and not clauses[first].wording.is_negated
+    if is_left and is_of_it and is_set_off and sides[k] in (HOLDS, FAILS):
         sides[k] = beside(sides[first])
 
 
