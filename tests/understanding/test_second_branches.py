@@ -370,6 +370,13 @@ def test_a_choice_stands_in_the_branch_of_its_case(interpreter: Interpreter, tex
     ],
 )
 def test_an_order_against_the_first_has_its_own_condition(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
             "Grab the rug, or if it's wet take the mat, and put it by the stove.",
             [{"if": 2, "then": [3], "else": [1]}, 4],
         ),
