@@ -281,7 +281,9 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     for listed in assured_lists(document):
         behind.update(range(listed[0].thing.start, listed[-1].state.stop))
         idioms |= {one.carrier: "change_state" for one in listed}
-    idioms |= {case.carrier: case.type for case in verbless_cases(observed, found) if case.carrier not in found}
+    for case in verbless_cases(observed, found):  # an adjective is no order: "wash it when *dirty*"
+        if case.carrier not in found or document.tokens[case.carrier].pos == "ADJ":
+            idioms[case.carrier] = case.type
     idioms |= {order.verb: order.type for order in fronted(observed) if order.verb not in found}
     taken_up = list(echoes(document, found).values())
     idioms |= {echo.verb: "check_state" for echo in taken_up if echo.asks}
