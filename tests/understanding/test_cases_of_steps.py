@@ -15,6 +15,8 @@ from decomplex_bt.understanding.interpreter import Interpreter
     [
         ("Unplug the pump and put it away when it's cooled down.", [1, {"if": 3, "then": [2]}]),
         ("Take the pie out, but cut it only when it's cold.", [1, {"if": 3, "then": [2]}]),
+        ("Warm the stew, but only serve it to Ann if she's up.", [1, {"if": 3, "then": [2]}]),
+        ("Sweep the porch and only mop it if it's dirty.", [1, {"if": 3, "then": [2]}]),
         (
             "See if the lanterns are on in the shed and turn them off if nobody's there.",
             [{"if": 1, "then": [{"if": 3, "else": [2]}]}],

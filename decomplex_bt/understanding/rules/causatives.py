@@ -29,6 +29,7 @@ _ENDING = MARKS | frozenset(
     "and then please now too again first before after when while once if unless by for so or but".split()
 )
 _CLAUSE_ENDS = MARKS | frozenset("and then but or if unless when before after while until till once because".split())
+_CASES = frozenset("if when unless should".split())
 _OF_LET = frozenset("know go be have hear cool".split())
 """What "let" makes one verb with."""
 _DONE = ("VBN", "VBD")
@@ -89,7 +90,8 @@ def biddings(document: Document) -> Iterator[Bidding]:
 
 def let_on(document: Document) -> frozenset[int]:
     """The words by which somebody or something is let go on by itself: "*let the dough rise*, then bake it", "*let Ann
-    sleep in*"; not "let the dog out", "let Ann know"."""
+    sleep in*"; not "let the dog out", "let Ann know", nor what is all that a case orders ("if it's thin, let it
+    simmer")."""
     tokens = document.tokens
     found: set[int] = set()
     bidden = {bidding.verb for bidding in biddings(document)}
@@ -100,8 +102,17 @@ def let_on(document: Document) -> frozenset[int]:
         if _has_object(document, start):
             continue  # "let it dust the altar", as some call the one they speak to
         stop = next((t.i for t in tokens[start:] if t.lower in _CLAUSE_ENDS), len(tokens))
-        found.update(range(verb, stop))
+        if not _is_all_of_case(document, verb, stop):
+            found.update(range(verb, stop))
     return frozenset(found)
+
+
+def _is_all_of_case(document: Document, verb: int, stop: int) -> bool:
+    """Whether an order from a verb up to a token is all that a case at the beginning of its sentence leads to."""
+    sentences = document.sentences
+    first = document.tokens[sentences.index(sentences[verb])]
+    is_last = stop + 1 >= len(document) or sentences[stop + 1] != sentences[verb]
+    return first.lower in _CASES and document.tokens[verb - 1].text == "," and is_last
 
 
 def with_biddings(document: Document, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:

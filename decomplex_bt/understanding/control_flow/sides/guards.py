@@ -32,6 +32,8 @@ _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))
 _WATCHING = frozenset("keep watch mind supervise stay remain sit stand wait".split())
 _LISTING = frozenset(("and", "please"))
+_AND_ONLY = (("but", "but"), ("and", "but"))
+"""The cues of "but only" and "and only" ahead of a verb."""
 _LIST = 3
 """From so many orders on they are a list."""
 
@@ -225,11 +227,11 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     about ("light the candles and blow them out if they drip"), where what is asked comes through one ("fill the tub
     and call me when it's full"), is about the thing of the last one ("shut the door and fill the jug if it's empty"),
     or in what state that will be which was handled before ("unplug it and put it away when it's cold"), where a "but"
-    sets that one apart ("take it out, but cut it only when it's cold"), where it is about weather that only the last
-    is for ("feed the cat and shut the window if it rains"), where somebody whom only the last speaks to does something
-    ("put out the light and sing to Mia if she cries"), where somebody or something is watched over until then ("sit
-    with Gran and call me if she wakes"), and where a comma parts it from them ("shut the door, and bring a chair if
-    there is one")."""
+    or an "only" sets that one apart ("take it out, but cut it only when it's cold", "... but only cut it when ..."),
+    where it is about weather that only the last is for ("feed the cat and shut the window if it rains"), where
+    somebody whom only the last speaks to does something ("put out the light and sing to Mia if she cries"), where
+    somebody or something is watched over until then ("sit with Gran and call me if she wakes"), and where a comma
+    parts it from them ("shut the door, and bring a chair if there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
@@ -245,6 +247,7 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         is_of_weather
         or (is_awaited and len(ahead) == 1 and clauses[ahead[0]].task.type in _HANDLING)
         or (order.near == ("but",) and order.boundary == "," and clause.near == ("only_if",))
+        or order.near in _AND_ONLY
         or any(undoes(order, clauses[j]) or comes_through(clause, clauses[j]) for j in ahead)
         or (len(ahead) == 1 and (_watches(clauses[ahead[0]], clause) or _speaks_of(order, clause, clauses[ahead[0]])))
         or (ahead and (is_parted or is_only_of(clause, order, clauses[ahead[0]])))
