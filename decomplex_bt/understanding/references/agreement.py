@@ -44,6 +44,8 @@ _GROUPS = frozenset(
 """Nouns in the singular for several."""
 _HANDLING = frozenset(("bringing", "placing"))
 _HANDLING_THINGS = _HANDLING | {"change_state", "taking"}
+_NOBODY = frozenset("unsaid one some there here".split())
+"""What stands for no person."""
 _PERSONAL = frozenset(("he", "she", "they"))
 _OWNING = {"his": "he", "her": "she", "their": "they"}
 _SINGLING = frozenset("either neither one any each every whichever".split())
@@ -143,10 +145,13 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if group not in _PERSONAL or kind_of(context, candidate) in ANIMATE:
         return False
     if candidate.mention:
-        return candidate.mention in ("unsaid", "one", "some") or GROUPS.get(candidate.mention) == "it"
-    first, behind = document.tokens[candidate.tokens.start], document.tokens[candidate.tokens.stop :][:1]
-    is_of_them = first.tag == "PRP$" and _OWNING.get(first.lower) == group
-    if is_of_them and (group != "they" or candidate.tokens.start > gap.position):
+        return candidate.mention in _NOBODY or GROUPS.get(candidate.mention) == "it"
+    behind = document.tokens[candidate.tokens.stop :][:1]
+    words = document.tokens[candidate.tokens.start : candidate.tokens.stop]
+    owning = [token.tag == "PRP$" and _OWNING.get(token.lower) == group for token in words]
+    if (any(owning) and group != "they") or (owning[0] and candidate.tokens.start > gap.position):
+        return True
+    if head.pos == "ADP":
         return True
     if any(token.tag == "POS" for token in behind):
         return False  # "in *Ann*'s room"
