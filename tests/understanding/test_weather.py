@@ -30,3 +30,8 @@ def test_how_it_rains_is_no_order(interpreter: Interpreter, text: str) -> None:
 def test_what_is_in_the_sky_is_not_moved(interpreter: Interpreter) -> None:
     text = "The quilts are airing on the wall. If there are clouds, bring them all in."
     assert interpreter.interpret(text).tasks[-1].value("object") == "The quilts"
+
+
+def test_the_weather_is_nothings_without_its_apostrophe(interpreter: Interpreter) -> None:
+    assert interpreter.interpret("fetch me my wellies if its pouring").tasks[1].value("object") is None
+    assert interpreter.interpret("wash the jug if its dirty").tasks[1].value("object") == "the jug"

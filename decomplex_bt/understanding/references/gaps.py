@@ -193,12 +193,20 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
             continue
         if group[0] == "goal" and (_is_put_away(document, position) or _is_kept(document, position)):
             continue
+        if group[0] == "object" and _is_of_weather(document, position):
+            continue
         if group[0] in ("object", "goal") and not said & set(group):
             is_certain = group[0] == "object" and _lacks_subject(observed, task, position)
             yield Gap(task, group[0], position, "", is_required=group[0] == "object", is_certain=is_certain)
     if task.type == "check_state" and not said & {"state", "location"}:
         is_certain = is_bare_being(document, position) or bool(degree_asked(document, position))
         yield Gap(task, PREDICATE, position, "", is_certain=is_certain)
+
+
+def _is_of_weather(document: Document, check: int) -> bool:
+    """Whether an "its" that stands for "it's" is of the weather, which is nothing's: "if *its* raining"."""
+    behind = document.tokens[check + 1].lower if check + 1 < len(document) else ""
+    return document.tokens[check].lower == "its" and behind in WEATHER and behind.endswith("ing")
 
 
 def _is_put_aside(document: Document, verb: int) -> bool:
