@@ -211,6 +211,10 @@ def test_another_thing_that_can_wait_keeps_from_nothing(interpreter: Interpreter
     ("text", "expected"),
     [
         ("Set the table, but if Leo isn't coming, take one chair away.", [1, {"if": 2, "else": [3]}]),
+        (
+            "Warm the stew. Oh, but if it's gone mouldy, get the broth out instead.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
         ("Set the table for six, but if Leo's not coming, take one chair away.", [1, {"if": 2, "else": [3]}]),
         ("Make the bed, but if it's hot, take the quilt off.", [1, {"if": 2, "then": [3]}]),
         ("Lay the table, but if Ann is late, take her plate away.", [1, {"if": 2, "then": [3]}]),

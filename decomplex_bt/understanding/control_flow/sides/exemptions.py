@@ -179,6 +179,7 @@ def do_back(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     is_removed = types[0] in MOVING and types[1] == "taking" and other.removes and not other.objects
     is_lessened = types == ("change_state", "taking") and other.removes and bool(other.objects)
     is_lessened = is_lessened and order.nouns.isdisjoint(other.nouns)
+    is_lessened = is_lessened and "instead" not in (*other.near, *other.behind)
     is_led = check.near == ("but", "if") and (other.has_pronoun or is_lessened)
     if (is_put_back or is_removed or is_lessened) and is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]:
         sides[k - 1] = "top"
