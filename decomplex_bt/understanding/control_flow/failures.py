@@ -12,6 +12,20 @@ from decomplex_bt.understanding.cues import OPPOSITES
 def is_absence_of(clause: Clause, before: Clause) -> bool:
     """Whether it says no more than that whoever the task before should give or tell something to is not there:
     "take it to Anna, and if she's out, ..."."""
+    return _is_absence(clause, before) and not _is_choice(clause)
+
+
+def is_absence_ahead(clause: Clause, before: Clause) -> bool:
+    """Whether an "or" chooses by that whom the task is for, so that it is asked ahead of it: "take it to Anna *or, if
+    she's out*, to Tom"."""
+    return _is_absence(clause, before) and _is_choice(clause) and clause.sentence == before.sentence
+
+
+def _is_choice(clause: Clause) -> bool:
+    return clause.boundary == "," and (*clause.far, *clause.near)[:2] == ("or", "if")
+
+
+def _is_absence(clause: Clause, before: Clause) -> bool:
     is_left_with = clause.says_too and clause.is_of_person and before.task.type == "placing"
     is_handed = before.task.type in _HANDING or is_left_with  # "leave it with Tom, and if he isn't in either"
     if clause.task.type != "check_state" or not is_handed or not clause.is_of_somebody:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS, noun_chunks
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PLACE_ADVERBS, PREPOSITIONS, noun_chunks
 from decomplex_bt.understanding.rules.asides import tag_question
 
 _OPENING = frozenset(("if", "only_if", "unless"))
@@ -509,8 +509,9 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
         return body.start > 0 and document.tokens[body.start - 1].lower in _CHOOSING  # not "if we've at least six"
     if words[-1].lower in _SHARED and words[-2:-1] and words[-2].lower == "of":
         return len(words) == 3
-    if words[0].lower in _DENYING | {"with"} or words[-1].lemma in _IDLE:
-        return False  # "bring me one if there is one, with a fork"
+    is_person = words[-1].pos == "PROPN" or words[-1].lemma in PERSON_NOUNS
+    if words[0].lower in _DENYING or words[-1].lemma in _IDLE or (words[0].lower == "with" and not is_person):
+        return False  # "bring me one if there is one, with a fork", but "or if he's out, *with Tom*"
     is_led = words[0].lower in PREPOSITIONS and len(words) > 1
     if is_led and len(words) == 2 and words[1].pos == "NUM":
         return words[0].lower in _TO_WHOM  # "to twenty, or *to eighteen* if nobody is in", "for five"

@@ -21,6 +21,7 @@ _RULES = (
     orders.ask_ahead,
     orders.leave_as_is,
     replies.try_out,
+    replies.be_away,
     replies.look_over,
     replies.search_asked,
     replies.come_about,

@@ -12,6 +12,7 @@ from decomplex_bt.understanding.control_flow.contrasts import is_asked_again_aft
 from decomplex_bt.understanding.control_flow.failures import (
     fails_behind,
     finds_out,
+    is_absence_ahead,
     is_absence_of,
     is_failure_of,
     is_not_to_be_found,
@@ -121,6 +122,13 @@ def try_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         return
     if tries_out(clauses[k], clauses[first]):
         roles[first : k + 1] = "task", "condition"
+
+
+def be_away(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Who is chosen to get something where another one is away is so before that is taken anywhere ("take it to Ann
+    *or, if she isn't in*, to Tom")."""
+    if tuple(roles[k - 1 : k + 2]) == ("condition", "mention", "task") and is_absence_ahead(clauses[k], clauses[k - 1]):
+        roles[k - 1 : k + 1] = "task", "condition"
 
 
 def search_asked(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

@@ -38,6 +38,7 @@ _FAILING = frozenset("broken order service use locked shut closed empty stuck do
 """What nothing can be taken from, or done with."""
 _FILLED = frozenset("full packed crammed overflowing".split())
 _SLEEPING = frozenset("asleep sleeping napping dozing resting".split())
+_CHOOSING = (("or", "if"), ("or", "if", "not"))
 _REMOVING = frozenset("leave pour throw tip chuck bin".split())
 
 
@@ -323,11 +324,11 @@ def find_some(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
 
 def choose_by_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What an "or if" opens behind an order, with an order of its own, is done in place of that ("tell my wife, *or if
-    she's asleep, tell me*")."""
+    she's asleep, tell me*", "leave it with Ann *or, if she's out, with Tom*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
-    is_or = check.near == ("or", "if") and not check.far and check.boundary == "," and check.is_check
+    is_or = check.far + check.near in _CHOOSING and check.boundary == "," and check.is_check
     is_one = order.sentence == check.sentence == other.sentence and other.boundary == "," and not other.near
     is_alike = order.task.type == other.task.type and not (order.is_forbidden or other.is_forbidden)
     is_open = sides[k + 1] == HOLDS and {sides[k - 1], sides[k]} <= {"top", HOLDS, FAILS}
