@@ -320,6 +320,8 @@ def _repeated(
         replaced = next(reversed([*(range(i, i + 1) for i in particles), *states]), None)
     elif thing is not None:
         replaced = next((tokens for argument, tokens in own if argument.type == thing), None)
+    elif len(words) == 1 and document.tokens[words.start].pos == "ADJ":
+        replaced = _kind(document, own)
     else:
         replaced = _replaced(observed, own, words) or _unread(document, own, range(verb + 1, until), words)
     if replaced is None:
@@ -333,6 +335,13 @@ def _repeated(
     if document.tokens[replaced.start].lower in PREPOSITIONS | {"for"} and len(replaced) > 1 and not is_led:
         ahead.append(replaced.start)
     return ahead, behind
+
+
+def _kind(document: Document, own: Sequence[tuple[Argument, range]]) -> range | None:
+    """The one adjective of what an order names, in whose place another kind stands: "a *green* mug"."""
+    named = next((tokens for argument, tokens in own if argument.type == "object"), range(0))
+    kinds = [i for i in named if document.tokens[i].pos == "ADJ" and document.tokens[i].dep == "amod"]
+    return range(kinds[0], kinds[0] + 1) if len(kinds) == 1 else None
 
 
 def _unread(document: Document, own: Sequence[tuple[Argument, range]], order: range, words: range) -> range | None:

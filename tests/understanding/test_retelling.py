@@ -79,6 +79,18 @@ from decomplex_bt.understanding.interpreter import Interpreter
          [{"if": 2, "then": [3], "else": [1]}, 4]),
         ("Fetch a rug from the chest or, if it's locked, from the attic, and lay it by the bed.", "from",
          "from the attic", [{"if": 2, "then": [3], "else": [1]}, 4]),
+        ("Fetch me an orange, or if there aren't any oranges a pear.", "pear", "a pear",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Bring Gran cake, or if there's no cake some biscuits.", "biscuits", "some biscuits",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Get me a cider, or if there's no cider left a beer.", "beer", "a beer",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Bring me a green mug, or brown if there's no green.", "brown", "a brown mug",
+         [{"if": 3, "then": [1], "else": [2]}]),
+        ("Get me a big envelope, or small if there isn't a big one.", "small", "a small envelope",
+         [{"if": 3, "then": [1], "else": [2]}]),
+        ("I'd like white wine, or red if there is no white left.", "red", "red wine",
+         [{"if": 3, "then": [1], "else": [2]}]),
         ("Leave the spare key with Mia or, if she's out, with Leo.", "with", "with Leo",
          [{"if": 2, "then": [3], "else": [1]}]),
         ("Take the tray to Gran, or if she's gone, to Dad.", "to", "to Dad", [{"if": 2, "then": [3], "else": [1]}]),
@@ -133,6 +145,13 @@ def test_an_unsaid_verb_is_carried_by_a_word_of_its_phrase(
 def test_which_one_is_meant_may_follow_alone(interpreter: Interpreter, text: str, thing: str) -> None:
     (task,) = interpreter.interpret(text).tasks
     assert task.value("object") == thing
+
+
+def test_a_bare_kind_is_no_other_choice_without_a_lack(interpreter: Interpreter) -> None:
+    """It may be the state that the thing is in."""
+    assert interpreter.interpret("Bring me a ripe plum, or green if Lea wants it green.").to_json()["flow"] == [
+        {"if": 2, "then": [1]}
+    ]
 
 
 def test_an_exception_does_not_tell_which_one_is_meant(interpreter: Interpreter) -> None:

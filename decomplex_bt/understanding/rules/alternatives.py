@@ -21,6 +21,7 @@ _ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
 _NAMING = frozenset(("NOUN", "PROPN"))
 _ONE = frozenset(("one", "ones"))
+_ARTICLES = frozenset("a an some the".split())
 _WHOLE = ("thing", "body", "one", "where", "who", "what")
 _IDLE = frozenset("case course mind time day thank bother worry love".split())
 """What ends phrases that name nothing: "in which case", "of course", "any time"."""
@@ -116,7 +117,10 @@ def alternatives(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Alter
             continue
         body = _bare(document, part.body, tasks)
         is_verbal = bool(body) and tasks.get(body.start, "check_state") != "check_state"
-        if not body or body.start in known or not (is_verbal or _is_phrase(document, body, tasks)):
+        is_named = is_verbal or (
+            bool(body) and (_is_phrase(document, body, tasks) or _is_kind(document, parts, k, body))
+        )
+        if not body or body.start in known or not is_named:
             continue
         if _is_ahead(document, parts, k, tasks) and (is_verbal or not _is_apart(document, parts, k, tasks)):
             condition = range(parts[k + 1].opening.start, parts[k + 1].body.stop)
@@ -200,6 +204,18 @@ def _is_ahead(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping
         is_named = condition.lead == "if" and not any(i in tasks for i in part.body)
         return _is_contrary(document, condition) or (is_named and any(i in tasks for i in condition.body))
     return False
+
+
+def _is_kind(document: Document, parts: Sequence[_Part], k: int, body: range) -> bool:
+    """Whether a single word between an "or" and a condition names another kind of what is ordered, as that condition
+    says that there is none of the first: "a green mug, or *brown* if there's no green"."""
+    tokens = document.tokens
+    if len(body) != 1 or tokens[body.start].pos != "ADJ" or parts[k].lead != "or" or not 0 < k < len(parts) - 1:
+        return False
+    asked = [tokens[i] for i in parts[k + 1].body]
+    first = {tokens[i].lemma for i in parts[k - 1].body if tokens[i].pos == "ADJ" and tokens[i].dep == "amod"}
+    is_lack = parts[k + 1].lead == "if" and any(token.lower in _DENYING for token in asked)
+    return is_lack and len(first) == 1 and any(token.lemma in first for token in asked)
 
 
 def _last_order(document: Document, parts: Sequence[_Part], k: int, body: range, tasks: Mapping[int, str]) -> range:
@@ -406,9 +422,20 @@ def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, st
             is_named = first.pos in ("DET", "NUM") or first.tag == "PRP$" or is_noun
             is_start = is_full and first.lower not in _ONE and is_named
         is_start = is_start or (is_turned and is_state and first.lower in PARTICLES and i + 1 == body.stop)
+        is_start = is_start or _is_past_lack(document, range(body.start, i))
         if is_start and (words := _bare(document, range(i, body.stop), tasks)) and _is_phrase(document, words, tasks):
             return i
     return None
+
+
+def _is_past_lack(document: Document, asked: range) -> bool:
+    """Whether an article right behind words begins a phrase of its own, as they say that there is no such thing: "if
+    there's no cake *a biscuit*"."""
+    tokens = document.tokens
+    said = tokens[asked.start : asked.stop]
+    is_lack = said[0].lower == "there" and any(token.lower in _DENYING for token in said)
+    behind = tokens[asked.stop : asked.stop + 1]
+    return is_lack and said[-1].pos in _NAMING and bool(behind) and behind[0].lower in _ARTICLES
 
 
 def _good_enough(document: Document, parts: Sequence[_Part], k: int, tasks: Mapping[int, str]) -> range:
