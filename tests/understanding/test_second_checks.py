@@ -231,3 +231,30 @@ def test_the_opposite_of_another_thing_is_a_condition_of_its_own(interpreter: In
 
 def test_nobody_there_keeps_nothing_from_an_order_to_change_something(interpreter: Interpreter) -> None:
     assert flow(interpreter, "Feed the hens, and if nobody is there, shut the gate.") == [1, {"if": 2, "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "See if the jug is empty; if there's something left in it, put it in the fridge.",
+        "Check if the soup is gone, and if there's some left, bring it.",
+        "See if the parcel is gone. If it's still there, bring it.",
+        "Check if the radio is broken, and if it still works, bring it.",
+    ],
+)
+def test_what_is_still_there_is_not_gone(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 2], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "See if the jug is empty. If there's nothing in it, put it away.",
+        "See if the parcel is gone. If it isn't there any more, tell me.",
+        "Check if the radio is broken. If it doesn't work, throw it away.",
+        "See if the jug is full. If there's something in it, bring it.",
+        "See if the fan is on. If it works, tell me.",
+    ],
+)
+def test_what_is_not_there_is_gone(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 2], "then": [3]}]

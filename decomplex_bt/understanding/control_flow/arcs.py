@@ -37,6 +37,10 @@ _DESERTED = frozenset("free empty vacant unoccupied available deserted clear".sp
 _AT_WORK = frozenset("working running going functioning operating operational lit live powered".split())
 """Says of what is switched on that it does what it should."""
 
+_USED_UP = frozenset("empty gone finished".split())
+"""Says that there is nothing in something, or none left of it."""
+_OUT_OF_ORDER = frozenset("broken bust busted faulty defective dead".split())
+
 
 @dataclass(frozen=True, slots=True)
 class Arc:
@@ -54,7 +58,9 @@ class Wording:
     `and` or `or` that joins it, as stated, to the clause before it as stated, without an "if" of its own ("unless A or
     B" is not A `and` not B). `is_contrary`: by its word alone it says that something failed or is not there ("if it
     sticks", "if she is gone"). `is_echo`: it affirms what was said and says no more ("if she is").
-    `is_of_anybody`: it asks if somebody is somewhere or does something."""
+    `is_of_anybody`: it asks if somebody is somewhere or does something. `is_of_rest`: it says, its negation aside, that
+    there is something in or left of something, or that this is there ("if there's *some left*"); `is_at_work`: that
+    something works."""
 
     is_negated: bool = False
     state: str | None = None
@@ -65,6 +71,8 @@ class Wording:
     is_contrary: bool = False
     is_echo: bool = False
     is_of_anybody: bool = False
+    is_of_rest: bool = False
+    is_at_work: bool = False
 
     def is_opposite_of(self, other: Wording) -> bool:
         return self.state is not None and self.opposite is not None and other.state == self.opposite
@@ -77,6 +85,8 @@ class Wording:
             return True
         if first.is_of_anybody and self.state in _DESERTED:
             return True  # "see if anyone is in there. If it's free, ..."
+        if (self.is_of_rest and first.state in _USED_UP) or (self.is_at_work and first.state in _OUT_OF_ORDER):
+            return True
         return self.is_contrary and not first.is_contrary
 
 

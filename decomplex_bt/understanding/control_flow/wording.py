@@ -29,6 +29,8 @@ _COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 _LOSING = frozenset(("drop", "spill"))
+_RESTING = frozenset("some something any anything none nothing left still".split())
+_NO_LONGER = frozenset(("anymore", "more", "any"))
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
 _ADVERBIAL = {
     "before_that": ("before", "first"),
@@ -90,7 +92,20 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         # "if he is", "if it does", "when they have"
         is_bare(observed.document, task, last, ECHOING) or _says_who(observed.document, task),
         is_of_somebody(observed.document, task, _ANYBODY),
+        _is_of_rest(tokens, task, first, last),
+        task.type == "check_state" and tokens[task.token].lemma == "work" and state is None,
     )
+
+
+def _is_of_rest(tokens: Sequence[Token], task: MarkedTask, first: int, last: int) -> bool:
+    """Whether a clause says that there is, or is not, anything in or left of something, or that this is still where it
+    was: "if *there's some left*", "if *it's still there*"."""
+    if task.type != "check_state" or tokens[task.token].lemma not in BEING:
+        return False
+    said = [token.lower for token in tokens[max(first, task.token) : last + 1] if token.text not in PUNCTUATION]
+    is_there = task.token > 0 and tokens[task.token - 1].lower == "there" and not _RESTING.isdisjoint(said)
+    last_word = next((word for word in reversed(said) if word not in _NO_LONGER), "")
+    return is_there or last_word in ("there", "here")
 
 
 def _joint(carrier: Token, leading: Collection[str]) -> str:
