@@ -158,3 +158,20 @@ def test_what_comes_on_top_in_a_case_keeps_from_no_order_before(
     interpreter: Interpreter, text: str, expected: object
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take the tray to Gran. If she doesn't want it, give it to Dad, and if he doesn't either, put it in the oven.",
+        "Ask Sid. If he doesn't know, ask Lea, and if she doesn't either, come back.",
+        "Give Kim the pie. If she doesn't eat it, give it to Tom, and if he doesn't either, throw it away.",
+    ],
+)
+def test_what_a_second_one_does_not_do_either_is_asked_of_that_one(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [1, {"if": 2, "else": [3, {"if": 4, "else": [5]}]}]
+
+
+def test_what_is_said_again_of_the_first_one_is_the_same_case(interpreter: Interpreter) -> None:
+    text = "Take the tray to Gran. If she doesn't want it, give it to Dad, and if she does, tell me."
+    assert flow(interpreter, text) == [1, {"if": [2, 4], "then": [5], "else": [3]}]

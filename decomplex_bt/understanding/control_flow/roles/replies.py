@@ -352,9 +352,12 @@ def lack_too(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     clause, order = clauses[k], clauses[k - 1]
     is_too = clause.says_too and clause.wording.is_negated and clause.has_pronoun and roles[k] == "mention"
     first = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if not is_too or first is None or roles[k - 1] != "task" or order.task.type not in ("informing", "searching"):
+    is_of_other = order.task.type in ("informing", "searching")
+    is_of_other = is_of_other or (order.task.type == "bringing" and bool(order.receivers) and clause.is_of_person)
+    if not is_too or first is None or roles[k - 1] != "task" or not is_of_other:
         return
-    if clauses[first].verb == clause.verb and clauses[first].wording.is_negated:
+    is_same = clauses[first].verb == clause.verb or (clause.verb == "do" and not clause.objects)
+    if is_same and clauses[first].wording.is_negated:
         roles[k - 1 if roles[first] == "mention" else k] = "condition"
 
 
