@@ -138,8 +138,8 @@ def that_there_is(document: Document, arguments: Sequence[FoundArgument], check:
 
 def with_subject(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
     """The arguments with what a check asks if "there is", where it has none, with who a wish is of, and what is wished
-    for, and with who calls or is done: "whether there's *bread*", "if *she* doesn't want *the cake*", "when *I*'m
-    *done*"."""
+    for, and with who calls, is at work or is done: "whether there's *bread*", "if *she* doesn't want *the cake*", "when
+    *I*'m *done*", "if *that*'s *broken*"."""
     tokens = document.tokens
     if any(a.owner == check for a in arguments):
         return list(arguments)
@@ -153,7 +153,22 @@ def with_subject(document: Document, arguments: Sequence[FoundArgument], check: 
     elif check and tokens[check - 1].lower in _SUBJECTS and (tokens[check].lemma in CALLING or _is_over(tokens, check)):
         told = {"object": range(check - 1, check)}
         told["state"] = range(check + 1, check + 2) if _is_over(tokens, check) else None
+    elif (subject := _pointed_at(tokens, check)) is not None:
+        is_denied = tokens[check + 1].tag == "RB"
+        stop = next((t.i for t in tokens[check + 1 :] if t.text in MARKS), len(tokens))
+        told = {"object": subject}
+        told["state"] = range(check + 1 + is_denied, stop) if tokens[check].tag != "VBN" else None
     return with_told(arguments, check, {name: words for name, words in told.items() if words})
+
+
+def _pointed_at(tokens: Sequence[Token], check: int) -> range | None:
+    """The "you" or "that" which is the subject of a case with no more than a participle: "if *that*'s broken", "if
+    *you*'re not using it", "if *you*'ve finished with it"."""
+    be = check - (tokens[check].tag == "VBN")
+    is_case = be > 1 and tokens[be - 2].lower == "if" and tokens[be - 1].lower in ("you", "that")
+    behind = next((t for t in tokens[be + 1 :] if t.tag != "RB"), None)
+    is_participle = behind is not None and behind.tag in ("VBG", "VBN")
+    return range(be - 1, be) if is_case and is_participle else None
 
 
 def _is_over(tokens: Sequence[Token], check: int) -> bool:

@@ -21,6 +21,10 @@ _JOINING = frozenset(("and", "but", "or", "so", "only"))
 _BE_OR_HAVE = frozenset("is are 's \u2019s 're \u2019re has have was were had".split())
 _WAITING = frozenset(("as", "once", "after"))
 _HAVE = frozenset("has have had 's \u2019s".split())
+_ARE_OR_HAVE = frozenset("are 're \u2019re have 've \u2019ve".split())
+_PLANNING = frozenset("going trying planning wondering thinking asking struggling having feeling getting".split())
+"""What tells of no work that somebody is at."""
+_APPROVING = frozenset("need want require prefer allow permit do finish settle sort".split())
 _LEFT = frozenset("gone left come arrived returned".split())
 _AM_OR_HAVE = frozenset("am 'm \u2019m m are 're \u2019re have 've \u2019ve ve".split())
 _PERSONS = frozenset("he she they we somebody someone anybody anyone nobody".split())
@@ -74,6 +78,8 @@ def untold(document: Document, tasks: Mapping[int, str]) -> frozenset[int]:
         | frozenset(_doubts(document, tasks))
         | frozenset(_of_speaker(document))
         | frozenset(_times_of_speaker(document, tasks))
+        | frozenset(_of_listener(document, tasks))
+        | frozenset(_of_that(document, tasks))
         | frozenset(_happenings(document, tasks))
         | frozenset(
             be
@@ -243,6 +249,43 @@ def _times_of_speaker(document: Document, tasks: Mapping[int, str]) -> Iterator[
         is_free = tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i)
         if is_free and stop > i + 3 and tokens[i + 3].tag not in ("VBG", "MD", "TO", "DT"):
             yield i + 2
+
+
+def _of_listener(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "are" or "have" of every case of what the one spoken to is doing, right behind what is ordered, or is done
+    with: "turn it off if *you're* not watching it", "if *you've* finished with it, ..."; not "if you're done"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-3]):
+        if token.lower != "if" or tokens[i + 1].lower != "you" or tokens[i + 2].lower not in _ARE_OR_HAVE:
+            continue
+        said = next((t for t in tokens[i + 3 :] if t.lower not in _NOT and t.tag != "RB"), token)
+        is_over = said.lower in ("finished", "done") and [t.lower for t in tokens[said.i + 1 : said.i + 2]] == ["with"]
+        is_doing = said.tag == "VBG" and said.lower not in _PLANNING and tokens[i + 2].lemma != "have"
+        stop = next((j for j in range(i + 1, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        is_free = tasks.keys().isdisjoint(range(i, stop)) and not _is_told(document, tasks, i)
+        if is_free and (is_over or (is_doing and _is_behind_order(document, tasks, i))):
+            yield i + 2
+
+
+def _of_that(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:
+    """The "is" of every case, right behind what is ordered, of what has become of something that is pointed at: "hand
+    me another if *that's* broken"; not "if that's needed"."""
+    tokens = document.tokens
+    for i, token in enumerate(tokens[:-3]):
+        is_that = token.lower == "if" and tokens[i + 1].lower == "that" and tokens[i + 2].lower in _BE_OR_HAVE
+        behind = tokens[i + 4 : i + 5]
+        is_state = tokens[i + 3].tag == "VBN" and tokens[i + 3].lemma not in _APPROVING
+        is_whole = not behind or behind[0].text in MARKS
+        if is_that and is_state and is_whole and _is_behind_order(document, tasks, i) and i + 3 not in tasks:
+            yield i + 2
+
+
+def _is_behind_order(document: Document, tasks: Mapping[int, str], opener: int) -> bool:
+    """Whether a case stands behind an order of its sentence, without a mark between."""
+    before = max((i for i in tasks if i < opener), default=None)
+    if before is None or tasks[before] in ("check_state", "informing"):
+        return False
+    return all(token.text not in MARKS for token in document.tokens[before:opener])
 
 
 def _happenings(document: Document, tasks: Mapping[int, str]) -> Iterator[int]:

@@ -26,6 +26,8 @@ _COMING_TO_WORDS = {verb: frozenset(words.split()) for verb, words in _COMING_TO
 _STATES = frozenset(_COMING_TO["get"].split())
 _NEAR = 4
 """Within so many words behind its verb stands what it comes to [tokens]."""
+_CANNOT = 2
+"""The words of "can't" [tokens]."""
 _THINGS = frozenset(("DT", "PRP$", "NN", "NNS", "NNP", "JJ", "CD", "PRP", "JJR"))
 
 
@@ -46,6 +48,9 @@ def mishaps(document: Document) -> Iterator[Mishap]:
         is_opened = token.lower in _OPENING or (token.lower == "case" and tokens[i - 1].lower == "in")
         if not is_opened or tokens[i + 1].lower != "you":
             continue
+        if (reached := _reached(document, i + 2)) is not None:
+            yield Mishap(reached, {"object": range(reached + 2, reached + 3)})
+            continue
         verb = i + 2
         while verb < len(tokens) - 1 and tokens[verb].lower in _BETWEEN and not _is_having(document, verb):
             verb += 1
@@ -60,6 +65,14 @@ def mishaps(document: Document) -> Iterator[Mishap]:
             yield Mishap(verb, {"object": range(i + 1, i + 2), "state": range(end, end + 1)})
         elif end is not None:
             yield Mishap(verb, _told(document, range(end, stop) if tokens[verb].lemma in ("run", "knock") else behind))
+
+
+def _reached(document: Document, first: int) -> int | None:
+    """The "get" of what cannot be reached where it is only pointed at: "if you can't *get* at it"."""
+    words = [token.lower for token in document.tokens[first : first + _CANNOT + 3]]
+    is_denied = words[0] in ("can", "ca", "could") and words[1:_CANNOT] in (["n't"], ["n\u2019t"], ["not"])
+    is_at = is_denied and words[_CANNOT : _CANNOT + 2] == ["get", "at"] and words[-1] in ("it", "them", "that")
+    return first + _CANNOT if is_at else None
 
 
 def _is_having(document: Document, verb: int) -> bool:

@@ -27,7 +27,9 @@ def oppose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_restricted = "unless" in clauses[k - 1].near
     is_forbidding = k > 1 and clauses[k - 2].is_forbidden and sides[k - 2] == ">1-" and not is_restricted
     is_plain = roles[k - 1] == "condition" and (is_forbidding or not clauses[k - 1].wording.is_negated)
-    if roles[k] == "task" and clauses[k].is_otherwise and is_plain and sides[k] == HOLDS:
+    is_search = clauses[k - 1].task.type == "searching" and "if" not in clauses[k - 1].near
+    is_in_vain = is_search and clauses[k].far[-2:] == ("fail", "if")  # "should you come up empty, ..."
+    if roles[k] == "task" and (clauses[k].is_otherwise or is_in_vain) and is_plain and sides[k] == HOLDS:
         sides[k] = FAILS
     if _is_echoed_before(clauses, roles, k) and (clauses[k].is_otherwise or _falls_back(clauses[k])):
         is_of_it = sides[k - 2][:2] == "<1" and sides[k][:2] == "<1"
