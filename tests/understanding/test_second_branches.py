@@ -391,3 +391,54 @@ def test_what_is_done_with_a_thing_or_its_substitute_is_done_with_either(
     interpreter: Interpreter, text: str, expected: object
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put the spoons in the drawer. If the drawer is missing, use the tray.",
+        "Put the spoons in the drawer. If the drawer is full, use the tray.",
+        "Put the ham in the fridge. If the fridge is broken, put it in the cellar.",
+        "Lay the cake on the plate. If the plate is cracked, use a tray.",
+    ],
+)
+def test_nothing_is_put_where_nothing_can_be(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 2, "then": [3], "else": [1]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put the spoons in the drawer. If the drawer is broken, mend it.",
+        "Put the spoons in the drawer. If the spoons are missing, use the forks.",
+    ],
+)
+def test_what_is_seen_to_afterwards_keeps_nothing_from_its_place(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Put the jug on the rack unless it's full. Put it in the sink then.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Hang the coat up unless the hooks are taken. Lay it on the bed then.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Put the jug on the rack unless it's full. Put it in the sink.", [{"if": 2, "else": [1]}, 3]),
+        ("Put the jug on the rack unless it's full. Wash it then.", [{"if": 2, "else": [1]}, 3]),
+    ],
+)
+def test_what_is_put_elsewhere_then_is_put_there_in_the_excepted_case(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If the tank is under thirty percent, fill it; over that, bring it to me.",
+        "If it's above 25 degrees, open the hatch; below that, close it.",
+        "If there are under six plums, bring them; above that, cook them.",
+    ],
+)
+def test_what_lies_beyond_a_limit_is_the_other_side(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 1, "then": [2], "else": [3]}]

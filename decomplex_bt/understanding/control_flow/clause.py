@@ -185,6 +185,8 @@ class Clause:
     either*"."""
     turns: tuple[str, ...] = ()
     """What turns to the other case ahead of its verb: "not" for an "if not" or the like, "otherwise" for the rest."""
+    is_then: bool = False
+    """Whether it ends in a "then", which takes up a case: "put it on the floor *then*"."""
     is_past_wait: bool = False
     """Whether the words ahead, in a sentence before, only say to wait: "if it isn't hot, *wait*. Then bring it"."""
     is_past_supposition: bool = False

@@ -236,6 +236,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_of_kind=_begins_with(document, task, _OF_KIND),
         names_any=_begins_with(document, task, _ANY),
         turns=turns(document, ahead, token),
+        is_then=document.tokens[stretch.last].lower == "then",
         case=takes_up_case(document, previous, token),
         is_on_arrival=is_on_arrival(document, previous, token),
         of_both=of_both(document, previous, token, own_last if task.type in FINDING_OUT else token - 1),

@@ -64,6 +64,7 @@ _CASES = dict.fromkeys(("that", "this", "such", "latter", "second"), "same") | d
     ("former", "first"), "other"
 )
 """Which case is meant by what stands before "case", behind what is done in one."""
+_LIMITS = frozenset("under over below above".split())
 _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
 _AMOUNTS = (["how", "many"], ["how", "much"])
@@ -142,14 +143,21 @@ def is_past_supposition(document: Document, token: int) -> bool:
 
 def takes_up_case(document: Document, previous: int, token: int) -> str:
     """ "same" where the words ahead of a verb, up to the task before, say that it is done in the case of that ("*in
-    that case*, also ..."), "other" where in the other one ("*in the former case*"); else ""."""
+    that case*, also ..."), "other" where in the other one ("*in the former case*", "if it's under ten, ...; *over
+    that*, ..."); else ""."""
     sentence = document.sentences[token]
     ahead = document.tokens[previous + 1 : token]
     words = [normal_form(t.lower) for t in ahead if document.sentences[t.i] == sentence]
     for i, word in enumerate(words):
         if word == "case" and "in" in words[max(0, i - 3) : i]:
             return _CASES.get(words[i - 1], "")
-    return ""
+    while words and words[-1] in (",", "just", "please"):
+        words.pop()
+    tokens = document.tokens
+    is_limited = any(t.lower in _LIMITS and tokens[t.i + 1].tag == "CD" for t in tokens[:previous])
+    is_parted = words[-3:-2] in ([], [";"], [","], ["and"])
+    is_beyond = words[-1:] == ["that"] and not _LIMITS.isdisjoint(words[-2:-1])
+    return "other" if is_limited and is_parted and is_beyond else ""
 
 
 def of_both(document: Document, previous: int, token: int, last: int) -> str:

@@ -51,6 +51,7 @@ _RULES = (
     reversals.see_to,
     reversals.report,
     reversals.take_up_case,
+    reversals.do_then,
     reversals.turn_back,
     reversals.affirm,
     reversals.correct,

@@ -10,7 +10,15 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.failures import is_fallback_behind, is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import turns_on_report
 from decomplex_bt.understanding.control_flow.roles.orders import may_choose, opened_if_not
-from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, OPENING, TURNING, beside, goes_on
+from decomplex_bt.understanding.control_flow.sides.labels import (
+    FAILS,
+    HOLDS,
+    MOVING,
+    OPENING,
+    TURNING,
+    beside,
+    goes_on,
+)
 
 _OTHERS = frozenset("else so if unless when only_if".split())
 _IFS = frozenset(("if", "when"))
@@ -73,10 +81,11 @@ def see_to(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
 
 
 def take_up_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is done "in that case", in a sentence behind what is done in one, is done in the same ("if it's hot, bring
-    it. If not, fill it. *In that case* also ..."), and what is done "in the former case" in the other one."""
+    """What is done "in that case", right behind what is done in one, is done in the same ("if it's hot, bring
+    it. If not, fill it. *In that case* also ..."), and what is done "in the former case" or "over that" in the
+    other one."""
     clause, before = clauses[k], clauses[k - 1]
-    is_behind = (roles[k - 1], roles[k]) == ("task", "task") and clause.sentence == before.sentence + 1
+    is_behind = (roles[k - 1], roles[k]) == ("task", "task") and clause.sentence - before.sentence in (0, 1)
     if not (is_behind and clause.case and sides[k - 1] in (HOLDS, FAILS)):
         return
     other = FAILS if sides[k - 1] == HOLDS else HOLDS
@@ -85,6 +94,20 @@ def take_up_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         if roles[j] != "task" or clauses[j].sentence != clause.sentence or sides[j] != was:
             return
         sides[j] = side
+
+
+def do_then(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is done with the same thing in another place "then", in the sentence behind an "unless", is done where that
+    holds ("put it on the shelf unless it's full. *Put it on the floor then*")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, clause = clauses[k - 2 : k + 1]
+    is_excepted = check.near == ("unless",) and check.boundary == "none" and check.sentence == order.sentence
+    is_same = order.task.type == clause.task.type in MOVING and clause.is_of_it and not clause.objects
+    is_elsewhere = bool(clause.receivers) and clause.receivers.isdisjoint(order.receivers)
+    is_next = clause.sentence == check.sentence + 1 and sides[k - 1] == sides[k] == "top"
+    if is_excepted and is_same and is_elsewhere and is_next and clause.is_then:
+        sides[k] = FAILS
 
 
 def report(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -36,6 +36,7 @@ _USELESS = frozenset(
 )
 _FAILING = frozenset("broken order service use locked shut closed empty stuck down".split())
 """What nothing can be taken from, or done with."""
+_LOST = frozenset("missing gone lost cracked torn".split())
 _FILLED = frozenset("full packed crammed overflowing".split())
 _SLEEPING = frozenset("asleep sleeping napping dozing resting".split())
 _CHOOSING = (("or", "if"), ("or", "if", "not"))
@@ -78,20 +79,22 @@ def find_no_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
 
 
 def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is put elsewhere where its place is full or shut is not put there ("put it in the box. If the box is full,
-    put it on the shelf"), and that is asked where it would have been put."""
+    """What is put elsewhere where its place is full, shut or missing is not put there ("put it in the box. If the box
+    is full, put it on the shelf", "... is missing, use the basket"), and that is asked where it would have been put."""
     if k + 1 >= len(clauses) or roles[k] != "condition" or roles[k - 1] != roles[k + 1] or roles[k - 1] != "task":
         return
     before, clause, after = clauses[k - 1 : k + 2]
     are_moves = before.task.type in MOVING and after.task.type in MOVING
-    is_place = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
+    is_place = is_named = not (before.nouns - set(before.objects)).isdisjoint(clause.objects)
     is_one = before.number == "many" != clause.number and clause.has_pronoun and not clause.objects
     is_place = is_place or (is_one and before.task.type == "placing")  # "put the cans in the bin, and if that's full"
     is_way = not _WAYS.isdisjoint(clause.objects[-1:]) and clause.boundary in PARTING
     is_place = is_place or is_way  # "carry it upstairs. If the stairs are blocked, ..."
-    is_shut = clause.wording.state in OBSTRUCTED | (_BROKEN if is_way else frozenset())
-    is_shut = is_shut and not clause.wording.is_negated
-    is_same = after.has_pronoun and not after.objects and not {"first", "before"} & set(after.wording.orders)
+    is_useless = clause.wording.state in _BROKEN | (frozenset() if is_way else _LOST) and (is_way or is_named)
+    is_shut = (clause.wording.state in OBSTRUCTED or is_useless) and not clause.wording.is_negated
+    is_used = after.verb == "use" and after.task.type == "placing"
+    is_same = is_used or (after.has_pronoun and not after.objects)
+    is_same = is_same and not {"first", "before"} & set(after.wording.orders)
     # "if the bin is full, take it out", not "take them out", of which one is not full
     is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
     is_leading = after.sentence == clause.sentence and clause.boundary != "none"
