@@ -292,3 +292,17 @@ def test_the_last_of_two_things_has_the_condition_behind_it(interpreter: Interpr
 def test_two_things_without_a_mark_share_their_condition(interpreter: Interpreter) -> None:
     text = "Bring me the milk and the sugar if they're on the shelf."
     assert interpreter.interpret(text).flow.to_json() == [{"if": 2, "then": [1]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Look for my ring in the bath, and if it isn't there, in the sink, and bring it to me.",
+        "Search for the cat in the barn and, if it's not there, on the roof, and then bring it here.",
+        "Look for Gran's hat in the hall, and if it isn't there, under the bed, and tell me.",
+    ],
+)
+def test_what_goes_on_behind_a_second_place_is_done_after_either(interpreter: Interpreter, text: str) -> None:
+    instruction = interpreter.interpret(text)
+    assert instruction.flow.to_json() == [{"if": [1, 2], "else": [3]}, 4]
+    assert instruction.tasks[2].value("location").startswith(("in the sink", "on the roof", "under the bed"))

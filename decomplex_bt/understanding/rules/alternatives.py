@@ -301,7 +301,10 @@ def _is_behind(document: Document, parts: Sequence[_Part], k: int, body: range, 
         return True
     if part.lead != "mark" or not _follows_condition(parts, k, tasks):
         return False
-    is_parted = _joint(document, parts[k - 1]) == "or" and _goes_on(document, following)
+    is_place = len(body) > 1 and document.tokens[body.start].lower in PREPOSITIONS
+    is_missed = is_place and any(document.tokens[i].lower in _DENYING for i in parts[k - 1].body)
+    is_parted = _joint(document, parts[k - 1]) in (("or", "and") if is_missed else ("or",))
+    is_parted = is_parted and _goes_on(document, following)
     if not (part.is_last or is_parted):
         return False
     if document.tokens[part.body.start].lower == "and":
