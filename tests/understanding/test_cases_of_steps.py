@@ -112,6 +112,7 @@ def test_who_is_nowhere_is_in_none_of_the_places(interpreter: Interpreter, text:
         ("Switch the router off and on again.", [1, 2]),
         ("If the screen is black, turn it off and then back on.", [{"if": 1, "then": [2, 3]}]),
         ("Turn the lantern on if it's off and on the desk.", None),
+        ("Switch the router off and on again when it hangs.", [{"if": 3, "then": [1, 2]}]),
     ],
 )
 def test_what_is_switched_off_and_on_again(interpreter: Interpreter, text: str, expected: Any) -> None:
@@ -144,4 +145,19 @@ def test_who_is_told_is_not_whom_it_is_about(interpreter: Interpreter) -> None:
     ],
 )
 def test_when_and_what_is_begun(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Switch the lantern on for the children and off again once they've left.", [1, 3, 2]),
+        ("Turn the radio on for Gran, and off again after she's gone to bed.", [1, 3, 2]),
+        ("Turn the heater on now and off when I leave.", [1, {"if": 3, "then": [2]}]),
+        ("Turn the pump off for now and back on when Lea comes home.", [1, {"if": 3, "then": [2]}]),
+    ],
+)
+def test_what_is_switched_for_something_is_switched_back_after_it(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
     assert flow(interpreter, text) == expected

@@ -137,6 +137,7 @@ _RULES = (
     guards.guard_handing,
     guards.confine_to_sentence,
     guards.guard_last,
+    guards.guard_return,
     substitutions.keep_state,
     prohibitions.set_apart,
     scopes.go_ahead,

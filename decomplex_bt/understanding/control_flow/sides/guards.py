@@ -37,6 +37,10 @@ _AND_ONLY = (("but", "but"), ("and", "but"))
 _LIST = 3
 """From so many orders on they are a list."""
 
+_SWITCHED = frozenset(("on", "off"))
+_AT_ONCE = 3
+"""The most tokens from "off" to "on" in "off and back on"."""
+
 
 def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
@@ -270,3 +274,18 @@ def _speaks_of(order: Clause, check: Clause, before: Clause) -> bool:
     is_of_them = check.is_check and check.is_of_person and not (check.objects or check.said_state)
     is_apart = bool(before.objects) and bool(before.number) and not (before.receivers or before.has_pronoun)
     return is_told and is_of_them and is_apart
+
+
+def guard_return(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is switched on "and off" when something is so, in one breath, is switched on at once ("turn the lamp on *and
+    off again when Tom leaves*"); what is switched off and on is only if more is said of that ("off *for now* and on
+    again when ...")."""
+    if k < 2 or tuple(roles[k - 2 : k + 1]) != ("task", "task", "condition"):
+        return
+    order, back, check = clauses[k - 2 : k + 1]
+    said = [indices[-1] for kind, indices in order.task.arguments if kind == "state" and len(indices)]
+    is_apart = bool(said) and (order.wording.state == "on" or back.task.token - said[-1] > _AT_ONCE)
+    is_back = back.verb in _SWITCHED and order.wording.state in _SWITCHED - {back.verb}
+    is_behind = check.near == ("when",) and check.boundary == "none" and check.is_trailing
+    if is_apart and is_back and is_behind and sides[k - 2 : k] == [">1+", ">1+"]:
+        sides[k - 2] = sides[k] if sides[k] in ("top", HOLDS, FAILS) else "top"
