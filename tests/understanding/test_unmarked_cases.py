@@ -55,3 +55,8 @@ def test_who_is_pointed_at_is_what_the_case_is_of(interpreter: Interpreter) -> N
 )
 def test_what_comes_to_nothing_fails(interpreter: Interpreter, text: str, expected: list[object]) -> None:
     assert flow(interpreter, text) == expected
+
+
+def test_what_one_is_done_with_may_be_in_any_state(interpreter: Interpreter) -> None:
+    text = "Hang the hammer up if you've finished with it. If it's broken, bring it to me."
+    assert flow(interpreter, text) == [{"if": 2, "then": [1]}, {"if": 3, "then": [4]}]

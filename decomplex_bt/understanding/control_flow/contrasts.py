@@ -140,10 +140,12 @@ def _is_after_fall(clause: Clause, first: Clause) -> bool:
 
 
 def _is_of_deed(clause: Clause, first: Clause) -> bool:
-    """Whether it tests how somebody is where the other asks if they do something, of which no state is the opposite:
-    "if the neighbours *complain*, turn it down, and if they still aren't *happy*, ..."."""
+    """Whether it tests how somebody or something is where the other asks if they do something, of which no state is the
+    opposite: "if the neighbours *complain*, turn it down, and if they still aren't *happy*, ...", or if the one spoken
+    to has finished."""
     is_state = clause.is_check and clause.verb in _BEING and bool(clause.said_state) and not clause.is_of_weather
-    is_deed = first.is_check and first.verb in _DEEDS and not first.wording.is_negated
+    is_of_listener = first.verb == "finish" and not (first.objects or first.number or first.has_pronoun)
+    is_deed = first.is_check and (first.verb in _DEEDS or is_of_listener) and not first.wording.is_negated
     return is_state and is_deed and not {*clause.far, *clause.near} & {"else", "fail", "so"}
 
 
