@@ -350,3 +350,36 @@ def test_an_answer_or_a_remark_takes_no_order_back(interpreter: Interpreter, tex
 def test_a_hesitation_between_marks_parts_no_phrase(text: str, thing: str) -> None:
     (task,) = Interpreter.load().interpret(text).tasks
     assert task.value("object") == thing
+
+
+@pytest.mark.parametrize(
+    ("text", "type", "expected"),
+    [
+        ("carry the tray to grandma, i mean grandpa", "recipient", "grandpa"),
+        ("lend it to ben, no, kate", "recipient", "kate"),
+        ("Fetch the scarf for Eva, sorry, Max.", "recipient", "Max"),
+        ("fetch me two plates, wait no five", "object", "five"),
+        ("Carry the tray to Eva, no rush.", "recipient", "to Eva"),
+        ("Carry the tray to Eva, Max is out.", "recipient", "to Eva"),
+    ],
+)
+def test_who_is_named_bare_and_a_number_stand_in_place(
+    interpreter: Interpreter, text: str, type: str, expected: str
+) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert task.value(type) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Fetch me the green towel, not the green one, the white one.", "the white towel"),
+        ("Lend Tom the torch. No, not that one, the small one.", "the small torch"),
+        ("Get the jacket. Not that one, the brown one.", "the brown jacket"),
+        ("Lend me the fan, no, the small one.", "the small fan"),
+        ("Get the jacket. Not that one.", "the jacket"),
+    ],
+)
+def test_one_of_several_is_denied_and_another_named(interpreter: Interpreter, text: str, expected: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert task.value("object") == expected

@@ -189,7 +189,8 @@ def is_of_wish(tasks: Mapping[int, str], argument: FoundArgument) -> bool:
 
 
 def corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: range) -> list[FoundArgument]:
-    """The arguments with a phrase in place of the last one before it that it may stand for."""
+    """The arguments with a phrase in place of the last one before it that it may stand for; a "one" stands for no
+    pronoun ("Lend *me* the fan. No, the small one.")."""
     tokens = observed.document.tokens
     others = [a for a in arguments if not set(a.tokens) & set(phrase)]
     before = [a for a in others if a.tokens.stop <= phrase.start and a.type not in ("state", "manner")]
@@ -200,7 +201,13 @@ def corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: ra
     before.sort(key=lambda a: a.tokens.stop)
     is_new = bool(before) and sentences[phrase.start] != sentences[before[-1].tokens.start]
     is_led = tokens[phrase.start].pos == "ADP"
-    if is_led or is_new or tokens[phrase.stop - 1].lower in ("one", "ones"):
+    is_one = tokens[phrase.stop - 1].lower in ("one", "ones")
+    if is_one and not is_led and before:
+        owner = before[-1].owner
+        before = [a for a in before if tokens[a.tokens.start].tag != "PRP"]
+        if not before:
+            return [*others, FoundArgument("object", owner, phrase, CERTAIN)]
+    if is_led or is_new or is_one:
         before = [a for a in before if (tokens[a.tokens.start].pos == "ADP") == is_led] or before
     if not before:
         return list(arguments)

@@ -130,7 +130,7 @@ class Said:
             said -= DENYING  # "no milk"
         if after is not None and after.pos == "NUM" and words[-1] in DENYING:
             is_number = run.start > 0 and self.document.tokens[run.start - 1].pos != "NUM"
-            said -= DENYING if is_number else set()  # "room no 7"
+            said -= DENYING if is_number and TURNING.isdisjoint(words) else set()  # "room no 7", not "wait no seven"
         if after is not None and words[-1] == "sorry" and after.lower in _AFTER_SORRY:
             said.discard("sorry")
         if after is not None and after.lower in AFTER_NO:

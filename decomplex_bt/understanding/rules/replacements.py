@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from decomplex_bt.understanding.document import ENDS
+from decomplex_bt.understanding.references.first_names import MEN, WOMEN
 from decomplex_bt.understanding.rules.edits import (
     AHEAD,
     ASKING_FOR,
@@ -40,6 +41,7 @@ _SUBORDINATING = frozenset("before after once when if while until till unless as
 _WITHIN = frozenset(("relcl", "acl", "xcomp"))
 _PARTICLES = frozenset("on off up down in out".split())
 _NAMING = frozenset(("NOUN", "PROPN", "ADJ", "NUM", "DET", "PART"))
+_TO_WHOM = frozenset(("to", "for"))
 
 
 def _stub(said: Said, run: range) -> range:
@@ -197,16 +199,26 @@ def _phrase_before(said: Said, run: range) -> Collection[int]:
 
 def _is_other_word(said: Said, left: int, right: int) -> bool:
     """Whether a bare word stands in place of the last one of what was said: the noun of a phrase with an article ("my
-    passport - sorry, *notebook*"), or the other particle ("turn the fryer on, no, *off*!")."""
+    passport - sorry, *notebook*"), what is named bare behind a "to" or "for" ("to Pia, no,
+    *Ned*"), or the other particle ("turn the fryer on,
+    no, *off*!")."""
     words, tokens = said.words, said.document.tokens
     is_last = right + 1 == len(words) or words[right + 1] in MARKS | ENDS | _COORDINATING
     if not is_last or not said.are_together(left, right):
         return False
     if words[left] in _PARTICLES and words[right] in _PARTICLES:
         return words[left] != words[right]
+    if left and words[left - 1] in _TO_WHOM and all(_is_bare(said, i) for i in (left, right)):
+        return words[left] != words[right]
     is_noun = tokens[left].tag in ("NN", "NNS") and tokens[right].tag in ("NN", "NNS")
     is_named = left > 0 and (words[left - 1] in _DETERMINERS or tokens[left - 1].pos == "ADJ")
     return is_noun and is_named and not said.begins_clause(left) and words[left] != words[right]
+
+
+def _is_bare(said: Said, i: int) -> bool:
+    """Whether a word names something or somebody without an article: "Ned", "ned", "mum", "lunch"."""
+    token = said.document.tokens[i]
+    return token.tag in ("NN", "NNP") or token.lower in WOMEN | MEN
 
 
 def _other_kind(said: Said, left: int, right: int, end: int) -> range:

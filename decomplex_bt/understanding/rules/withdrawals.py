@@ -50,7 +50,7 @@ _RUN_ON = frozenset(("no", "nope", "sorry"))
 _LEADING = frozenset(("DT", "PRP$"))
 """What opens a phrase behind one of these where no mark stands between: "no *the green one*"."""
 _DENYING = frozenset(("no", "nope", "nah"))
-_TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_DOINGS)} | {"mean", "meant", "rather"}
+_TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_DOINGS)} | {"mean", "meant", "rather", "not"}
 """Words of which every withdrawal has one."""
 _OPENERS = _REVERSING | frozenset(
     "well ok okay on um uh er erm ah hmm but and so you know what or then just second thoughts thought".split()
@@ -58,6 +58,8 @@ _OPENERS = _REVERSING | frozenset(
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
 _LAST = frozenset(("one", "bit"))
+_ONES = frozenset(("one", "ones"))
+_POINTING = frozenset("the that this those these".split())
 _CONDITIONAL = frozenset("if only_if unless when fail so until depending".split())
 _ELSE = frozenset(("otherwise", "else", "alternatively"))
 _BREAKS = MARKS | {"...", "…"}
@@ -145,8 +147,13 @@ class _Words:
             is_meant
             or is_set_off
             or is_next
+            or self.denies_one(at)
             or (not _CORRECTING.isdisjoint(lead) and bool(lead) and lead[-1] in _BREAKS)
         )
+
+    def denies_one(self, at: int) -> bool:
+        """Whether one of several is denied right before here, and another one named: "*not that one*, the long one"."""
+        return self.denial(at) < at and any(word in _ONES for word in self.said[_clause(self.said, at)])
 
     def is_denied(self, at: int) -> bool:
         """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
@@ -178,13 +185,29 @@ class _Words:
     def _begins_sentence(self, at: int) -> bool:
         return at > 0 and self.document.sentences[at] != self.document.sentences[at - 1]
 
+    def denial(self, at: int) -> int:
+        """Where the "not the short one," begins that stands right before here, at the beginning of its clause; `at`
+        itself where none does."""
+        if at < 4 or self.said[at - 1] not in MARKS - ENDS or self.said[at - 2] not in _ONES:
+            return at
+        start = next((i for i in range(at - 4, max(-1, at - 7), -1) if self.said[i] == "not"), at)
+        is_pointed = start < at and self.said[start + 1] in _POINTING
+        is_clause = start == 0 or self.said[start - 1] in _BREAKS or self._begins_sentence(start)
+        return start if is_pointed and is_clause else at
+
     def _lead(self, at: int) -> int:
         """Where the words and marks begin that say nothing ahead of a clause, in its sentence."""
+        at = self.denial(at)
         while at and not self._begins_sentence(at) and (self.said[at - 1] in _OPENERS or self.said[at - 1] in _BREAKS):
             if self.said[at - 1] in _DENYING and at > 1 and self.said[at - 2] == "if":
                 break  # "if no, leave it"
             at -= 1
         return at
+
+
+def _clause(said: Sequence[str], at: int) -> slice:
+    """The words from there to the next mark or joint."""
+    return slice(at, next((i for i in range(at, len(said)) if said[i] in _CLAUSE_BREAKS), len(said)))
 
 
 def _taken_back(words: _Words, at: int) -> Withdrawals:
@@ -227,7 +250,7 @@ def _phrase(words: _Words, at: int) -> range:
         if words.said[at] in ENDS:
             return range(0)
         at += 1
-    stop = next((i for i in range(at, len(words.said)) if words.said[i] in _CLAUSE_BREAKS), len(words.said))
+    stop = _clause(words.said, at).stop
     phrase = words.tokens[at:stop]
     if not phrase or phrase[0].pos not in ("ADP", "DET", "NUM", "ADJ", "NOUN", "PROPN", "PRON"):
         return range(0)
@@ -259,7 +282,7 @@ def _before(words: _Words, at: int, *, is_last: bool) -> frozenset[int]:
     """What a mark at `at` takes back: the order before it in its sentence, else the sentence before it (`is_last`: the
     last order of that); nothing where a condition is in its own sentence. With what stands between."""
     sentences = words.document.sentences
-    said = [i for i in range(at) if sentences[i] == sentences[at]]
+    said = [i for i in range(words.denial(at)) if sentences[i] == sentences[at]]
     own = any(words.said[i].isalpha() and words.said[i] not in _OPENERS for i in said)
     if not own:
         said = [i for i in range(at) if sentences[i] == sentences[at] - 1]
