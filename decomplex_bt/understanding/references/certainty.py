@@ -46,6 +46,7 @@ _ACTS = (
     frozenset(("fill", "empty")),
 )
 """Verbs that do the same or undo it."""
+_SHUTTING = _ACTS[1] | frozenset("pull push lock unlock bolt latch draw".split())
 CLEANING = frozenset("clean wipe mop sweep scrub vacuum hoover dust brush dry polish rub soak swab dab".split())
 """What is done with one of the `INSTRUMENTS`, which is seldom done to one."""
 INSTRUMENTS = frozenset(
@@ -414,8 +415,14 @@ def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether what is done "up" without an object is not done to a candidate: who washes or tidies up does it to no
-    table in particular, who locks up locks the house, or a door, no cat and no heater."""
+    table in particular, who locks up locks the house, or a door, no cat, no heater and no lawn that was watered. Who
+    recharges without more does so themselves, unless a case asked of something, and of "the ironing" nothing is said."""
+    said = context.observed.document.tokens[max(0, gap.position - 1) : gap.position + 1]
+    if said[0].tag in ("DT", "PRP$") and said[-1].lower.endswith("ing"):
+        return True
     verb, head = context.lemmas[gap.task.id], context.observed.document.tokens[candidate.head].lemma
+    if verb == "recharge":
+        return candidate.task_type != "check_state" or kind_of(context, candidate) in ANIMATE
     if verb != "lock up":
         return verb in ("wash up", "tidy up", "clear up")
     is_adverb = candidate.type == "location" and len(candidate.tokens) == 1
@@ -423,6 +430,9 @@ def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     gazetteer = context.observed.gazetteer
     is_known = bool(gazetteer.category(head)) and "aperture" not in gazetteer.changeable.get(head, ())
+    verb_before = context.lemmas.get(candidate.owner, "").split()[:1]
+    if candidate.task_type == "change_state" and candidate.type == "object" and not gazetteer.category(head):
+        return (_SHUTTING | CLEANING).isdisjoint(verb_before)
     return kind_of(context, candidate) in ANIMATE or (is_known and kind_of(context, candidate) != "room")
 
 

@@ -23,6 +23,7 @@ from decomplex_bt.understanding.rules.asides import (
     tagged,
 )
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
+from decomplex_bt.understanding.rules.calls import is_sent_for
 from decomplex_bt.understanding.rules.causatives import causative_types, without_tasks
 from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
@@ -31,6 +32,7 @@ from decomplex_bt.understanding.rules.contractions import reports
 from decomplex_bt.understanding.rules.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
+from decomplex_bt.understanding.rules.handing import payee
 from decomplex_bt.understanding.rules.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.idioms import (
     encountered,
@@ -63,6 +65,7 @@ from decomplex_bt.understanding.rules.purposes import purposes
 from decomplex_bt.understanding.rules.puttings import LAYING, is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.questions import is_deliberated, questions
 from decomplex_bt.understanding.rules.reports import orders_behind, within_reports
+from decomplex_bt.understanding.rules.resuming import resumed
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.sequels import sequels
 from decomplex_bt.understanding.rules.telegraph import telegraphed
@@ -133,6 +136,9 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
             task = replace(task, type="placing" if any(one.type == "placing" for one in found) else task.type)
         if task.type == "informing" and document.tokens[task.token].lemma == "feed":
             task = replace(task, type="change_state")
+        going_on = resumed(observed, task.token) if task.type != "check_state" else None
+        if going_on is not None and going_on[0] <= end:
+            task = replace(task, token=going_on[0], type=going_on[1])
         if _asks_got(document, task.token):
             task = replace(task, type="check_state")
         if (be := prospect_of(document, task.token)) is not None:
@@ -455,8 +461,12 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
         return "placing"
     if task.type in ("searching", "informing") and is_heard(document, task.token):
         return "check_state"
+    if task.type in _HANDLING | {"change_state"} and is_sent_for(document, task.token):
+        return "informing"
     if task.type in ("following", "informing") and lemma == "meet":
         return "searching"
+    if task.type != "check_state" and payee(document, task.token):
+        return "bringing"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
     if task.type in _HANDLING and loading(observed, task.token) is not None:

@@ -29,6 +29,7 @@ _SERVING = (_CARRYING - {"take"}) | {"carry"}
 _INDEFINITE = frozenset("a an some another".split())
 _PRONOUNS = frozenset(("it", "them", "this", "that"))
 _ONES = frozenset(("one", "ones", "some", "another"))
+_MONEY = frozenset("bill fee fare rent money cash fine tip deposit toll charge price amount invoice it".split())
 
 
 def called(document: Document, arguments: Sequence[FoundArgument], fetching: int) -> list[FoundArgument]:
@@ -47,6 +48,26 @@ def fed(document: Document, arguments: Sequence[FoundArgument], feeding: int) ->
     if document.tokens[feeding].lemma != "feed" or "object" in own:
         return list(arguments)
     return [replace(a, type="object") if (a.owner, a.type) == (feeding, "recipient") else a for a in arguments]
+
+
+def payee(document: Document, paying: int) -> range:
+    """Who is paid, where no more is said: "pay *the baker*", not "pay the bill"; empty for any other verb."""
+    if document.tokens[paying].lemma != "pay":
+        return range(0)
+    whom = next((chunk for chunk in noun_chunks(document) if chunk.start == paying + 1), range(0))
+    behind = document.tokens[whom.stop : whom.stop + 1]
+    is_all = not behind or behind[0].text in MARKS or behind[0].lower in CLAUSE_ENDS
+    is_somebody = bool(whom) and document.tokens[whom[0]].pos in ("DET", "PRON", "PROPN")
+    return whom if is_all and is_somebody and document.tokens[whom[-1]].lemma not in _MONEY else range(0)
+
+
+def paid(document: Document, arguments: Sequence[FoundArgument], paying: int) -> list[FoundArgument]:
+    """The arguments with who is paid as who gets something."""
+    whom = payee(document, paying)
+    if not whom:
+        return list(arguments)
+    kept = [a for a in arguments if set(whom).isdisjoint(a.tokens) and (a.owner, a.type) != (paying, "object")]
+    return [*kept, FoundArgument("recipient", paying, whom, CERTAIN)]
 
 
 def served(document: Document, arguments: Sequence[FoundArgument], bringing: int) -> list[FoundArgument]:

@@ -9,6 +9,7 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden
+from decomplex_bt.understanding.rules.calls import with_called
 from decomplex_bt.understanding.rules.causatives import with_biddings, with_done
 from decomplex_bt.understanding.rules.checks import (
     asked,
@@ -27,7 +28,7 @@ from decomplex_bt.understanding.rules.checks import (
 from decomplex_bt.understanding.rules.deeds import without_deed, without_particle
 from decomplex_bt.understanding.rules.doors import admitted
 from decomplex_bt.understanding.rules.goals import gone_to, put_in, put_inside, put_out
-from decomplex_bt.understanding.rules.handing import called, divided, fed, given, served
+from decomplex_bt.understanding.rules.handing import called, divided, fed, given, paid, served
 from decomplex_bt.understanding.rules.idioms import (
     encountered,
     for_somebody,
@@ -41,6 +42,7 @@ from decomplex_bt.understanding.rules.mishaps import mishaps
 from decomplex_bt.understanding.rules.needs import in_need, with_needs
 from decomplex_bt.understanding.rules.preferences import Preference, preferences
 from decomplex_bt.understanding.rules.reports import with_next_told, with_reports, without_times
+from decomplex_bt.understanding.rules.resuming import without_lead
 from decomplex_bt.understanding.rules.rounds import with_rounds
 from decomplex_bt.understanding.rules.telegraph import named
 from decomplex_bt.understanding.rules.waits import kept_from
@@ -74,7 +76,7 @@ class Setting:
 def of_task(setting: Setting, arguments: Sequence[FoundArgument], task: int) -> list[FoundArgument]:
     """The arguments with what is certain of those of one task, by its token; the others as they are."""
     kind, document = setting.tasks[task], setting.document
-    kept = list(arguments)
+    kept = without_lead(document, arguments, task)
     if kind in _OF_TYPE:
         kept = _OF_TYPE[kind](setting, kept, task)
     if not any(a.owner == task and len(a.tokens) > 1 for a in kept):
@@ -97,7 +99,7 @@ def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[
 def _of_bringing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = given(divided(document, kept, task), task, for_somebody(document, task))
-    kept = served(document, called(document, kept, task), task)
+    kept = paid(document, served(document, called(document, kept, task), task), task)
     return with_told(kept, task, {"object": said} if (said := troubled(document, task)) else {})
 
 
@@ -129,7 +131,7 @@ def _of_check(setting: Setting, kept: list[FoundArgument], task: int) -> list[Fo
 def _of_informing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = without_times(document, with_reports(document, setting.tasks, kept, task), task)
-    return with_biddings(document, with_next_told(document, kept, task), task)
+    return with_called(document, with_biddings(document, with_next_told(document, kept, task), task), task)
 
 
 def _of_searching(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
