@@ -416,7 +416,7 @@ def _is_wishing(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether what is done "up" without an object is not done to a candidate: who washes or tidies up does it to no
     table in particular, who locks up locks the house, or a door, no cat, no heater and no lawn that was watered. Who
-    recharges without more does so themselves, unless a case asked of something, and of "the ironing" nothing is said."""
+    recharges without more does so themselves, unless a case asked of something; "the ironing" is done to nothing."""
     said = context.observed.document.tokens[max(0, gap.position - 1) : gap.position + 1]
     if said[0].tag in ("DT", "PRP$") and said[-1].lower.endswith("ing"):
         return True

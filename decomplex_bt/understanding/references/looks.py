@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
 
 _LOOKS = frozenset(
     "look peek glance gander peep rummage squint nosy nosey nose hunt squiz squizz shufti shufty dekko decko snoop "
@@ -64,17 +64,28 @@ def sought_by(document: Document, look: Look) -> range:
 
 
 def shouts(document: Document) -> Iterator[Look]:
-    """The calls that somebody is to be given: "gimme *a shout*", "give Tom *a ring* when it's done"; "gimme a ring from
-    the box" is of a thing."""
+    """The calls that somebody is to be given: "gimme *a shout*", "give Tom *a ring* when it's done", "give the vet *a
+    bell*"; "gimme a ring from the box" is of a thing."""
     tokens = document.tokens
     for token in tokens[:-2]:
         if token.lower not in _GIVING:
             continue
-        start = token.i + 1 + (token.lower != "gimme")
+        start = _behind_whom(document, token.i + 1) if token.lower != "gimme" else token.i + 1
         behind = tokens[start + 2].lower if start + 2 < len(tokens) else "."
         noun = tokens[start + 1].lower if start + 1 < len(tokens) and tokens[start].lower == "a" else ""
         if noun in _SHOUTS and (noun not in _THINGS or behind in MARKS | _CASES):
             yield Look(token.i, range(start, start + 2), range(0))
+
+
+def _behind_whom(document: Document, start: int) -> int:
+    """Where the words end that name who is given something: one, or a phrase with an article; not an animal."""
+    tokens = document.tokens
+    if tokens[start].tag not in ("DT", "PRP$") or tokens[start].lower in _ONE:
+        return start + 1
+    stop = start + 1
+    while stop < len(tokens) and tokens[stop].pos in _NAMING:
+        stop += 1
+    return start + 1 if tokens[stop - 1].lemma in ANIMALS else stop
 
 
 def _given(document: Document, verb: int) -> range:

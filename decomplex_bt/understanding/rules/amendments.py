@@ -13,6 +13,7 @@ from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.accounts import without_accounts
 from decomplex_bt.understanding.rules.alternatives import alternatives
 from decomplex_bt.understanding.rules.asides import asides, means_of, reasons
+from decomplex_bt.understanding.rules.assistance import helping_hands
 from decomplex_bt.understanding.rules.assurances import with_assured
 from decomplex_bt.understanding.rules.bounds import up_to_order
 from decomplex_bt.understanding.rules.causatives import let_on
@@ -105,7 +106,7 @@ def _of_tasks(
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
     idle |= wishers(document, tasks) | let_be(document) | let_on(document) | omitted(observed)
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
-    idle = idle.union(*found_places(document), *pauses(document), *unsaid)
+    idle = idle.union(*found_places(document), *pauses(document), *helping_hands(document), *unsaid)
     why, meant, how = reasons(document, tasks), plans(document, tasks), means_of(document, tasks)
     what_for = purposes(document, tasks)
 

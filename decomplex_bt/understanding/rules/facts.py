@@ -22,6 +22,7 @@ from decomplex_bt.understanding.rules.asides import (
     tag_question,
     tagged,
 )
+from decomplex_bt.understanding.rules.assistance import helping_hands
 from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
 from decomplex_bt.understanding.rules.calls import is_sent_for
 from decomplex_bt.understanding.rules.causatives import causative_types, without_tasks
@@ -112,7 +113,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     ]
     asked = {question.verb: question for question in questions(document, types_found)}
     idle = (forgone(document) | let_be(document) | without_tasks(observed) | omitted(observed)).union(
-        *pauses(document), *found_places(document)
+        *pauses(document), *helping_hands(document), *found_places(document)
     )
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others |= purposes(document, types_found) | accounts(document, types_found)
