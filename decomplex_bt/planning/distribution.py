@@ -18,6 +18,7 @@ _EACH_OF = re.compile(r"^(to )?(?:each of|both) ", re.IGNORECASE)
 _EACH_IN = re.compile(r"^each (?=an? |one |two )| each$", re.IGNORECASE)
 _AND = re.compile(r"\s*,\s*(?:and\s+)?|\s+and\s+", re.IGNORECASE)
 _TOO = re.compile(r"[\s,]*\b(?:as well|too|also|likewise)\b", re.IGNORECASE)
+_AWAY = re.compile(r"\s+(?:away|out|back|in|up|down)(?=\s*(?:,|;|[.!?]|$|\band\b))", re.IGNORECASE)
 _ANEW = re.compile(r"(?:a|an|one|some|two|three|four|another)\s", re.IGNORECASE)
 
 
@@ -76,15 +77,23 @@ def _rounds(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
         rounds[-1].append(argument)
     rounds = _whole(rounds, text) if len(rounds) > 1 else rounds
     kinds = [{argument.type for argument in arguments} for arguments in rounds]
-    paired = set.intersection(*kinds) & _PAIRED
-    if len(rounds) < 2 or not paired or not all(kind & _THINGS for kind in kinds):
+    led_away = [_is_led_away(arguments, text) for arguments in rounds]
+    paired = set.intersection(*(kinds[i] for i in range(len(kinds)) if not led_away[i]), _PAIRED)
+    if len(rounds) < 2 or all(led_away) or not paired or not all(kind & _THINGS for kind in kinds):
         return (task.arguments,)
     silent = [argument for argument in task.arguments if argument.span is None]
     first = rounds[0]
     return tuple(
-        (*arguments, *(a for a in first if a.type not in kind), *silent)
-        for arguments, kind in zip(rounds, kinds, strict=True)
+        (*arguments, *(a for a in first if a.type not in (kind | paired if is_away else kind)), *silent)
+        for arguments, kind, is_away in zip(rounds, kinds, led_away, strict=True)
     )
+
+
+def _is_led_away(arguments: Sequence[Argument], text: str) -> bool:
+    """Whether a particle tells where a thing goes, and nothing else does: "the hose *away*"."""
+    span = arguments[-1].span if arguments else None
+    is_told = any(argument.type in _PAIRED for argument in arguments)
+    return span is not None and not is_told and _AWAY.match(text, span.end) is not None
 
 
 def _whole(rounds: list[list[Argument]], text: str) -> list[list[Argument]]:
@@ -95,7 +104,7 @@ def _whole(rounds: list[list[Argument]], text: str) -> list[list[Argument]]:
     waiting: list[Argument] = []
     for arguments in rounds:
         span = arguments[-1].span
-        is_complete = any(argument.type in _PAIRED for argument in arguments)
+        is_complete = any(argument.type in _PAIRED for argument in arguments) or _is_led_away(arguments, text)
         if is_complete:
             whole.append([*waiting, *arguments])
             waiting = []

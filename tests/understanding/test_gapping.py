@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from decomplex_bt.planning.distribution import distributed
 from decomplex_bt.understanding.interpreter import Interpreter
 
 
@@ -58,3 +59,29 @@ def test_what_is_told_of_several_things_is_told_once(text: str, arguments: list[
 def test_a_thing_behind_what_is_told_of_the_first_is_added(text: str, objects: list[str]) -> None:
     found = Interpreter.load("household").interpret(text)
     assert [a.value for a in found.tasks[0].arguments if a.type == "object"] == objects
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        ("Put the ladder away and the brush in the tin.",
+         [("object", "the ladder"), ("object", "the brush"), ("goal", "in the tin")]),
+        ("Put the juice on ice and the butter out.",
+         [("object", "the juice"), ("goal", "on ice"), ("object", "the butter")]),
+        ("Put the rakes away, the bikes in the shed and the hose out.",
+         [("object", "the rakes"), ("object", "the bikes"), ("goal", "in the shed"), ("object", "the hose")]),
+        ("Take the crates out and the letters to Anna.",
+         [("object", "the crates"), ("object", "the letters"), ("recipient", "to Anna")]),
+        ("Put the bread and the butter away.", [("object", "the bread and the butter")]),
+        ("Put the ladder away and the brush too.", [("object", "the ladder"), ("object", "the brush")]),
+    ],
+)  # fmt: skip
+def test_a_particle_tells_where_a_thing_goes_as_a_place_does(text: str, arguments: list[tuple[str, str]]) -> None:
+    (task,) = Interpreter.load("household").interpret(text).tasks
+    assert [(argument.type, argument.value) for argument in task.arguments] == arguments
+
+
+def test_what_is_put_away_is_not_put_where_the_next_thing_goes() -> None:
+    found = Interpreter.load("household").interpret("Put the ladder away and the brush in the tin.")
+    ladder, brush = distributed(found).tasks
+    assert (ladder.value("goal"), brush.value("goal")) == (None, "in the tin")

@@ -1,5 +1,6 @@
 """Gapping: what a verb does to another thing elsewhere, without being said again ("the pan in the oven *and the lid on
-the stove*", "give Anna the camera *and Tom the ball*", "turn the lamp on *and the radio off*").
+the stove*", "give Anna the camera *and Tom the ball*", "turn the lamp on *and the radio off*", "put the pan away *and
+the lid on the hook*").
 
 As the guideline has it, the verb is one task, with its arguments in turn; acting on it takes them pair by pair
 (`planning/distribution.py`).
@@ -31,11 +32,15 @@ _PERSONS = frozenset("me us him her them you".split())
 _NOUNS = frozenset(("NOUN", "PROPN", "PRON", "NUM"))
 _PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "PRON", "NUM", "ADP", "PART", "ADV"))
 _LAST = frozenset(("too", "also", "please", "instead"))
+_AWAY = frozenset("away out back in up down".split())
+"""What tells where a thing goes without naming a place."""
+_GOING_TO = frozenset("in into on onto under behind by beside to".split())
 
 
 @dataclass(frozen=True, slots=True)
 class Gapped:
-    """A phrase without its verb: the thing and what is told of it, an argument of `type`. `owner`: the verb's token."""
+    """A phrase without its verb: the thing and what is told of it, an argument of `type`, or empty where a particle
+    tells it. `owner`: the verb's token."""
 
     owner: int
     thing: range
@@ -47,11 +52,9 @@ class Gapped:
         return range(min(self.thing.start, self.told.start), max(self.thing.stop, self.told.stop))
 
     @property
-    def arguments(self) -> tuple[FoundArgument, FoundArgument]:
-        return (
-            FoundArgument("object", self.owner, self.thing, CERTAIN),
-            FoundArgument(self.type, self.owner, self.told, CERTAIN),
-        )
+    def arguments(self) -> tuple[FoundArgument, ...]:
+        thing = FoundArgument("object", self.owner, self.thing, CERTAIN)
+        return (thing, FoundArgument(self.type, self.owner, self.told, CERTAIN)) if self.type else (thing,)
 
 
 def with_gapped(
@@ -141,8 +144,10 @@ def gapped(observed: Observed, tasks: Mapping[int, str], arguments: Sequence[Fou
         own = (a for a in arguments if a.owner == owner and owner < a.tokens.start < begin)
         first = [_until(document, a, begin) for a in own]
         found: list[Gapped] = []
+        is_away = kind != "change_state" and document.tokens[begin - 2].lower in _AWAY
         for phrase, _ in phrases:
-            one = _read(observed, owner, phrase, first)
+            one = _led_away(document, owner, phrase, first, is_away=is_away) if kind != "change_state" else None
+            one = one or _read(observed, owner, phrase, first)
             if one is None:
                 break
             found.append(one)
@@ -225,6 +230,28 @@ def _read(observed: Observed, owner: int, phrase: range, first: Sequence[FoundAr
     if whom.lower in _PERSONS or whom.pos == "PROPN" or whom.lemma in PERSON_NOUNS:
         return Gapped(owner, range(cut, phrase.stop), range(phrase.start, cut), "recipient")
     return None
+
+
+def _led_away(
+    document: Document, owner: int, phrase: range, first: Sequence[FoundArgument], *, is_away: bool
+) -> Gapped | None:
+    """A phrase that tells where a thing goes where a particle tells it of either: "the lid on the hook" behind "put the
+    pan away", "*the lid away*" behind that or "put the pan on the hook"; else None."""
+    tokens = document.tokens
+    is_told = is_away or any(argument.type == "goal" for argument in first)
+    cut = next((i for i in phrase if tokens[i].lower in _AWAY | _GOING_TO), phrase.stop)
+    is_thing = cut > phrase.start + 1 and tokens[phrase.start].lower in _DETERMINERS and tokens[cut - 1].pos in _NOUNS
+    is_thing = is_thing and all(_is_part(document, tokens[i], phrase.start) for i in phrase)
+    if not is_told or not is_thing or not any(argument.type == "object" for argument in first):
+        return None
+    if cut + 1 == phrase.stop and tokens[cut].lower in _AWAY:
+        return Gapped(owner, range(phrase.start, cut), range(cut, phrase.stop), "")
+    if not is_away or cut + 1 >= phrase.stop or tokens[cut].lower not in _GOING_TO:
+        return None
+    last = tokens[phrase.stop - 1]
+    is_whom = tokens[cut].lower in _TO_WHOM and (last.pos == "PROPN" or last.lemma in PERSON_NOUNS)
+    told = "recipient" if is_whom else "goal"
+    return Gapped(owner, range(phrase.start, cut), range(cut, phrase.stop), told)
 
 
 def _is_part(document: Document, word: Token, start: int) -> bool:
