@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
+from readings import flow
 
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.understanding.document import Parser
@@ -92,3 +95,39 @@ def test_what_somebody_is_to_have_is_brought_and_then_made_so() -> None:
         ("change_state", "Juice"),
     ]
     assert found.flow.to_json() == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A biscuit for Ida if she's up.", [{"if": 2, "then": [1]}]),
+        ("Two eggs for Ida, please, unless she has eaten.", [{"if": 2, "else": [1]}]),
+        ("Some more honey if there is any.", [{"if": 2, "then": [1]}]),
+        ("More tea if there's any left.", [{"if": 2, "then": [1]}]),
+        ("Coffee for Grandpa, please, but knock first.", [2, 1]),
+        ("A coffee to the garden, and take the empty cup away.", [1, 2]),
+        ("Water to the cat and close the hatch.", [1, 2]),
+        ("Heater off if it's hot.", [{"if": 2, "then": [1]}]),
+        ("One thing if the stove is on then switch it off.", [{"if": 1, "then": [2]}]),
+        ("Nip to the shop and get some milk.", [1, 2]),
+    ],
+)
+def test_what_is_asked_for_goes_on(interpreter: Interpreter, text: str, expected: Any) -> None:
+    assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "type", "expected"),
+    [
+        ("A biscuit for Ida if she's up.", "bringing", {"object": "A biscuit", "recipient": "Ida"}),
+        ("Some more honey if there is any.", "bringing", {"object": "Some more honey"}),
+        ("A coffee to the garden, and take the empty cup away.", "bringing",
+         {"object": "A coffee", "goal": "the garden"}),
+        ("A window open if it's hot.", "change_state", {"object": "A window"}),
+    ],
+)  # fmt: skip
+def test_what_is_asked_for_in_a_case_is_brought(
+    interpreter: Interpreter, text: str, type: str, expected: dict[str, str]
+) -> None:
+    task = interpreter.interpret(text).tasks[0]
+    assert (task.type, {a.type: a.value for a in task.arguments}) == (type, expected)

@@ -1,5 +1,5 @@
 """Transfers: orders without a verb that say what goes where or to whom ("both pens to Anna, please", "two plates on the
-table, please"), or what somebody is to have ("coffee, please, and make it hot")."""
+table, please"), or what somebody is to have ("coffee, please, and make it hot", "a biscuit for Ida if she's up")."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
+from decomplex_bt.understanding.rules.edits import is_order_at
 from decomplex_bt.understanding.rules.fragments import STOPS, Fragment
 from decomplex_bt.understanding.rules.wants import NOT_BROUGHT
 
@@ -20,7 +21,10 @@ _CARRYING = _TO_WHOM | _INTO | _AT
 _NAMING = frozenset(("NOUN", "PROPN"))
 _PHRASE = _NAMING | {"DET", "ADJ", "NUM"}
 _GIVEN_TO = frozenset("me us him her them".split())
-_INDEFINITE = frozenset("a an some another".split())
+_INDEFINITE = frozenset("a an some another more".split())
+_WITHIN = frozenset(("of", "and", "'s", "some"))
+_JOINING = frozenset(("and", "but"))
+_CASES = frozenset(("if", "unless"))
 _ALL = frozenset(("all", "both"))
 _CLOSING = frozenset(("please", ",", "now", "thanks", "robot"))
 _DIRECTIONS = frozenset("left right front back side top bottom start end".split())
@@ -29,6 +33,8 @@ _LEADING_THERE = frozenset(
 )
 """What there is to a place, as the key to a car."""
 _SAID_TO = frozenset("answer thank message reply toast cheer introduction".split())
+_SAID_AHEAD = frozenset("thing question point word note reminder request".split())
+"""What only opens what is said: "one *thing*, if it's on, ..."."""
 _BODY = frozenset("hand eye finger foot ear head arm leg knee paw back".split())
 
 
@@ -50,10 +56,14 @@ def _ordered(observed: Observed, words: range, mark: str) -> Iterator[Fragment]:
     """The orders that a stretch between two marks is made of."""
     tokens = observed.document.tokens
     said = [tokens[i].lower for i in words]
+    if (served := _asked_in_case(observed, words)) is not None:
+        yield served
+        return
     if "please" in said:
         at = said.index("please")
         behind = said[at + 1 : at + 3]
-        if not (behind[:1] == ["and"] or behind == [",", "and"] or all(word in _CLOSING for word in said[at:])):
+        is_next = not _JOINING.isdisjoint(behind[:1]) or (behind[:1] == [","] and not _JOINING.isdisjoint(behind[1:]))
+        if not (is_next or all(word in _CLOSING for word in said[at:])):
             return  # "the cup, please bring it here"
         words, said = range(words.start, words.start + at + 1), said[: at + 1]
         if (served := _served(observed, words)) is not None:
@@ -68,11 +78,44 @@ def _ordered(observed: Observed, words: range, mark: str) -> Iterator[Fragment]:
         if one is not None or all(tokens[i].lower in _LEADING | _CLOSING for i in range(first, end)):
             first = end + 1
     is_asked = "please" in said or len(found) > 1 or not _SEQUENCE.isdisjoint(said[:3])
+    if found and len(said) > 1 and first < words.stop and _is_joined_order(observed, found[-1], first):
+        yield from found
+        return
     is_called = all(tokens[one.carrier].lower in _INTO or _is_thing(observed, one.object) for one in found)
     is_asked = is_asked or (mark == "!" and is_called)
     is_carried = any(tokens[one.carrier].lower in _TO_WHOM | _INTO for one in found)
     if first >= words.stop and found and is_asked and (is_carried or len(found) == 1):
         yield from found
+
+
+def _asked_in_case(observed: Observed, words: range) -> Fragment | None:
+    """What somebody is to have in a case, which begins a text: "*a biscuit for Ida* if she's up", "*more tea* if there
+    is any"."""
+    tokens = observed.document.tokens
+    case = next((i for i in words if tokens[i].lower in _CASES), None)
+    if words.start or case is None:
+        return None
+    asked = range(words.start, case - (tokens[case - 1].text == ","))
+    one = _transfer(observed, asked) or _served(observed, asked)
+    last = tokens[asked.stop - 1]
+    is_idle = last.lemma in _SAID_AHEAD or last.lower in observed.gazetteer.states  # "a window open if it's hot"
+    is_given = one is not None and not is_idle and (one.recipient or tokens[one.carrier].lower not in _CARRYING)
+    return one if is_given and _is_wanted(observed, asked.start) else None
+
+
+def _is_joined_order(observed: Observed, one: Fragment, at: int) -> bool:
+    """Whether an order is joined to what goes somewhere: "a coffee to the garden, *and take* the tray away"."""
+    tokens = observed.document.tokens
+    is_joined = tokens[at - 1].lower in ("and", "then") and is_order_at(observed.document, at)
+    is_led = tokens[one.carrier].lower in _TO_WHOM | _INTO
+    return is_joined and is_led and _is_wanted(observed, one.object.start)
+
+
+def _is_wanted(observed: Observed, first: int) -> bool:
+    """Whether words begin as what somebody wants does: with "some" or the like, a number, or a noun that is no verb."""
+    token = observed.document.tokens[first]
+    is_bare = token.pos in _NAMING and (not observed.senses[first] or _is_thing(observed, range(first, first + 1)))
+    return token.lower in _INDEFINITE or token.pos == "NUM" or is_bare
 
 
 def _transfer(observed: Observed, words: range) -> Fragment | None:
@@ -117,7 +160,7 @@ def _is_named(observed: Observed, thing: range, *, is_parted: bool) -> bool:
     if not thing or not _is_phrase(document, thing):
         return False
     first, last = document.tokens[thing.start], document.tokens[thing.stop - 1]
-    is_led = first.pos in ("DET", "NUM") or first.tag == "PRP$" or first.lower in _ALL
+    is_led = first.pos in ("DET", "NUM") or first.tag == "PRP$" or first.lower in _ALL | _INDEFINITE
     is_common = first.tag in ("NNS", "NN", "JJ") or _is_thing(observed, thing)  # "Juice" is a name to the tagger
     is_bare = is_common and not is_parted
     heads = {document.tokens[i].lemma for i in thing if document.tokens[i].pos in _NAMING}
@@ -127,7 +170,7 @@ def _is_named(observed: Observed, thing: range, *, is_parted: bool) -> bool:
 
 def _is_phrase(document: Document, words: range) -> bool:
     tokens = [document.tokens[i] for i in words]
-    return all(t.pos in _PHRASE or t.tag == "PRP$" or t.lower in ("of", "and", "'s") for t in tokens)
+    return all(t.pos in _PHRASE or t.tag == "PRP$" or t.lower in _WITHIN for t in tokens)
 
 
 def _is_thing(observed: Observed, words: range) -> bool:
