@@ -43,3 +43,30 @@ def test_who_is_given_a_hand_gets_nothing_else(interpreter: Interpreter) -> None
 def test_who_is_given_a_ring_is_called(interpreter: Interpreter, text: str, type: str) -> None:
     task = interpreter.interpret(text).tasks[0]
     assert task.type == type
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Fetch Ida her cane, then help her up.", {"object": "Ida"}),
+        ("Open the gate, then help Grandpa down the ramp.", {"object": "Grandpa", "path": "down the ramp"}),
+        ("Open the gate and help the guest to her car.", {"object": "the guest", "goal": "to her car"}),
+        ("If Ida is tired, help her to bed.", {"object": "Ida", "goal": "to bed"}),
+        ("Help Grandpa down the ramp.", {"object": "Grandpa", "path": "down the ramp"}),
+    ],
+)
+def test_who_is_helped_somewhere_is_gone_with(interpreter: Interpreter, text: str, expected: dict[str, str]) -> None:
+    task = interpreter.interpret(text).tasks[-1]
+    assert (task.type, {a.type: a.value for a in task.arguments}) == ("following", expected)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Fetch the sheets, then help Ida fold them.", ["bringing", "change_state"]),
+        ("Help Ida to fold the sheets.", ["change_state"]),
+        ("Bring the chair, then help me with the curtains.", ["bringing"]),
+    ],
+)
+def test_who_is_helped_with_something_is_not(interpreter: Interpreter, text: str, expected: list[str]) -> None:
+    assert [task.type for task in interpreter.interpret(text).tasks] == expected

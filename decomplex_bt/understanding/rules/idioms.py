@@ -11,6 +11,7 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed, noun_chunks
+from decomplex_bt.understanding.rules.assistance import helps_somewhere
 from decomplex_bt.understanding.rules.doors import LONGEST_NAMED, PEOPLE, admissions
 from decomplex_bt.understanding.rules.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.waits import AWAITING, BE_OR_HAVE, awaited
@@ -76,6 +77,7 @@ def idiomatic(document: Document, tasks: Mapping[int, str]) -> dict[int, str]:
         **dict.fromkeys(_leavings(document, tasks), "motion"),
         **dict.fromkeys(_troubles(document), "bringing"),
         **dict.fromkeys(_knocks(document, tasks), "informing"),
+        **dict.fromkeys(helps_somewhere(document), "following"),
         **dict.fromkeys(checks, "check_state"),
     }
 

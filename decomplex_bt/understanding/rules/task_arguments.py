@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.rules.assistance import with_helped
 from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden
 from decomplex_bt.understanding.rules.calls import with_called
 from decomplex_bt.understanding.rules.causatives import with_biddings, with_done
@@ -134,6 +135,10 @@ def _of_informing(setting: Setting, kept: list[FoundArgument], task: int) -> lis
     return with_called(document, with_biddings(document, with_next_told(document, kept, task), task), task)
 
 
+def _of_following(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
+    return with_helped(setting.document, kept, task)
+
+
 def _of_searching(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     if met := encountered(document, task):
@@ -150,6 +155,7 @@ _OF_TYPE: Mapping[str, Callable[[Setting, list[FoundArgument], int], list[FoundA
     "change_state": _of_change,
     "check_state": _of_check,
     "informing": _of_informing,
+    "following": _of_following,
     "searching": _of_searching,
 }
 
