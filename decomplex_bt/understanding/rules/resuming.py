@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 
 _GOING = frozenset("carry go keep press get crack".split())
@@ -28,9 +28,15 @@ def resumed(observed: Observed, verb: int) -> tuple[int, str] | None:
 
 
 def without_lead(document: Document, arguments: Sequence[FoundArgument], doing: int) -> list[FoundArgument]:
-    """The arguments without what only leads to a doing that is gone on with: "carry on *with the* ironing"."""
+    """The arguments without what only leads to a doing that is gone on with ("carry on *with the* ironing"), and
+    without what stands in a later clause than that."""
+    tokens = document.tokens
+    is_led = doing > 1 and tokens[doing - 1].lower in _BETWEEN and tokens[doing].lower.endswith("ing")
+    if not is_led:
+        return list(arguments)
+    end = next((i for i in range(doing, len(tokens)) if tokens[i].text in MARKS), len(tokens))
     return [
         a
         for a in arguments
-        if a.owner != doing or a.tokens.stop != doing or any(document.tokens[i].lower not in _BETWEEN for i in a.tokens)
+        if a.owner != doing or (a.tokens.start < end and any(tokens[i].lower not in _BETWEEN for i in a.tokens))
     ]
