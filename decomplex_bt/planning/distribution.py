@@ -78,7 +78,7 @@ def _rounds(task: Task, text: str) -> tuple[tuple[Argument, ...], ...]:
     rounds = _whole(rounds, text) if len(rounds) > 1 else rounds
     kinds = [{argument.type for argument in arguments} for arguments in rounds]
     led_away = [_is_led_away(arguments, text) for arguments in rounds]
-    paired = set.intersection(*(kinds[i] for i in range(len(kinds)) if not led_away[i]), _PAIRED)
+    paired = _PAIRED.intersection(*(kind for kind, is_away in zip(kinds, led_away, strict=True) if not is_away))
     if len(rounds) < 2 or all(led_away) or not paired or not all(kind & _THINGS for kind in kinds):
         return (task.arguments,)
     silent = [argument for argument in task.arguments if argument.span is None]

@@ -25,6 +25,8 @@ _INDEFINITE = frozenset("a an some another more".split())
 _WITHIN = frozenset(("of", "and", "'s", "some"))
 _JOINING = frozenset(("and", "but"))
 _CASES = frozenset(("if", "unless"))
+_HAVING = frozenset("there we you it i".split())
+"""First words of a case of what there is, or can be had: "coffee if *there's* any"."""
 _ALL = frozenset(("all", "both"))
 _CLOSING = frozenset(("please", ",", "now", "thanks", "robot"))
 _DIRECTIONS = frozenset("left right front back side top bottom start end".split())
@@ -93,13 +95,16 @@ def _asked_in_case(observed: Observed, words: range) -> Fragment | None:
     is any"."""
     tokens = observed.document.tokens
     case = next((i for i in words if tokens[i].lower in _CASES), None)
-    if words.start or case is None:
+    if words.start or case is None or any(_goes_on(observed, i) for i in range(case, words.stop)):
         return None
     asked = range(words.start, case - (tokens[case - 1].text == ","))
     one = _transfer(observed, asked) or _served(observed, asked)
     last = tokens[asked.stop - 1]
     is_idle = last.lemma in _SAID_AHEAD or last.lower in observed.gazetteer.states  # "a window open if it's hot"
     is_given = one is not None and not is_idle and (one.recipient or tokens[one.carrier].lower not in _CARRYING)
+    is_bare = one is not None and is_given and not one.recipient and tokens[asked.start].pos in _NAMING
+    if is_bare and tokens[case + 1].lower not in _HAVING:
+        return None  # "control if the tap is off", as some say for "check"
     return one if is_given and _is_wanted(observed, asked.start) else None
 
 
@@ -111,11 +116,19 @@ def _is_joined_order(observed: Observed, one: Fragment, at: int) -> bool:
     return is_joined and is_led and _is_wanted(observed, one.object.start)
 
 
+def _goes_on(observed: Observed, i: int) -> bool:
+    """Whether a sentence goes on at a token behind a case put into it: "a lamp, if there is one, *would* do"."""
+    tokens = observed.document.tokens
+    return tokens[i].tag in ("MD", "VBZ") and tokens[i - 1].text == ","
+
+
 def _is_wanted(observed: Observed, first: int) -> bool:
-    """Whether words begin as what somebody wants does: with "some" or the like, a number, or a noun that is no verb."""
-    token = observed.document.tokens[first]
-    is_bare = token.pos in _NAMING and (not observed.senses[first] or _is_thing(observed, range(first, first + 1)))
-    return token.lower in _INDEFINITE or token.pos == "NUM" or is_bare
+    """Whether words begin as what somebody wants does: with "some" or the like, a number, or a noun for a thing that is
+    no verb of going ("*water* to the cat", not "*roll* to the door")."""
+    tokens = observed.document.tokens
+    is_thing = _is_thing(observed, range(first, first + 1)) and "motion" not in observed.senses[first]
+    is_bare = tokens[first].pos in _NAMING and is_thing
+    return tokens[first].lower in _INDEFINITE or tokens[first].pos == "NUM" or is_bare
 
 
 def _transfer(observed: Observed, words: range) -> Fragment | None:
