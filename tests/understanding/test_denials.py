@@ -153,3 +153,8 @@ def test_a_word_between_takes_nothing_from_a_denial(interpreter: Interpreter, te
 def test_an_order_behind_a_denial_without_a_mark_is_none_of_its_words(interpreter: Interpreter) -> None:
     assert flow(interpreter, "I can't find my gloves have a look in the hall") == [1]
     assert flow(interpreter, "If she doesn't then wake her.") == [{"if": 1, "else": [2]}]
+
+
+@pytest.mark.parametrize("text", ["Check whether", "Check if", "See whether the lamp", "is"])
+def test_a_question_that_breaks_off_denies_nothing(interpreter: Interpreter, text: str) -> None:
+    assert not interpreter.interpret(text).flow.mentions()

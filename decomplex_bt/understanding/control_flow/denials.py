@@ -57,7 +57,7 @@ def _is_answered(document: Document, first: int) -> bool:
     so means "is it ...?"."""
     tokens = document.tokens
     words = [token.lower for token in tokens[first : first + 2]]
-    is_denied = words[0] in _STATING and words[-1] in _CONTRACTED
+    is_denied = bool(words) and words[0] in _STATING and words[-1] in _CONTRACTED
     mark = next((t.i for t in tokens[first:] if t.text in MARKS), len(tokens))
     behind = tuple(t.lower for t in tokens[mark + 1 : mark + 3])
     return is_denied and behind in _GOING_BY and tokens[mark].text in ("?", ",")
