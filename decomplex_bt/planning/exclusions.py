@@ -12,6 +12,8 @@ from decomplex_bt.instruction import Argument, Instruction, Task
 _EXCEPT = re.compile(
     r"[\s,]*\b(?:(?:all )?(?:except(?:ing)?(?: for)?|excluding|apart from|aside from|other than|save for|but for)|"
     r"(?P<but>(?:all )?but(?= (?:the|my|our|your|his|her|that|those)\b))|"
+    r"(?<=where )but(?= (?:in|on|at|by|under) )|"
+    r"(?P<skip>(?:(?:and|but|just) )*(?:skip|omit|leave out)(?= (?:the|my|our|your|his|her|that|those)\b))|"
     r"but not(?! (?:if|when|before|after|until|unless|yet|while)\b)|"
     r"(?P<aside>(?:(?:and )?not|(?:but|just) leave)(?= (?:the|a|an|any|my|that|those)\b))|"
     r"(?P<clause>(?:that|which)(?: (?:is|are)(?:n['\u2019]t| not)|['\u2019](?:s|re) not)(?: yet)?))\s+",
@@ -29,6 +31,7 @@ _BEING = re.compile(
     r"\s+((?:switched |turned |plugged )?\w+)\b",
     re.IGNORECASE,
 )
+_IN_CASE = re.compile(r"[^.;!?,]*\b(?:if|unless|when)\b", re.IGNORECASE)
 _WHERE_IT_IS = re.compile(r"\s+(?:where|as)\s.*$", re.IGNORECASE | re.DOTALL)
 """Behind "but leave the remote" alone: "except the one where Tom is" tells which."""
 _END = re.compile(r"[.;!?,]|(?:\s+(?:and|then|but|or))*\s*$|\s+(?:if|unless)\b", re.IGNORECASE)
@@ -96,9 +99,12 @@ def _without_fronted(instruction: Instruction, task: Task) -> tuple[Task, Exclus
 
 def _is_left_out(text: str, start: int, match: re.Match[str]) -> bool:
     """Whether it leaves out something of what is named before it, and not of what an order behind it names ("open the
-    curtains *and, except for the hall,* turn ..."); a "but" of all ("every lamp but the one in the hall")."""
+    curtains *and, except for the hall,* turn ..."); a "but" or "skip" of all ("every lamp but the one in the hall"),
+    and what is skipped not in a case alone."""
     is_ahead = _JOINT.search(text, start, match.start()) is not None
-    return not is_ahead and (match["but"] is None or _WHOLE.search(text, start, match.end()) is not None)
+    is_of_all = bool(match["but"] or match["skip"])
+    is_in_case = match["skip"] is not None and _IN_CASE.match(text, match.end()) is not None
+    return not (is_ahead or is_in_case) and (not is_of_all or _WHOLE.search(text, start, match.end()) is not None)
 
 
 def with_clauses(instruction: Instruction, task: Task) -> Task:

@@ -127,9 +127,10 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         span = document.span(left_out.tokens.start, left_out.tokens.stop - 1)
         if not any(one.start <= span.start and span.end <= one.end for one in said_of):
             yield f"{span.of(document.text)!r} leaves something out, which no argument says: planning alone heeds it"
-    for words in of_all(observed):
+    for words, is_in_case in of_all(observed):
         phrase = document.span(words.start, words.stop - 1).of(document.text)
-        yield f"{phrase!r} leaves something out, which no argument says: planning alone heeds it"
+        heeded = ", in a case: nothing heeds it, say each by itself" if is_in_case else ": planning alone heeds it"
+        yield f"{phrase!r} leaves something out, which no argument says{heeded}"
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)

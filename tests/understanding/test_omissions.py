@@ -44,3 +44,15 @@ def test_what_is_left_out_may_be_done_otherwise(interpreter: Interpreter) -> Non
 )
 def test_what_is_left_out_of_all_is_warned_of(interpreter: Interpreter, text: str, is_warned: bool) -> None:
     assert any("leaves something out" in warning for warning in interpreter.interpret(text).warnings) == is_warned
+
+
+@pytest.mark.parametrize(
+    ("text", "heeded"),
+    [
+        ("Dust every room, but skip the den.", "planning alone heeds it"),
+        ("Dust every room, but skip the den if Ruth is in it.", "nothing heeds it"),
+    ],
+)
+def test_the_warning_tells_what_heeds_it(interpreter: Interpreter, text: str, heeded: str) -> None:
+    (warning,) = interpreter.interpret(text).warnings
+    assert heeded in warning

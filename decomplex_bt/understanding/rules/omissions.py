@@ -40,11 +40,12 @@ def omissions(observed: Observed) -> Iterator[Omission]:
             yield Omission(i, range(start, stop))
 
 
-def of_all(observed: Observed) -> Iterator[range]:
-    """The words by which a part of all that is to be done is left out: "dust every room, *but skip the attic*"."""
+def of_all(observed: Observed) -> Iterator[tuple[range, bool]]:
+    """The words by which a part of all that is to be done is left out, and whether that is so in a case alone: "dust
+    every room, *but skip the attic*", "... skip the attic if it's locked"."""
     for omission in omissions(observed):
         if _is_of_part(observed, omission):
-            yield range(omission.verb, omission.thing.stop)
+            yield range(omission.verb, omission.thing.stop), _is_in_case(observed, omission)
 
 
 def omitted(observed: Observed) -> frozenset[int]:
@@ -55,10 +56,15 @@ def omitted(observed: Observed) -> frozenset[int]:
     found: set[int] = set()
     for omission in omissions(observed):
         stop = omission.thing.stop
-        if _is_of_part(observed, omission) and not _CASES.isdisjoint(t.lower for t in tokens[stop : stop + 1]):
+        if _is_of_part(observed, omission) and _is_in_case(observed, omission):
             stop = next((t.i for t in tokens[stop:] if t.lower in MARKS), len(tokens))
         found.update(range(omission.verb, stop))
     return frozenset(found)
+
+
+def _is_in_case(observed: Observed, omission: Omission) -> bool:
+    stop = omission.thing.stop
+    return not _CASES.isdisjoint(token.lower for token in observed.document.tokens[stop : stop + 1])
 
 
 def _is_of_part(observed: Observed, omission: Omission) -> bool:
