@@ -175,3 +175,27 @@ def test_what_a_second_one_does_not_do_either_is_asked_of_that_one(interpreter: 
 def test_what_is_said_again_of_the_first_one_is_the_same_case(interpreter: Interpreter) -> None:
     text = "Take the tray to Gran. If she doesn't want it, give it to Dad, and if she does, tell me."
     assert flow(interpreter, text) == [1, {"if": [2, 4], "then": [5], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (
+            "Is the crate empty? If so, close it. If not, empty it and put the lid in the shed or, should the shed be "
+            "locked, give it to Tom.",
+            [{"if": 1, "then": [2], "else": [3, {"if": 5, "then": [6], "else": [4]}]}],
+        ),
+        (
+            "If Kim is home, take the cello to her room and, unless the bow is in the case, call me.",
+            [{"if": 1, "then": [2, {"if": 3, "else": [4]}]}],
+        ),
+        # what stands in place of the order ahead is no addition
+        (
+            "Take the form to Kim and, if she's asleep, leave it on her desk.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+        ("Wipe the slate and, if the fan is on, switch it off.", [1, {"if": 2, "then": [3]}]),
+    ],
+)
+def test_a_case_set_off_behind_an_or_or_an_and(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
+    assert flow(interpreter, text) == wanted

@@ -67,6 +67,7 @@ _RULES = (
     scopes.wait_for,
     scopes.wait_till_over,
     substitutions.override,
+    substitutions.choose,
     substitutions.find_no_room,
     substitutions.obstruct,
     substitutions.replace_there,

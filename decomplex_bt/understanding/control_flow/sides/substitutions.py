@@ -62,6 +62,26 @@ def override(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
         sides[k + 1] = HOLDS
 
 
+def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What an "or" with a case set off by commas has done stands in place of the order right ahead of it alone ("dry it
+    and put it in the box *or, should the box be wet, lay it on the bench*"); what an "and" with one adds does not
+    ("bring the set *and, unless it is whole, tell me*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_set_off = check.boundary == "," and check.near[:1] in (("if",), ("when",), ("unless",))
+    is_one = order.sentence == check.sentence == other.sentence and sides[k + 1] in (HOLDS, FAILS)
+    if not (is_set_off and is_one) or order.is_forbidden:
+        return
+    if check.far == ("or",) and sides[k - 1] in ("top", HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1-" if sides[k + 1] == HOLDS else ">1+", sides[k - 1]
+    elif k > 1 and check.far == ("or",) and order.near == ("and",) and (sides[k - 1], sides[k]) == (">1-", "top"):
+        is_next = roles[k - 2] == "task" and clauses[k - 2].sentence == order.sentence
+        sides[k] = sides[k - 2] if is_next and sides[k - 2] in (HOLDS, FAILS) else "top"
+    elif check.far == ("and",) and sides[k - 1] == f">1{sides[k + 1][2:]}":
+        sides[k - 1] = sides[k]
+
+
 def find_no_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put elsewhere where there is no room, or no hook, for it is not put where that was ordered ("hang it in
     the hall. *If there isn't a free hook*, lay it on the chair")."""
