@@ -199,3 +199,23 @@ def test_what_is_said_again_of_the_first_one_is_the_same_case(interpreter: Inter
 )
 def test_a_case_set_off_behind_an_or_or_an_and(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
     assert flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (
+            "If Tessa wants cocoa, heat the pan, and when it steams, take it off the hob.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        (
+            "If the nurse is here, open the tap, and if it drips, tell her.",
+            [{"if": 1, "then": [2, {"if": 3, "then": [4]}]}],
+        ),
+        ("If Tessa is home, ring the bell, and if she isn't, come back.", [{"if": [1, 3], "then": [2], "else": [4]}]),
+    ],
+)
+def test_what_a_thing_does_is_no_mention_of_where_somebody_is(
+    interpreter: Interpreter, text: str, wanted: list[Any]
+) -> None:
+    assert flow(interpreter, text) == wanted

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
 from decomplex_bt.understanding.cues import OPPOSITES, are_alike, are_apart, are_near
-from decomplex_bt.understanding.references.phrases import ANIMALS, ROOM
+from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, ROOM
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:
@@ -305,6 +305,7 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
         or _is_lack_of(clause, first)
         or is_other_degree(clause, first)
         or _is_after_fall(clause, first)
+        or _is_of_thing(clause, first)
     ):
         return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
@@ -320,6 +321,15 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
         return False
     is_of_others = bool(clause.number and first.number) and clause.number != first.number
     return is_of_others or (first.asks_where and "location" not in own)
+
+
+def _is_of_thing(clause: Clause, first: Clause) -> bool:
+    """Whether it asks what an "it" does, where the other is about somebody: "if *Ann is in*, lock the gate, and if *it
+    jams*, ..."."""
+    is_of_deed = clause.is_check and clause.is_of_it and not clause.objects and not clause.said_state
+    is_other = clause.verb != first.verb and clause.verb not in _BEING and not clause.is_of_weather
+    is_of_somebody = first.is_of_person or first.may_be_of_person or not PERSON_NOUNS.isdisjoint(first.objects[-1:])
+    return is_of_deed and is_other and first.is_check and is_of_somebody
 
 
 _ANSWERING = frozenset("say answer reply choose pick want prefer".split())
