@@ -219,3 +219,20 @@ def test_what_a_thing_does_is_no_mention_of_where_somebody_is(
     interpreter: Interpreter, text: str, wanted: list[Any]
 ) -> None:
     assert flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("If the fan is on, switch it off, otherwise leave it, and close the hatch.", [{"if": 1, "then": [2]}, 3]),
+        ("If the pup is hungry, feed it, if not just let it sleep, and shut the hatch.", [{"if": 1, "then": [2]}, 3]),
+        (
+            "If the pan is clean put it away, if not leave it on the side, and wipe the hob.",
+            [{"if": 1, "then": [2], "else": [3]}, 4],
+        ),
+    ],
+)
+def test_what_is_added_to_an_otherwise_that_orders_nothing(
+    interpreter: Interpreter, text: str, wanted: list[Any]
+) -> None:
+    assert flow(interpreter, text) == wanted

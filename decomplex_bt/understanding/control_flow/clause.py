@@ -135,8 +135,8 @@ class Clause:
     forbids_order: bool = False
     """Whether a "don't" behind it forbids in its case what was ordered: "if she's in there *don't*, ..."."""
     is_past_forbidden: bool = False
-    """Whether an "and" behind a comma goes on from an "otherwise" that only forbids: "otherwise don't wake her, *and
-    lock up*"."""
+    """Whether an "and" behind a comma goes on from an "otherwise" that orders nothing: "otherwise don't wake her, *and
+    lock up*", "otherwise leave it, *and lock up*"."""
     is_either_way: bool = False
     """Whether what it hangs on is said right ahead to make no difference: "whether you find it or not, *come back*"."""
     is_past_guess: bool = False

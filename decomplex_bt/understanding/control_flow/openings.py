@@ -69,6 +69,7 @@ _DEGREES = frozenset(("ADJ", "ADV"))
 """How full something is a state answers, but neither how it is nor how many there are."""
 _AMOUNTS = (["how", "many"], ["how", "much"])
 _WAITING = frozenset(("wait", "hold"))
+_SOFTENING = frozenset(("just", "please", "simply", ","))
 _SUPPOSING = frozenset(("might", "may", "could"))
 OTHERWISE = frozenset(("otherwise", "or", "alternatively"))
 
@@ -371,16 +372,23 @@ def is_end(document: Document, cues: Sequence[Cue], i: int) -> bool:
 
 
 def is_past_forbidden(observed: Observed, previous: int, split: int, token: int) -> bool:
-    """Whether an order at `token` is joined by ", and" (the comma is `split`) to a "don't" right behind an "otherwise",
-    in which no task stands; `previous`: the task before."""
+    """Whether an order at `token` is joined by ", and" (the comma is `split`) to what orders nothing right behind an
+    "otherwise": a "don't", or a verb that is no task ("otherwise *leave it*"); `previous`: the task before."""
     tokens, sentences = observed.document.tokens, observed.document.sentences
     if not 0 <= split < token - 1 or tokens[split].text != "," or tokens[split + 1].lower != "and":
         return False
     start = next((i for i in range(split, -1, -1) if sentences[i] != sentences[token]), -1) + 1
     denied = [i for i in range(start, split) if tokens[i].lower in NEGATIONS and is_behind_otherwise(observed, i)]
+    denied += [i for i in range(start, split) if tokens[i].tag in ("VB", "VBP") and _opens_otherwise(observed, i)]
     if not denied or previous > denied[-1]:
         return False
     return all(t.text not in PUNCTUATION and t.tag != "CC" for t in tokens[denied[-1] : split])
+
+
+def _opens_otherwise(observed: Observed, verb: int) -> bool:
+    """Whether a verb is the first word behind an "otherwise" or "if not", but for a "just" or "please"."""
+    ends = [cue.last + 1 for cue in observed.cues if cue.name == "else" and cue.last < verb]
+    return bool(ends) and all(token.lower in _SOFTENING for token in observed.document.tokens[ends[-1] : verb])
 
 
 def is_adverb(document: Document, otherwise: int) -> bool:

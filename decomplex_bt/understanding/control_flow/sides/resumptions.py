@@ -30,7 +30,7 @@ _GOING_ON = frozenset("and then also after_that last".split())
 def disregard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is done whether something is so or not hangs on no more than what that hangs on ("if you find it, bring it,
     and *whether you find it or not*, come back", "..., and close the door *regardless*"), nor does what ", and" adds to
-    an "otherwise" that only forbids ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess
+    an "otherwise" that orders nothing ("otherwise don't wake her, *and lock up*"), nor what is ordered behind a guess
     ("if it's not here, it must be in the hall. *Bring it to me*") or, of something else, behind a case that only says
     where something is ("if he asks, the key is in the drawer. *Offer him tea*")."""
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
