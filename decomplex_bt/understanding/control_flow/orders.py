@@ -19,6 +19,7 @@ def stated_orders(
     for k in range(1, len(clauses)):
         _stay(clauses, stated, k)
         _await(clauses, roles, sides, stated, k)
+        _await_for_both(clauses, roles, sides, stated, k)
         _keep_turn(clauses, roles, sides, stated, k)
         _keep_on(clauses, roles, sides, stated, k)
         _take_away(clauses, roles, sides, stated, k)
@@ -57,6 +58,20 @@ def _await(clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str]
     is_ahead = clause.is_forbidden and before.near[-1:] == ("until",) and before.sentence == clause.sentence
     if is_next and is_ahead and (k == 1 or clauses[k - 2].sentence != clause.sentence):
         orders[k - 1] = orders[k] = "keep"
+
+
+def _await_for_both(
+    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
+) -> None:
+    """What a "but" has two orders wait for that an "and" joins goes ahead of both ("switch it off and shut the lid,
+    *but not until it's cold*", not "dry it, and put it away, but not until ...")."""
+    if k < 2 or orders[k] not in ("before", "before+") or tuple(roles[k - 2 : k + 1]) != ("task",) * 3:
+        return
+    other, clause = clauses[k - 1 : k + 1]
+    is_joined = other.near == ("and",) and other.boundary == "none" and clauses[k - 2].sentence == clause.sentence
+    is_set_off = clause.boundary == "," and "but" in (*clause.far, *clause.near)
+    if is_joined and is_set_off and [j for j in range(k) if sides[j] == sides[k]] == [k - 2, k - 1]:
+        orders[k] = orders[k].replace("before", "first")
 
 
 def _keep_turn(
