@@ -322,7 +322,7 @@ class Clause:
 
 
 _ANSWERS = frozenset(("yes", "no"))
-_REPLYING = frozenset("refuse decline agree accept consent object comply oblige".split())
+_REPLYING = frozenset("refuse decline agree accept consent object comply oblige know remember recall".split())
 CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
 LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 AROUND = frozenset("in home there here around about back".split())

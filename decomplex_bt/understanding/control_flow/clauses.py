@@ -170,7 +170,11 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         ends_sentence=following == len(document) or document.sentences[following] != document.sentences[token],
         is_asked=(observed.question[token] and _CASES.isdisjoint(near))  # not "could you close it *if it's open*?"
         or "whether" in behind
-        or (document.tokens[token].tag == "VB" and document.tokens[token].lemma in ASKING_LEMMAS),
+        or (
+            document.tokens[token].tag == "VB"
+            and document.tokens[token].lemma in ASKING_LEMMAS
+            and (task.type != "check_state" or _CASES.isdisjoint(near))  # not "if he doesn't *know*"
+        ),
         is_forbidden=is_forbidden(document, token),
         is_otherwise=any(
             cue.name == "else" and document.tokens[cue.first].lower in OTHERWISE and not is_adverb(document, cue.first)
