@@ -68,6 +68,7 @@ _RULES = (
     scopes.wait_till_over,
     substitutions.override,
     substitutions.choose,
+    substitutions.make_exception_of,
     substitutions.find_no_room,
     substitutions.obstruct,
     substitutions.replace_there,

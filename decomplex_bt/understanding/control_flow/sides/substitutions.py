@@ -82,6 +82,20 @@ def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k - 1] = sides[k]
 
 
+def make_exception_of(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What a "but if" behind an order has done does not hang on the same case as that: it is done in place of it where
+    it is the same deed to the same thing ("take him to the hall, *except that if he's tired, take him home*"), else
+    besides it ("..., *except that if one is torn, throw it away*")."""
+    if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
+        return
+    order, check, other = clauses[k - 1 : k + 2]
+    is_led = check.near == ("but", "if") and check.boundary == "," and order.sentence == other.sentence
+    if not is_led or (sides[k - 1], sides[k + 1]) != (">1+", HOLDS) or order.is_forbidden:
+        return
+    is_same = other.has_pronoun and not other.objects and other.task.type == order.task.type
+    sides[k - 1] = ">1-" if is_same and not check.is_of_some else sides[k]
+
+
 def find_no_room(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is put elsewhere where there is no room, or no hook, for it is not put where that was ordered ("hang it in
     the hall. *If there isn't a free hook*, lay it on the chair")."""
