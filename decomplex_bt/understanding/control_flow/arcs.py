@@ -60,7 +60,7 @@ class Wording:
     sticks", "if she is gone"). `is_echo`: it affirms what was said and says no more ("if she is").
     `is_of_anybody`: it asks if somebody is somewhere or does something. `is_of_rest`: it says, its negation aside, that
     there is something in or left of something, or that this is there ("if there's *some left*"); `is_at_work`: that
-    something works."""
+    something works. `is_of_stock`: it asks for any of something ("if *there's any water* in the bowl")."""
 
     is_negated: bool = False
     state: str | None = None
@@ -73,6 +73,7 @@ class Wording:
     is_of_anybody: bool = False
     is_of_rest: bool = False
     is_at_work: bool = False
+    is_of_stock: bool = False
 
     def is_opposite_of(self, other: Wording) -> bool:
         return self.state is not None and self.opposite is not None and other.state == self.opposite
@@ -85,6 +86,8 @@ class Wording:
             return True
         if first.is_of_anybody and self.state in _DESERTED:
             return True  # "see if anyone is in there. If it's free, ..."
+        if first.is_of_stock and self.state in _USED_UP:
+            return True  # "see if there's any water in the bowl. If it's empty, ..."
         if (self.is_of_rest and first.state in _USED_UP) or (self.is_at_work and first.state in _OUT_OF_ORDER):
             return True
         return self.is_contrary and not first.is_contrary

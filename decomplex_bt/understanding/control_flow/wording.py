@@ -29,6 +29,7 @@ _COMING_UP = frozenset("light turn show come warm heat boil dry fill".split())
 _REFUSING = frozenset(("refuse", "fail"))
 _CONTRARY = frozenset("fail refuse decline stick stuck jam jammed gone missing away elsewhere vanish disappear".split())
 _LOSING = frozenset(("drop", "spill"))
+_SOME_OF = frozenset(("any", "some", "enough"))
 _RESTING = frozenset("some something any anything none nothing left still".split())
 _NO_LONGER = frozenset(("anymore", "more", "any"))
 _SUBORDINATE = {"before": ("after", "last"), "until": ("before", "first"), "after": ("before", "first")}
@@ -94,7 +95,14 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
         is_of_somebody(observed.document, task, _ANYBODY),
         _is_of_rest(tokens, task, first, last),
         task.type == "check_state" and tokens[task.token].lemma == "work" and state is None,
+        _is_of_stock(tokens, task),
     )
+
+
+def _is_of_stock(tokens: Sequence[Token], task: MarkedTask) -> bool:
+    """Whether a clause asks if there is, or somebody or something has, any of something."""
+    firsts = {tokens[indices.start].lower for kind, indices in task.arguments if kind == "object" and len(indices)}
+    return task.type == "check_state" and not _SOME_OF.isdisjoint(firsts)
 
 
 def _is_of_rest(tokens: Sequence[Token], task: MarkedTask, first: int, last: int) -> bool:
