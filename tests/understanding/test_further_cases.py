@@ -236,3 +236,43 @@ def test_what_is_added_to_an_otherwise_that_orders_nothing(
     interpreter: Interpreter, text: str, wanted: list[Any]
 ) -> None:
     assert flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        # an exception to the order ahead
+        (
+            "Walk Grandad to the hall, except that if he's tired, walk him to the lounge.",
+            [{"if": 2, "then": [3], "else": [1]}],
+        ),
+        ("Rinse the vases, except that if one is chipped, throw it out.", [1, {"if": 2, "then": [3]}]),
+        # both wait for it
+        ("Turn off the telly and shut the hatch, but not until Kim has left.", [3, 1, 2]),
+        ("Dry it, and put it away, but not until Kim is back.", [1, 3, 2]),
+        # who was asked may know or not
+        (
+            "Look for the whisk in the hall. If it isn't there, ask Kim where it is, and if she doesn't know, tell me.",
+            [{"if": [1, 2], "else": [3, {"if": 4, "else": [5]}]}],
+        ),
+        # empty is what has nothing in it
+        ("See if there's any seed in the tray. If it's empty, fill it.", [{"if": [1, 2], "else": [3]}]),
+        (
+            "If there's any jam, bring it, and if the jug is empty, fill it.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
+        # for instance
+        ("If you find anything, a scarf, say, or a glove, put it in the crate.", [{"if": 1, "then": [2]}]),
+        # what went is not back
+        (
+            "If the power goes off, light a candle. If it's not back in an hour, call Kim.",
+            [{"if": 1, "then": [2, {"if": 3, "else": [4]}]}],
+        ),
+        (
+            "If the power is off, light a candle, and if it's on, call Kim.",
+            [{"if": [1, 3], "then": [2], "else": [4]}],
+        ),
+    ],
+)
+def test_cases_of_written_requests(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
+    assert flow(interpreter, text) == wanted

@@ -306,6 +306,7 @@ def is_of_another(clause: Clause, first: Clause) -> bool:
         or is_other_degree(clause, first)
         or _is_after_fall(clause, first)
         or _is_of_thing(clause, first)
+        or _is_of_return(clause, first)
     ):
         return True
     if clause.task.type != "check_state" or first.task.type != "check_state" or "state" not in own:
@@ -332,12 +333,20 @@ def _is_of_thing(clause: Clause, first: Clause) -> bool:
     return is_of_deed and is_other and first.is_check and is_of_somebody
 
 
+def _is_of_return(clause: Clause, first: Clause) -> bool:
+    """Whether it asks if something is back of which the other says that it goes: "if *the power goes off*, ... If *it's
+    not back* in an hour, ..."."""
+    is_gone = first.is_check and first.verb in _GOING and not first.wording.is_negated
+    return clause.is_check and clause.said_state[:1] == ("back",) and is_gone and not first.is_of_person
+
+
 _ANSWERING = frozenset("say answer reply choose pick want prefer".split())
 """What somebody does or has one of at a time."""
 _WISHING = frozenset("ask need fancy like".split())
 _HOLDING = frozenset("contain hold have".split())
 _DEEDS = frozenset("complain ask call cry knock ring bark moan grumble shout scream protest insist beg".split())
 _DEGREES = frozenset(("too", "enough"))
+_GOING = frozenset("go fail drop cut trip".split())
 _FALLING = frozenset("fall tip topple drop roll slip".split())
 _DAMAGES = frozenset("hole crack tear rip dent scratch leak chip stain".split())
 """What is in something though it may be empty."""

@@ -92,8 +92,11 @@ def _is_tagged(document: Document, at: int, *, is_denied: bool) -> bool:
 
 def musing(document: Document, at: int) -> range | None:
     """The words in which somebody thinks aloud, or says no more than how to be, from token `at` on: "let me think",
-    "let me see, ...", "make yourself useful and ..."; or None."""
+    "let me see, ...", "make yourself useful and ...", or what for instance may be meant: "a coat, *say*, or a hat"; or
+    None."""
     said = [token.lower for token in document.tokens[at : at + 4]]
+    if said[:2] == ["say", ","] and at > 1 and document.tokens[at - 1].text == ",":
+        return range(at, at + 1)
     if said[:2] == ["make", "yourself"]:
         return range(at, at + len(said[:3]))
     if len(said) < 3 or said[0] != "let" or said[1] not in ("me", "us") or said[2] not in _MUSING:
@@ -220,7 +223,7 @@ def _is_order(document: Document, at: int) -> bool:
 _HEDGING = frozenset("would will might may could should probably usually of course".split())
 _TELLING: Mapping[Callable[[Document, int], range | None], frozenset[str]] = {
     tag_question: frozenset("?"),
-    musing: frozenset(("let", "make")),
+    musing: frozenset(("let", "make", "say")),
     reason: _REASONS,
     concession: _FIRST_CONCEDING | {"or", "whether"},
 }
