@@ -30,6 +30,7 @@ from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.concessions import either_way
 from decomplex_bt.understanding.rules.conditions import untold
 from decomplex_bt.understanding.rules.contractions import reports
+from decomplex_bt.understanding.rules.deeds import forms
 from decomplex_bt.understanding.rules.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.fronting import fronted
@@ -455,7 +456,9 @@ def _type(observed: Observed, task: FoundTask, following: int) -> str:
     if task.type == "change_state" and lemma == "put":
         return "placing" if is_put_somewhere(said) else task.type
     if task.type == "placing" and (
-        is_put_on(observed, said) if lemma == "put" else lemma in LAYING and is_the_table(said)
+        is_put_on(observed, said)
+        if lemma == "put"
+        else not LAYING.isdisjoint(forms(document, task.token)) and is_the_table(said)
     ):
         return "change_state"
     if task.type == "change_state" and lemma == "set" and any(t.lower == "down" for t in said[:_NEAR_DOWN]):
