@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.compounds import ends_compound
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
 
 PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
@@ -304,7 +305,7 @@ def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
     following = document.tokens[i + 1]
     if token.text == "-":  # of a compound: no space to either side
         return document.tokens[i - 1].end == token.start and token.end == following.start
-    if _is_within_compound(document, i):
+    if _is_within_compound(document, i) or ends_compound(document, i):
         return True
     return token.tag in ("VBG", "VBN") and following.pos in ("NOUN", "PROPN")
 
@@ -509,7 +510,8 @@ def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[r
 def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:
     """Noun phrases without their last word, which may be a verb that was taken for a noun ("the hose reel drips")."""
     for chunk in chunks:
-        if len(chunk) > 2 and document.tokens[chunk.stop - 2].pos in ("NOUN", "PROPN"):
+        is_compound = len(chunk) > 2 and document.tokens[chunk.stop - 2].pos in ("NOUN", "PROPN")
+        if is_compound and not ends_compound(document, chunk.stop - 1):
             yield range(chunk.start, chunk.stop - 1)
 
 
@@ -540,7 +542,7 @@ def _is_complement(document: Document, verb: int, at: int) -> bool:
 
 
 def _trimmed(document: Document, chunk: range) -> Iterator[range]:
-    nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN")]
+    nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN") or ends_compound(document, i)]
     first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
     if len(nouns) > 1 and document.tokens[nouns[-1]].lower == "open":
         nouns.pop()  # "wants the window open", where the tagger takes it for a noun

@@ -42,6 +42,7 @@ from decomplex_bt.understanding.rules.extents import (
     with_marks,
     with_purposes,
     with_whole_clauses,
+    with_whole_compounds,
     with_whole_places,
     without_questions,
 )
@@ -126,7 +127,7 @@ def _of_tasks(
 def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments with all that belongs to the thing or the place that they name, and nothing else."""
     document = observed.document
-    kept = without_cases(document, tasks, list(arguments))
+    kept = with_whole_compounds(document, tasks, without_cases(document, tasks, list(arguments)))
     kept = with_whole_clauses(document, with_whole_places(document, kept))
     kept = without_questions(document, tasks, kept)
     kept = with_uses(document, with_marks(document, tasks, with_features(document, tasks, kept)))

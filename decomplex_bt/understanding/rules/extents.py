@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.references.compounds import ends_compound
 from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
@@ -146,6 +147,18 @@ def with_whole_places(document: Document, arguments: Sequence[FoundArgument]) ->
         stop = stops.get(a.tokens.stop, 0) if is_cut else 0
         found.append(replace(a, tokens=range(a.tokens.start, stop)) if stop else a)
     return found
+
+
+def with_whole_compounds(
+    document: Document, tasks: Container[int], arguments: Sequence[FoundArgument]
+) -> list[FoundArgument]:
+    """The arguments with the last noun of a compound that was taken for a verb or an adjective: "the dog *lead*"."""
+    return [
+        replace(a, tokens=range(a.tokens.start, a.tokens.stop + 1))
+        if a.tokens.stop not in tasks and ends_compound(document, a.tokens.stop)
+        else a
+        for a in arguments
+    ]
 
 
 def with_whole_clauses(document: Document, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
