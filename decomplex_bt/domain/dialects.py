@@ -27,7 +27,7 @@ _WORDS = {
     "take": "tak",
     "make": "mak",
     "out": "oot",
-    "about": "aboot",
+    "about": "aboot abt",
     "around": "aroon aroond",
     "down": "doon",
     "off": "aff",

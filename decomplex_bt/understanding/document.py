@@ -176,7 +176,7 @@ class Parser:
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand, white space left out; quick, since nothing is parsed."""
         with self._forgetting() as nlp:
-            return tuple(Span(t.idx, t.idx + len(t)) for t in nlp.make_doc(text) if not t.is_space)
+            return tuple(Span(t.idx, t.idx + len(t)) for t in _tokenised(nlp, text) if not t.is_space)
 
     def parse(self, text: str, spelling: Spelling | None = None) -> Document:
         """One parse; of the words as they were meant, where `spelling` is given."""
@@ -198,7 +198,7 @@ class Parser:
 
     def _meant(self, nlp: Any, text: str, spelling: Spelling | None) -> tuple[Any, Any]:
         """The tokens of a text, and those that are meant."""
-        typed = nlp.make_doc(text)
+        typed = _tokenised(nlp, text)
         words = None if spelling is None else spelling([token.text for token in typed], lambda: self._lemmas)
         if words is None:
             return typed, typed
@@ -223,6 +223,38 @@ class Parser:
 
 _CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|d)",)
 """Suffixes besides those of spaCy, which has "'s" alone."""
+
+
+_BEGINNING = frozenset(
+    "if unless when once then otherwise and but or so before after while until either it it's he she they we you i the "
+    "this that there what which is are has have do does did can could would will should please".split()
+)
+"""What begins a sentence and is no surname."""
+
+
+def _tokenised(nlp: Any, text: str) -> Any:
+    """The tokens of a text. The full stop behind a letter ends the sentence where nothing or a new one follows ("the
+    drawer marked B. If it's full, ..."); before a surname it belongs to the letter ("J. Ford")."""
+    doc = nlp.make_doc(text)
+    stops = {token.i for token in doc if _is_stopped_letter(doc, token)}
+    if not stops:
+        return doc
+    from spacy.tokens import Doc
+
+    words: list[str] = []
+    spaces: list[bool] = []
+    for token in doc:
+        parts = [token.text[0], "."] if token.i in stops else [token.text]
+        words += parts
+        spaces += [False] * (len(parts) - 1) + [bool(token.whitespace_)]
+    return Doc(nlp.vocab, words=words, spaces=spaces)
+
+
+def _is_stopped_letter(doc: Any, token: Any) -> bool:
+    if len(token) != 2 or not token.text[0].isupper() or token.text[1] != ".":
+        return False
+    behind = next((following for following in doc[token.i + 1 :] if not following.is_space), None)
+    return token.i > 0 and (behind is None or (behind.text[0].isupper() and behind.lower_ in _BEGINNING))
 
 
 def _load_pipeline() -> Any:

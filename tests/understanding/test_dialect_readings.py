@@ -33,3 +33,12 @@ def test_spans_and_values_keep_what_was_said(interpreter: Interpreter) -> None:
     task = interpreter.interpret(text).tasks[-1]
     assert task.span.of(text) == "gie"
     assert task.value("recipient") == "tae Lea"
+
+
+@pytest.mark.parametrize(
+    "text", ["Tell Lea abt the leak.", "Remind Tom abt his shoes.", "let grandma know abt the tea"]
+)
+def test_who_is_told_about_something_is_named_without_it(interpreter: Interpreter, text: str) -> None:
+    (task,) = interpreter.interpret(text).tasks
+    assert task.value("message") == text[text.index("abt") :].rstrip(".")
+    assert task.value("recipient") in text[: text.index(" abt")]

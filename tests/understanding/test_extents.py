@@ -166,3 +166,20 @@ def test_what_somebody_has_come_for_is_no_place(interpreter: Interpreter) -> Non
 
 def test_a_room_with_a_number_is_a_goal(interpreter: Interpreter) -> None:
     assert interpreter.interpret("Follow the nurse to room 12.").tasks[0].value("goal") == "to room 12"
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("Put the nails in the jar marked C. If it's full, tell me.", "in the jar marked C"),
+        ("Carry the crate to room B. Then come back.", "to room B"),
+        ("Put the key in drawer D.", "in drawer D"),
+        ("Put it in J. Ford's pigeonhole and come back.", "in J. Ford's pigeonhole"),
+    ],
+)
+def test_the_full_stop_behind_a_letter_ends_the_sentence(interpreter: Interpreter, text: str, goal: str) -> None:
+    assert _values(interpreter, text)["goal"] == goal
+
+
+def test_a_letter_ahead_of_a_surname_keeps_its_full_stop(interpreter: Interpreter) -> None:
+    assert _values(interpreter, "Tell J. Hale the bath is full.")["recipient"] == "J. Hale"
