@@ -100,7 +100,7 @@ def test_the_nearest_order_that_takes_a_thing_up_has_its_place(
     [
         ("You remember the lamp my aunt had, the one with the green shade, well, it's in the attic. Bring it down.",
          "the lamp"),
-        ("The mug with the blue handle is on the shelf. Bring it to me.", "The mug"),
+        ("The mug with the blue handle is on the shelf. Bring it to me.", "The mug with the blue handle"),
         ("My rain coat is torn. Get Tom's from the car.", "Tom's rain coat"),
         ("Bring me Mum's.", "Mum's"),
     ],
@@ -183,3 +183,33 @@ def test_the_full_stop_behind_a_letter_ends_the_sentence(interpreter: Interprete
 
 def test_a_letter_ahead_of_a_surname_keeps_its_full_stop(interpreter: Interpreter) -> None:
     assert _values(interpreter, "Tell J. Hale the bath is full.")["recipient"] == "J. Hale"
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Lock the hatch to the loft, please, and come back.", "the hatch to the loft"),
+        ("Go and bolt the door to the coal shed and then come back in.", "the door to the coal shed"),
+        ("Close the gate to the upper paddock, would you, unless it's raining.", "the gate to the upper paddock"),
+        ("Lock the scooter to the fence.", "the scooter"),
+        ("Open the curtain to your left.", "the curtain"),
+        ("Close the lid to keep the heat in.", "the lid"),
+    ],
+)
+def test_where_a_door_leads_to_is_part_of_its_words(interpreter: Interpreter, text: str, thing: str) -> None:
+    assert _values(interpreter, text)["object"] == thing
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("The spare key to cabin two isn't on its nail. Look in the blue bowl.", "The spare key to cabin two"),
+        ("The batteries for the torch are in the drawer. Bring them to me.", "The batteries for the torch"),
+        ("The heater for the fish tank, is it on? If not, switch it on.", "The heater for the fish tank"),
+        ("The lid of the tank, is it shut? If not, shut it.", "The lid of the tank"),
+        ("The lamp on the desk, is it on? If so, switch it off.", "The lamp"),
+        ("The key to the shed is on the hook. Unlock it.", "the shed"),
+    ],
+)
+def test_what_is_told_of_is_a_thing_with_what_it_belongs_to(interpreter: Interpreter, text: str, thing: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == thing

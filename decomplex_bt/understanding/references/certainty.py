@@ -256,6 +256,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
         return True
+    if _is_part_of_subject(context, gap, candidate):
+        return True
     head = context.observed.document.tokens[candidate.head].lemma
     if gap.type == "object" and gap.task.type in _HANDLING and head in _SKY:
         return True
@@ -304,6 +306,19 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
+
+
+def _is_part_of_subject(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is but a part of what a clause tells of: the key alone of "*the key to the cabin* is lost".
+    Nor is what goes without saying behind that the cabin, nor the "it" that takes the whole up in its own clause."""
+    if candidate.type != "outside" or candidate.mention:
+        return False
+    is_unsaid = gap.type == "object" and not gap.word
+    return any(
+        subject.has_part(candidate.tokens)
+        and (is_unsaid or candidate.tokens == subject.thing or (subject.is_topic and gap.word == "it"))
+        for subject in context.subjects
+    )
 
 
 def _is_cut_off(document: Document, candidate: Candidate) -> bool:

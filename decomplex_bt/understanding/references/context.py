@@ -20,6 +20,7 @@ from decomplex_bt.understanding.references.phrases import (
     is_child,
     predicates_of,
 )
+from decomplex_bt.understanding.references.subjects import Subject, subjects
 
 GROUPS = {
     "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
@@ -67,6 +68,10 @@ class Context:
     def verbs(self) -> frozenset[int]:
         """The tokens of the tasks, which name nothing whatever the tagger takes them for ("*Lay* the table")."""
         return frozenset(self.observed.document.indices(task.span).start for task in self.tasks)
+
+    @cached_property
+    def subjects(self) -> tuple[Subject, ...]:
+        return tuple(subjects(self.observed.document))
 
     @cached_property
     def predicates(self) -> list[Candidate]:

@@ -503,8 +503,16 @@ def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[r
     heads = [*chunks, *_whole_words(document)]
     for chunk in heads:
         after = next((c for c in chunks if c.start == chunk.stop + 1), None)
-        if after is not None and document.tokens[chunk.stop].pos == "ADP":
-            yield range(chunk.start, after.stop)
+        if after is not None and (
+            document.tokens[chunk.stop].pos == "ADP" or document.tokens[chunk.stop].lower == "to"
+        ):
+            yield range(chunk.start, after.stop + is_numbered(document, after))
+
+
+def is_numbered(document: Document, chunk: range) -> bool:
+    """Whether a number behind a noun phrase tells which one is meant, and counts nothing: "room *three*"."""
+    tags = [token.tag for token in document.tokens[chunk.stop - 1 : chunk.stop + 2]]
+    return tags[:2] == ["NN", "CD"] and tags[2:] not in (["NN"], ["NNS"], ["JJ"])
 
 
 def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:

@@ -40,6 +40,7 @@ from decomplex_bt.understanding.rules.echoes import echoes
 from decomplex_bt.understanding.rules.extents import (
     with_features,
     with_marks,
+    with_passages,
     with_purposes,
     with_whole_clauses,
     with_whole_compounds,
@@ -129,7 +130,7 @@ def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[Fo
     document = observed.document
     kept = with_whole_compounds(document, tasks, without_cases(document, tasks, list(arguments)))
     kept = with_whole_clauses(document, with_whole_places(document, kept))
-    kept = without_questions(document, tasks, kept)
+    kept = with_passages(document, tasks, without_questions(document, tasks, kept))
     kept = with_uses(document, with_marks(document, tasks, with_features(document, tasks, kept)))
     kept = with_relative_places(observed, tasks, kept)
     kept = without_excluded(document, tasks, told_apart(document, tasks, kept))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.references.compounds import ends_compound
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
 """What names a thing besides nouns: "the ones *with the foxes on it*"."""
@@ -25,6 +25,12 @@ _STILL = frozenset("still already now all both".split())
 _CUT_OFF = frozenset("in on at by under within behind".split())
 _PLACES = frozenset(("location", "source", "goal"))
 _CLAUSE_OPENERS = frozenset(("whether", "if"))
+_SHUTTING = frozenset(("open", "close", "shut"))
+_LOCKING = frozenset("lock unlock bolt unbolt latch unlatch".split())
+_PASSAGES = frozenset("door gate hatch window trapdoor flap shutter grille".split())
+"""What is locked to nothing else, as a bicycle may be."""
+_SIDES = frozenset("left right side end stop max maximum minimum".split())
+"""What tells which one is meant, or how far it is opened."""
 _ASKING = frozenset("can will could would".split())
 _OPENING = frozenset("after once when before if as while".split())
 _BETWEEN = frozenset("please just also then kindly".split())
@@ -147,6 +153,33 @@ def with_whole_places(document: Document, arguments: Sequence[FoundArgument]) ->
         stop = stops.get(a.tokens.stop, 0) if is_cut else 0
         found.append(replace(a, tokens=range(a.tokens.start, stop)) if stop else a)
     return found
+
+
+def with_passages(document: Document, tasks: Container[int], arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
+    """The arguments with where a door leads to as part of its words: nothing that is opened or shut goes anywhere
+    ("shut *the hatch to the loft*", not "open the drawer to your left" or "open the door to Anna")."""
+    kept = list(arguments)
+    for thing in arguments:
+        leading = range(0) if thing.type != "object" else _leading(document, thing)
+        if leading and all(i not in tasks for i in leading):
+            kept = [a for a in kept if a is thing or a.owner != thing.owner or a.tokens.start not in leading]
+            kept[kept.index(thing)] = replace(thing, tokens=range(thing.tokens.start, leading.stop))
+    return kept
+
+
+def _leading(document: Document, thing: FoundArgument) -> range:
+    """The "to the loft" behind what is opened or shut; empty where there is none."""
+    tokens, at = document.tokens, thing.tokens.stop
+    verb, last = tokens[thing.owner].lemma, tokens[at - 1]
+    is_shut = verb in _SHUTTING or (verb in _LOCKING and last.lemma in _PASSAGES)
+    if thing.owner > thing.tokens.start or not is_shut or last.tag not in ("NN", "NNS"):
+        return range(0)
+    if at >= len(tokens) or tokens[at].lower != "to":
+        return range(0)
+    where = next((chunk for chunk in noun_chunks(document) if chunk.start == at + 1), range(0))
+    if not where or tokens[where.start].pos != "DET" or tokens[where[-1]].lemma in PERSON_NOUNS | _SIDES:
+        return range(0)
+    return range(at, where.stop)
 
 
 def with_whole_compounds(
