@@ -503,16 +503,15 @@ def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[r
     heads = [*chunks, *_whole_words(document)]
     for chunk in heads:
         after = next((c for c in chunks if c.start == chunk.stop + 1), None)
-        if after is not None and (
-            document.tokens[chunk.stop].pos == "ADP" or document.tokens[chunk.stop].lower == "to"
-        ):
+        joining = document.tokens[min(chunk.stop, len(document) - 1)]
+        if after is not None and (joining.pos == "ADP" or joining.lower == "to"):
             yield range(chunk.start, after.stop + is_numbered(document, after))
 
 
 def is_numbered(document: Document, chunk: range) -> bool:
-    """Whether a number behind a noun phrase tells which one is meant, and counts nothing: "room *three*"."""
+    """Whether a number behind a noun phrase that something is said of tells which one: "the key to room *three* is"."""
     tags = [token.tag for token in document.tokens[chunk.stop - 1 : chunk.stop + 2]]
-    return tags[:2] == ["NN", "CD"] and tags[2:] not in (["NN"], ["NNS"], ["JJ"])
+    return tags[:2] == ["NN", "CD"] and tags[2:] in (["VBZ"], ["VBP"], ["VBD"], ["MD"])
 
 
 def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:

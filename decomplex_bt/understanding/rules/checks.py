@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from itertools import dropwhile
 
@@ -13,6 +13,7 @@ from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
+    PREPOSITIONS,
     degree_asked,
     nobody,
     noun_chunks,
@@ -32,6 +33,7 @@ _LEFT = frozenset("left over still".split())
 _OF_CHECKS = frozenset(("object", "state", "location"))
 _DESCRIBING = frozenset(("JJ", "VBN", "JJR"))
 _JOINING = frozenset(("and", "or", "but"))
+_BEHIND_PARTICLES = frozenset(("ADV", "CCONJ", "SCONJ", "VERB", "AUX"))
 _DEGREES = frozenset("not n't n\u2019t still too also very quite only nearly almost already fully completely".split())
 _BEFORE_WEATHER = frozenset(
     "it be been 's is are 're re s just already not n't n\u2019t finally actually really now all still started starts "
@@ -94,9 +96,11 @@ def doing(document: Document, check: int) -> dict[str, range]:
 
 
 def whole_state(document: Document, state: range) -> range:
-    """A state with those that are joined to it, where nothing else is said behind: "clean *and dry*", "awake *but not
-    hungry*", "asleep *or busy*"."""
+    """A state with the particle of its verb and those that are joined to it, where nothing else is said behind: "boxed
+    *up*", "clean *and dry*", "awake *but not hungry*", "asleep *or busy*"."""
     tokens, stop = document.tokens, state.stop
+    if _is_with_particle(document, state):
+        return range(state.start, stop + 1)
     is_described = bool(state) and tokens[state.stop - 1].tag in _DESCRIBING
     while is_described and stop + 1 < len(tokens) and tokens[stop].lower in _JOINING:
         at = stop + 1
@@ -109,6 +113,46 @@ def whole_state(document: Document, state: range) -> range:
             break
         stop = at + 1
     return range(state.start, stop)
+
+
+def _is_with_particle(document: Document, state: range) -> bool:
+    """Whether a particle behind a participle is said of it, and leads nowhere: "boxed *up*", not "left *in* it"."""
+    tokens, at = document.tokens, state.stop
+    tags = [token.tag for token in tokens[at - 1 : at + 1]] if state else []
+    if tags != ["VBN", "RP"]:
+        return False
+    return at + 1 == len(tokens) or tokens[at + 1].text in MARKS or tokens[at + 1].pos in _BEHIND_PARTICLES
+
+
+def with_place(
+    document: Document, tasks: Container[int], arguments: Sequence[FoundArgument], check: int
+) -> list[FoundArgument]:
+    """The arguments with where somebody is as a place and no state, and whole: "if she's *at work*". What goes wrong on
+    the way is in no place ("if the blind sticks *on the way up*")."""
+    kept: list[FoundArgument] = []
+    for a in arguments:
+        place = _place(document, a.tokens) if (a.owner, a.type) == (check, "state") else range(0)
+        place = place if all(i not in tasks for i in place) else range(0)  # "if it's on *check* whether ..."
+        is_where = bool(place) and document.tokens[place.start].lower in PREPOSITIONS
+        if is_where and document.tokens[check].pos == "AUX":
+            kept.append(replace(a, type="location", tokens=place))
+        elif not place:
+            kept.append(a)
+    return kept
+
+
+def _place(document: Document, state: range) -> range:
+    """The phrase of which a state has but the preposition, or that says "at work" or "on the way"; else empty. Who is
+    "at her prayers" is in a state."""
+    tokens, word = document.tokens, document.tokens[state.start]
+    chunk = next((chunk for chunk in noun_chunks(document) if chunk.start == state.start + 1), range(0))
+    if not chunk or word.dep != "prep" or tokens[chunk[-1]].head != word.i:
+        return range(0)
+    if any(token.tag in ("VBZ", "VBP", "VBD", "MD") for token in tokens[chunk.stop : chunk.stop + 1]):
+        return range(0)  # "if the light is on the kids are home"
+    is_way = word.lower == "on" and tokens[chunk[-1]].lower == "way" and tokens[word.head].pos == "VERB"
+    is_at = word.lower == "at" and tokens[chunk.start].pos == "NOUN"
+    return range(state.start, chunk.stop) if len(state) == 1 or is_at or is_way else range(0)
 
 
 def with_whole_state(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:

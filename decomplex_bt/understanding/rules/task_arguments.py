@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.assistance import with_helped
 from decomplex_bt.understanding.rules.bounds import before_orders, is_of_forbidden
 from decomplex_bt.understanding.rules.calls import with_called
@@ -20,6 +21,7 @@ from decomplex_bt.understanding.rules.checks import (
     identified,
     that_there_is,
     with_named_state,
+    with_place,
     with_subject,
     with_told,
     with_whole_state,
@@ -93,6 +95,7 @@ def of_task(setting: Setting, arguments: Sequence[FoundArgument], task: int) -> 
 
 def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
+    kept = [a for a in kept if a.owner != task or not _is_particle(document, a)]
     kept = put_out(document, put_in(setting.observed, with_loaded(setting.observed, kept, task), task), task)
     return put_inside(document, gone_to(document, kept, task), task)
 
@@ -117,6 +120,7 @@ def _of_change(setting: Setting, kept: list[FoundArgument], task: int) -> list[F
 def _of_check(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
     kept = [_undenied(document, a) if a.owner == task else a for a in kept]
+    kept = with_place(document, setting.tasks, kept, task)
     kept = with_whole_state(document, that_there_is(document, kept, task), task)
     kept = departed(document, without_left(document, kept, task), task)
     for told in (done_by_nobody(document, task), doing(document, task), setting.happening.get(task, {})):
@@ -158,6 +162,12 @@ _OF_TYPE: Mapping[str, Callable[[Setting, list[FoundArgument], int], list[FoundA
     "following": _of_following,
     "searching": _of_searching,
 }
+
+
+def _is_particle(document: Document, argument: FoundArgument) -> bool:
+    """Whether a state is but a particle, which is none of what is put somewhere: "hang it back *on*"."""
+    is_single = argument.type == "state" and len(argument.tokens) == 1
+    return is_single and document.tokens[argument.tokens.start].lower in PREPOSITIONS
 
 
 def _undenied(document: Document, argument: FoundArgument) -> FoundArgument:
