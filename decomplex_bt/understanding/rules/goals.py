@@ -1,4 +1,4 @@
-"""Goals: where something is put, as far as the words of an order tell it."""
+"""Goals: where something is put, or somebody goes, as far as the words of an order tell it."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ _REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
 _KEEPING = frozenset("keep leave stack store stow stash pile file".split())
 """What is done to things somewhere, and to no thing "in"."""
 CLAUSE_ENDS = MARKS | frozenset("and but or then if unless when before after until please".split())
+_WAYS = frozenset("down up in out".split())
 _ONTO = frozenset("in on into onto under behind by".split())
 
 
@@ -70,3 +71,14 @@ def put_out(document: Document, arguments: Sequence[FoundArgument], putting: int
     if not is_out or not is_put_outside or thing.tokens.start < putting:
         return list(arguments)
     return [*arguments, FoundArgument("goal", putting, range(at, at + 1), CERTAIN)]
+
+
+def gone_back(document: Document, arguments: Sequence[FoundArgument], going: int) -> list[FoundArgument]:
+    """The arguments with a mere "back down" or "back in" as which way somebody comes, and no place."""
+
+    def is_way(argument: FoundArgument) -> bool:
+        words = [document.tokens[i].lower for i in argument.tokens]
+        is_goal = (argument.owner, argument.type) == (going, "goal")
+        return is_goal and words[:1] == ["back"] and len(words) == 2 and words[1] in _WAYS
+
+    return [replace(a, type="direction") if is_way(a) else a for a in arguments]

@@ -30,7 +30,7 @@ from decomplex_bt.understanding.rules.checks import (
 )
 from decomplex_bt.understanding.rules.deeds import without_deed, without_particle
 from decomplex_bt.understanding.rules.doors import admitted
-from decomplex_bt.understanding.rules.goals import gone_to, put_in, put_inside, put_out
+from decomplex_bt.understanding.rules.goals import gone_back, gone_to, put_in, put_inside, put_out
 from decomplex_bt.understanding.rules.handing import called, divided, fed, given, paid, served
 from decomplex_bt.understanding.rules.idioms import (
     encountered,
@@ -91,6 +91,10 @@ def of_task(setting: Setting, arguments: Sequence[FoundArgument], task: int) -> 
     if kind not in _WITHOUT_THINGS and not any((a.owner, a.type) == (task, "object") for a in kept):
         kept = with_told(kept, task, in_need(setting.observed, task) or _telegraphed(document, task))
     return kept
+
+
+def _of_motion(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
+    return gone_back(setting.document, kept, task)
 
 
 def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
@@ -154,6 +158,7 @@ def _of_searching(setting: Setting, kept: list[FoundArgument], task: int) -> lis
 
 
 _OF_TYPE: Mapping[str, Callable[[Setting, list[FoundArgument], int], list[FoundArgument]]] = {
+    "motion": _of_motion,
     "placing": _of_placing,
     "bringing": _of_bringing,
     "change_state": _of_change,
