@@ -213,3 +213,16 @@ def test_where_a_door_leads_to_is_part_of_its_words(interpreter: Interpreter, te
 )
 def test_what_is_told_of_is_a_thing_with_what_it_belongs_to(interpreter: Interpreter, text: str, thing: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == thing
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("There's half a loaf in the bin. Bring it to me.", "half a loaf"),
+        ("There ought to be half a sack of meal behind the tractor. Carry it to the barn.", "half a sack of meal"),
+        ("There should be half the cake left. Put it in the tin.", "half the cake"),
+        ("There's a loaf in the bin. Bring it to me.", "a loaf"),
+    ],
+)
+def test_half_of_a_thing_is_part_of_its_words(interpreter: Interpreter, text: str, thing: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == thing

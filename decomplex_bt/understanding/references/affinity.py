@@ -395,9 +395,9 @@ def _none_features(context: Context, gap: Gap) -> Iterator[str]:
 
 
 def _determiner(document: Document, candidate: Candidate) -> str:
-    """How a phrase begins: definite, indefinite, counted, quantified, possessive or bare."""
+    """How a phrase begins, behind a "half": definite, indefinite, counted, quantified, possessive or bare."""
     first = document.tokens[min(candidate.tokens.start, candidate.head) if not candidate.mention else candidate.head]
-    word = candidate.text.split(" ", 1)[0].lower()
+    word = candidate.text.lower().removeprefix("half ").split(" ", 1)[0]
     if word in ("a", "an"):
         return "a"
     if word in ("any", "some", "enough", "more", "no", "another"):

@@ -269,7 +269,7 @@ def noun_chunks(document: Document) -> Iterator[range]:
         if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
             token = document.tokens[i]
             opens = token.pos == "DET" or token.tag == "PRP$"
-            if opens and start is not None:
+            if opens and start is not None and document.tokens[i - 1].lower != "half":  # "half a bag" is one phrase
                 yield from _trimmed(document, range(start, i))
                 start = i
             start = i if start is None else start
