@@ -96,3 +96,30 @@ def test_an_order_behind_what_is_told_is_none_of_it(interpreter: Interpreter, te
 )
 def test_who_is_read_to_in_a_case_is_not_told_that(interpreter: Interpreter, text: str, flow: object) -> None:
     assert interpreter.interpret(text).to_json()["flow"] == flow
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("Ask Lea to come down and say goodbye.", "to come down and say goodbye"),
+        ("Take the cake to Kim and remind him to phone Nan and say thanks.", "to phone Nan and say thanks"),
+        ("If Lea is up, tell her to wash her hands and say grace.", "to wash her hands and say grace"),
+        ("Tell Kim to run over and say hello to the boys, then lock up.", "to run over and say hello to the boys"),
+    ],
+)
+def test_who_is_asked_to_do_something_says_what_is_polite(interpreter: Interpreter, text: str, message: str) -> None:
+    told = [task for task in interpreter.interpret(text).tasks if task.type == "informing"]
+    assert [task.value("message") for task in told] == [message]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Tell Kim to come in and say that lunch is ready.",
+        "Tell Kim to hurry up and say I'm sorry.",
+        "Tell Kim lunch is ready and say goodbye.",
+        "Go to Kim and say hello.",
+    ],
+)
+def test_what_the_listener_is_to_say_stays_an_order(interpreter: Interpreter, text: str) -> None:
+    assert len(interpreter.interpret(text).tasks) == 2

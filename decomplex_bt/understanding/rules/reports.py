@@ -39,6 +39,9 @@ _TOLD_NEXT = frozenset("the a an this there his her hers its their theirs my min
 """What may begin what somebody is told who is named right ahead of it."""
 _GOING = frozenset("run pop nip head drive".split())
 """Ways on which somebody is sent to do something."""
+_COURTESIES = frozenset(
+    "thanks thank hello hi goodbye bye goodnight night morning sorry please grace happy congratulations".split()
+)
 _TAKEN_UP = {"it": frozenset(("NN", "NNP")), "them": frozenset(("NNS", "NNPS"))}
 """By the word that takes up what was named, how that is tagged."""
 
@@ -220,12 +223,23 @@ def _is_of_request(document: Document, request: range, at: int) -> bool:
     rest = {token.lower for token in tokens[at + 2 + len(particles) : _clause_end(document, at)]}
     if tokens[at].lower != tokens[at].lemma or rest & _OTHERWISE_DONE:
         return False  # "... and give them to him", "... and bring it if it's dry"
+    if _is_greeting(document, at):
+        return True
     if tokens[request.start].lemma in _GOING and tokens[at].tag in ("VB", "VBP"):
         return True  # "ask Tom to run next door *and borrow some eggs*"
     if word not in _TAKEN_UP:
         return False
     named = [tokens[chunk.stop - 1].tag for chunk in noun_chunks(document) if set(chunk) & set(request)]
     return any(tag in _TAKEN_UP[word] for tag in named)
+
+
+def _is_greeting(document: Document, at: int) -> bool:
+    """Whether an order is to say no more than what is said out of courtesy, which who is asked to come, go or do
+    something says: "ask Tom to come down *and say goodbye*", not "... and say that supper is ready"."""
+    said = document.tokens[at + 1 : _clause_end(document, at + 1)]
+    words = {token.lower for token in said}
+    is_told = any(token.tag in _FINITE - {"VBP"} or token.lower in _CONTRACTED for token in said)
+    return document.tokens[at].lower == "say" and not words.isdisjoint(_COURTESIES) and not is_told
 
 
 def _is_theirs(document: Document, at: int) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.rules.reports import within_reports
 
 _ARTICLES = frozenset(("DT", "PRP$"))
 _JOINING = frozenset("and then".split())
@@ -19,18 +20,22 @@ _LONGEST = 5
 
 def telegraphed(observed: Observed, tasks: Mapping[int, str]) -> dict[int, str]:
     """The verbs of clauses that are no more than a verb and what it is done to, where nothing in the text has an
-    article and no word of the clause is a task; with task types. `tasks`: tokens with types, of which there is one.
+    article and no word of the clause is a task or told somebody; with task types. `tasks`: tokens with types, of which
+    there is one.
 
     What follows an order to fetch or put something may be a list of things ("bring cups, dust pans, brushes").
     """
     document, verbs = observed.document, observed.gazetteer.verbs
     if not tasks or any(token.tag in _ARTICLES for token in document.tokens):
         return {}
+    told = within_reports(document, tasks)
     found: dict[int, str] = {}
     for clause in _clauses(document):
         first = document.tokens[clause.start]
         before = max((i for i in tasks if i < clause.start), default=None)
-        is_free = not any(i in tasks for i in clause) and before is not None and tasks[before] not in _LISTING
+        is_free = (
+            not any(i in tasks or i in told for i in clause) and before is not None and tasks[before] not in _LISTING
+        )
         if is_free and first.lower in verbs and first.pos in _NAMING | {"VERB"} and named(document, clause.start):
             found[clause.start] = verbs[first.lower][0]
     return found
