@@ -306,3 +306,22 @@ def test_what_goes_on_behind_a_second_place_is_done_after_either(interpreter: In
     instruction = interpreter.interpret(text)
     assert instruction.flow.to_json() == [{"if": [1, 2], "else": [3]}, 4]
     assert instruction.tasks[2].value("location").startswith(("in the sink", "on the roof", "under the bed"))
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("Hang the pans on the rack, or if there's no room on the rack, put them in the chest.",
+         [{"if": 2, "then": [1], "else": [3]}]),
+        ("Wipe the bowls and stack them in the box, or if there's no space in the box, leave them in the sink.",
+         [1, {"if": 3, "then": [2], "else": [4]}]),
+        ("Put the mail in the tray, or if there are letters in the tray, hand it to Lea.",
+         [{"if": 2, "then": [3], "else": [1]}]),
+        ("put the mail on the shelf or if theres no room on the stairs, and shut the door",
+         [{"if": 2, "then": [1], "else": [3]}, 4]),
+        ("Put the mail on the shelf, or if it's full on the stairs, and shut the door.",
+         [{"if": 2, "then": [3], "else": [1]}, 4]),
+    ],
+)  # fmt: skip
+def test_a_place_ahead_of_the_order_of_its_case_is_no_order(interpreter: Interpreter, text: str, flow: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == flow

@@ -370,11 +370,20 @@ def _split(document: Document, parts: Sequence[_Part], tasks: Mapping[int, str])
         is_turned = not part.is_last and k + 1 < len(parts) and parts[k + 1].lead in ("if", "turn")
         ahead = next((other.body for other in reversed(parts[:k]) if other.body), range(0))
         start = _inner(document, ahead, part.body, tasks, is_turned=is_turned)
-        if part.lead != "if" or start is None or not (is_joined or is_turned):
+        is_place = start is not None and document.tokens[start].lower in PREPOSITIONS
+        is_own = is_place and not part.is_last and _is_order(parts[k + 1 : k + 2], tasks)
+        if part.lead != "if" or start is None or not (is_joined or is_turned) or is_own:
             yield part
             continue
         yield _Part(part.lead, part.opening, range(part.body.start, start), is_last=False)
         yield _Part("mark", range(start, start), range(start, part.body.stop), is_last=part.is_last)
+
+
+def _is_order(following: Sequence[_Part], tasks: Mapping[int, str]) -> bool:
+    """Whether what is done in a case is an order behind its mark, so that a place at the end of the case is its
+    own: "or if there's no room on the hook, *lay it in the box*"."""
+    first = following[0].body.start if following and following[0].lead == "mark" else -1
+    return tasks.get(first, "check_state") != "check_state"
 
 
 def _praised_within(document: Document, body: range, tasks: Mapping[int, str]) -> int:
