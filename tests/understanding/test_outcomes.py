@@ -41,3 +41,22 @@ def test_where_to_look_is_the_same_search(interpreter: Interpreter) -> None:
 def test_a_search_for_something_else_is_another_one(interpreter: Interpreter) -> None:
     text = "Find Lea in the yard. Look for her dog, and if it's not there, tell me."
     assert flow(interpreter, text) == [1, {"if": [2, 3], "else": [4]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Find the hat and put it in my bag. If it won't fit, put it in the box instead.",
+         [1, {"if": 3, "then": [2], "else": [4]}]),
+        ("Find the jug with the blue lid and put it in the fridge. If it doesn't fit, put it in the cellar.",
+         [1, {"if": 3, "then": [2], "else": [4]}]),
+        ("Find the hat and put it in my bag. If you can't find it, bring me the cap instead.",
+         [{"if": [1, 3], "then": [2], "else": [4]}]),
+        ("Find the hat and put it in my bag. If it isn't in the hall, bring me the cap instead.",
+         [{"if": [1, 3], "then": [2], "else": [4]}]),
+    ],
+)  # fmt: skip
+def test_whether_a_thing_fits_is_no_outcome_of_the_search_for_it(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

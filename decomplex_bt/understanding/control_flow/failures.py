@@ -109,16 +109,21 @@ def tries_out(clause: Clause, before: Clause) -> bool:
     """Whether it asks if what was handled before works; of what was moved with an effort ("lift it") "it doesn't
     work" says that the effort failed."""
     is_handled = before.task.type in _MOVED and before.verb not in _STRAINING
-    is_kept_out = clause.verb == "fit" and before.task.type == "placing"
     is_of_thing = (
         clause.is_check
         and clause.verb in _FUNCTIONING
-        and not is_kept_out
+        and not is_kept_out(clause, before)
         and not clause.is_of_person
         and bool(before.objects)
     )
     is_it = clause.has_pronoun and not clause.objects and "fail" not in clause.near
     return is_handled and is_of_thing and (is_it or clause.names_same(before))
+
+
+def is_kept_out(clause: Clause, before: Clause) -> bool:
+    """Whether it asks if what the order before puts somewhere goes in there: "put it in the case. If *it won't
+    fit*, ..."."""
+    return clause.verb == "fit" and before.task.type == "placing"
 
 
 def finds_out(clause: Clause, after: Clause) -> bool:

@@ -32,6 +32,7 @@ _RULES = (
     replies.find_after_all,
     replies.miss,
     replies.miss_thing,
+    replies.fit_in,
     replies.answer,
     orders.repeat,
     orders.call_off,

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.control_flow.failures import (
     is_absence_ahead,
     is_absence_of,
     is_failure_of,
+    is_kept_out,
     is_not_to_be_found,
     lacks_kind,
     lacks_too,
@@ -284,6 +285,17 @@ def miss(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_told = order.task.type in ("bringing", "informing") and order.near[-1:] == ("and",) and order.has_pronoun
     if search.task.type == "searching" and is_told and not order.receivers and search.may_be_of_person:
         roles[k - 2 : k] = "condition", "task"
+
+
+def fit_in(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """Whether a thing that was looked for fits where it is put then tells nothing of the look for it ("find the hat and
+    put it in my bag. *If it won't fit*, ...")."""
+    if k < 2 or tuple(roles[k - 1 : k + 1]) != ("task", "mention") or "mention" in roles[k + 1 :]:
+        return
+    search, put, clause = clauses[k - 2 : k + 1]
+    is_of_it = clause.has_pronoun and not clause.objects and put.has_pronoun and not put.objects
+    if search.task.type == "searching" and is_kept_out(clause, put) and clause.is_check and is_of_it:
+        roles[k - 2 : k + 1] = "task", "task", "condition"
 
 
 def answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
