@@ -442,3 +442,27 @@ def test_what_is_put_elsewhere_then_is_put_there_in_the_excepted_case(
 )
 def test_what_lies_beyond_a_limit_is_the_other_side(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 1, "then": [2], "else": [3]}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Get the lamp and follow me to the barn. If the lamp is dead, take a candle instead.",
+        "Could you fetch the cart and come with me to the gate? If it's broken, bring the sack instead.",
+        "Grab the lead and walk with Kim to the park. If the lead is torn, grab the rope instead.",
+    ],
+)
+def test_who_comes_along_does_so_with_what_is_fetched_instead_too(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 3, "then": [4], "else": [1]}, 2]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Get the ladder and wash the windows. If the ladder is broken, bring the stool instead.",
+        "Get the lamp and follow me to the barn. If the barn is locked, take a candle instead.",
+        "Get the note and follow me to the study. If the note is wet, leave it in the hall instead.",
+    ],
+)
+def test_what_hangs_on_the_thing_itself_is_done_with_it_alone(interpreter: Interpreter, text: str) -> None:
+    assert flow(interpreter, text) == [{"if": 3, "then": [4], "else": [1, 2]}]

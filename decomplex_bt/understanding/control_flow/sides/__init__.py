@@ -98,6 +98,7 @@ _RULES = (
     substitutions.run_out,
     exemptions.clear_way,
     substitutions.break_down,
+    exemptions.go_along,
     exemptions.go_besides,
     exemptions.let_other_be,
     exemptions.put_elsewhere,

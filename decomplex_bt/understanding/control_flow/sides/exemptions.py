@@ -10,6 +10,7 @@ from decomplex_bt.understanding.control_flow.outcomes import is_cleared
 from decomplex_bt.understanding.control_flow.sides.labels import CARRYING, FAILS, HOLDS, MOVING, PARTING, TURNING
 
 _RETURNING = frozenset(("back", "home"))
+_GOING = frozenset(("following", "motion"))
 _SENT = frozenset(("bringing", "following", "motion"))
 _LOSING = frozenset("drop spit spill lose eat finish drink swallow throw break".split())
 """Deeds by which somebody no longer has what they got."""
@@ -37,6 +38,23 @@ def have_in_either_case(clauses: Sequence[Clause], roles: Sequence[str], sides: 
     )
     if are_cases and is_of_it and are_done and order.task.type in CARRYING and not order.is_forbidden:
         sides[k - 1] = "top"
+
+
+def go_along(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Who is to come with what was fetched comes with what is fetched *instead* of it, too ("get the lamp and *follow
+    me to the barn*. If the lamp is dead, take a candle instead")."""
+    if k < 2 or tuple(roles[k - 2 : k + 2]) != ("task", "task", "condition", "task"):
+        return
+    fetched, way, check, other = clauses[k - 2 : k + 2]
+    is_way = way.task.type in _GOING and way.near == ("and",) and not (way.is_forbidden or fetched.is_forbidden)
+    is_fetched = fetched.task.type in CARRYING and bool(fetched.objects) and fetched.sentence == way.sentence
+    is_of_thing = check.names_same(fetched) or (check.is_of_it and not check.objects and check.number == fetched.number)
+    is_led = check.boundary in PARTING | {"?"} and check.near == ("if",) and check.is_check and not check.places
+    is_instead = other.task.type in CARRYING and "instead" in (*other.near, *other.behind) and bool(other.objects)
+    is_instead = is_instead and not other.names_same(fetched) and not (other.receivers or other.has_pronoun)
+    is_open = sides[k - 2] in (">1-", "top") and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    if is_way and is_fetched and is_of_thing and is_led and is_instead and is_open:
+        sides[k - 2 : k] = ">1-", "top"
 
 
 def clear_way(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
