@@ -54,3 +54,48 @@ def test_what_an_order_takes_up_is_no_search(interpreter: Interpreter, text: str
     found = interpreter.interpret(text)
     assert all(task.type != "searching" for task in found.tasks)
     assert wanted is None or flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("Find my cap. Start with the shed, and if it isn't there, try the attic.", "with the shed"),
+        ("Try to find the pliers. Begin with the toolbox. If they're not there, look in the car.", "with the toolbox"),
+        ("Look for the lantern. Start in the cellar. If it isn't in there, ask Lea.", "in the cellar"),
+        ("Find my cap, start with the shed, and if it isn't there, try the attic.", "with the shed"),
+    ],
+)
+def test_what_a_search_is_to_begin_with_is_searched(interpreter: Interpreter, text: str, place: str) -> None:
+    assert flow(interpreter, text) == [{"if": [1, 2, 3], "else": [4]}]
+    assert interpreter.interpret(text).tasks[1].value("location") == place
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("Dust the study. Start with the shelf, then wipe the desk.", {"change_state"}),
+        ("Find my cap and dust the hall, start to finish.", {"searching", "change_state"}),
+        ("Peek in the drawers, starting with mine, and bring me the pen.", {"searching", "bringing"}),
+    ],
+)
+def test_what_another_order_is_to_begin_with_is_no_search(interpreter: Interpreter, text: str, types: set[str]) -> None:
+    assert {task.type for task in interpreter.interpret(text).tasks} == types
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Help me find the ring, I've checked the bed, so try the shelf or the box. If it's in neither, call Lea.",
+         [{"if": [1, 2, 3], "else": [4]}]),
+        ("Find the pen. Look on the desk or in the box. If it's in neither, call Lea.",
+         [{"if": [1, 2, 3], "else": [4]}]),
+        ("Find the pen, I've been through the car, so try the desk. If it isn't there, call Lea.",
+         [{"if": [1, 2, 3], "else": [4]}]),
+        ("Find the pen in the hall. Look in the box. If it's in neither, call Lea.", [1, {"if": [2, 3], "else": [4]}]),
+        ("Can you find the pen? Try the desk. If it isn't there, call Lea.", [1, {"if": [2, 3], "else": [4]}]),
+    ],
+)  # fmt: skip
+def test_where_to_look_for_what_is_to_be_found_is_the_same_search(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

@@ -1,6 +1,6 @@
 """Elsewhere: where something else, or the thing itself, is said to be where it is not where it was looked for, which
 says to look there ("if they're not on the desk, *they might be in the study*", "..., *there's another pair in the
-car*")."""
+car*"), and where to look first ("find my cap. *Start with the attic*")."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ _ONE_MORE = frozenset("another one more some spare extra others".split())
 _NAMED = frozenset(("DET", "ADJ", "NOUN", "NUM", "PROPN", "PRON"))
 _TURNING = frozenset(("otherwise", "else"))
 _WHERE = frozenset("in on under behind inside by near beside at".split())
+_BEGINNING = frozenset(("start", "begin"))
 _TAKING_UP = frozenset("it them him her there that those one".split())
 
 
@@ -68,6 +69,22 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
         behind = tokens[place.stop] if place.stop < len(tokens) else None
         if (behind is None or behind.text in MARKS) and tokens[start].lower in _WHERE:
             yield Fragment(range(start, place.stop), start, range(0), range(start, place.stop), "searching")
+
+
+def first_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fragment]:
+    """Every place that a search right ahead is to begin with, which is searched: "find my cap. *Start with the attic*";
+    carried by its verb. `tasks`: tokens with types."""
+    tokens, sentences = document.tokens, document.sentences
+    for i, token in enumerate(tokens[:-2]):
+        is_led = i > 0 and (tokens[i - 1].text in MARKS or tokens[i - 1].lower in ("and", "please"))
+        if token.lower not in _BEGINNING or not is_led or tokens[i + 1].lower not in _WHERE | {"with"}:
+            continue
+        search = max((j for j in tasks if j < i), default=None)
+        if search is None or tasks[search] != "searching" or sentences[i] - sentences[search] > 1:
+            continue
+        place = next((chunk for chunk in noun_chunks(document) if chunk.start == i + 2), None)
+        if place is not None and (place.stop == len(tokens) or tokens[place.stop].text in MARKS):
+            yield Fragment(range(i, place.stop), i, range(0), range(i + 1, place.stop), "searching")
 
 
 def _is_behind_case(document: Document, first: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.rules.elsewhere import elsewhere, other_searches
+from decomplex_bt.understanding.rules.elsewhere import elsewhere, first_searches, other_searches
 from decomplex_bt.understanding.rules.fragments import Fragment, fragments
 from decomplex_bt.understanding.rules.needs import belonging, states_due
 from decomplex_bt.understanding.rules.renewals import renewals
@@ -15,7 +15,7 @@ from decomplex_bt.understanding.rules.wants import wants
 
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again,
-    where else something is; `tasks`: tokens that are tasks, with types."""
+    where else something is, or where to look for it first; `tasks`: tokens that are tasks, with types."""
     yield from fragments(observed.document, observed.gazetteer.names)
     yield from transfers(observed)
     yield from belonging(observed.document)
@@ -24,3 +24,4 @@ def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]
     yield from renewals(observed.document)
     yield from elsewhere(observed.document)
     yield from other_searches(observed.document, tasks)
+    yield from first_searches(observed.document, tasks)

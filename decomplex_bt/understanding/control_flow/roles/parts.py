@@ -329,9 +329,14 @@ def find_neither(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def are_asked_of_both(clauses: Sequence[Clause], k: int) -> bool:
     """Whether clause `k` and the one before say what is to be found out, and the one behind is for where neither holds,
-    or either."""
+    or either; where to look for what the one before says to find is no second thing ("find my cap. *Look in the hall or
+    in the shed*. If it's in neither, ...")."""
+    first, second = clauses[k - 1 : k + 1]
+    are_searches = first.task.type == second.task.type == "searching"
+    if are_searches and not (first.places or second.objects):
+        return False
     is_of_both = k + 1 < len(clauses) and bool(clauses[k + 1].of_both)
-    return is_of_both and clauses[k - 1].is_finding_out and (clauses[k].is_finding_out or clauses[k].is_check)
+    return is_of_both and first.is_finding_out and (second.is_finding_out or second.is_check)
 
 
 def tell_of_both(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

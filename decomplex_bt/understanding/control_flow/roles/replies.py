@@ -154,15 +154,20 @@ def come_about(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def search_within(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
-    """Where to look for what the sentence before says to find is the same search ("find my keys. *Check the bag*, and
-    if you can't find them, ...")."""
+    """Where to look for what the sentence before, or the clause ahead of a comma, says to find is the same search
+    ("find my keys. *Check the bag*, and if you can't find them, ...", "find my keys, they're not here, so *check the
+    bag*. If ...")."""
     found, search = clauses[k - 1 : k + 1]
-    are_searches = (roles[k - 1], roles[k]) == ("condition", "condition")
+    is_same = search.sentence == found.sentence and search.boundary == ","
+    is_told = tuple(roles[k - 1 : k + 2]) == ("task", "condition", "mention")
+    are_searches = is_told or (roles[k - 1], roles[k]) == ("condition", "condition")
     are_searches = are_searches and found.task.type == search.task.type == "searching"
-    is_next = search.sentence == found.sentence + 1 and not {*search.far, *search.near} - {"first", "please"}
-    is_plain = search.boundary != "?" and not search.objects and not (found.places or found.turns or found.near)
+    is_next = is_same or search.sentence == found.sentence + 1
+    is_next = is_next and not {*search.far, *search.near} - {"first", "please", "still"}
+    is_bare = not (found.places or found.turns or found.near[is_same and found.near[:1] == ("please",) :])
+    is_plain = search.boundary != "?" and not search.objects and is_bare
     if are_searches and is_next and is_plain and not search.wording.is_negated:
-        roles[k] = "mention"
+        roles[k - 1 : k + 1] = "condition", "mention"
 
 
 def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
