@@ -32,3 +32,23 @@ def test_what_is_told_is_not_the_case(text: str) -> None:
     instruction = INTERPRETER.interpret(text)
     telling = next(task for task in instruction.tasks if task.type == "informing")
     assert telling.value("message") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Check if Ben has eaten. If he hasn't, warn him and text me when he has.",
+         [{"if": [1, 2], "else": [3, {"if": 5, "then": [4]}]}]),
+        ("If the oven isn't hot, turn it on and call me when it is.",
+         [{"if": 1, "else": [2, {"if": 4, "then": [3]}]}]),
+        ("If the shop isn't open, phone Ann when it is.", [{"if": 1, "else": [{"if": 3, "then": [2]}]}]),
+        ("If the stove isn't hot, put the pan on when it is.", [{"if": 1, "else": [{"if": 3, "then": [2]}]}]),
+        ("If the stove isn't hot, tell me when it is.", [{"if": 1, "else": [2]}]),
+        ("See if the bin is full. When it is, empty it.", [{"if": [1, 2], "then": [3]}]),
+        ("Text me when the van is here.", [1]),
+    ],
+)  # fmt: skip
+def test_what_comes_to_be_so_is_waited_for_in_the_other_case(
+    interpreter: Interpreter, text: str, expected: object
+) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected

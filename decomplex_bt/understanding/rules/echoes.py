@@ -1,6 +1,7 @@
 """Echoes: cases behind a verb of telling that only take up the one before, and are no message ("bring it in if it has
-come and tell me *if it hasn't*", "close it if you can and let me know *if you can't*"), and that the listener fails in
-what was ordered before ("look for my ring and ask Tom *if you don't find it*")."""
+come and tell me *if it hasn't*", "if he isn't up, wake him and text me *when he is*", "close it if you can and let me
+know *if you can't*"), and that the listener fails in what was ordered before ("look for my ring and ask Tom *if you
+don't find it*")."""
 
 from __future__ import annotations
 
@@ -18,6 +19,8 @@ _BETWEEN = frozenset("me us him her them know".split())
 _NAMING = frozenset(("DET", "NOUN", "PROPN"))
 _ENDS = MARKS | {"and", "but", "then", "or"}
 _OPENING = frozenset("if unless when whether".split())
+_CALLING = frozenset("call ring phone text message ping buzz page shout holler yell".split())
+"""Verbs of telling by which somebody is told, with a "when" behind, that it is so then, and not asked when it is."""
 _ASKING = frozenset(("check_state", "searching"))
 
 
@@ -37,8 +40,8 @@ def echoes(document: Document, tasks: Mapping[int, str]) -> dict[int, Echo]:
     if document.words.isdisjoint(_OPENING):
         return found
     for i, token in enumerate(tokens[:-2]):
-        telling = _telling(document, tasks, i) if token.lower == "if" else None
-        if telling is None:
+        telling = _telling(document, tasks, i) if token.lower in ("if", "when") else None
+        if telling is None or (token.lower == "when" and tokens[telling].lemma not in _CALLING):
             continue
         failure = _failure(document, i)
         if failure is not None and any(j < telling for j in tasks):
@@ -59,7 +62,8 @@ def _is_near(document: Document, one: int, other: int) -> bool:
 
 
 def _echo(document: Document, opening: int) -> Echo | None:
-    """The case that an "if" opens, where it is no more than a pronoun and "isn't", "has", "can't" or the like."""
+    """The case that an "if" or "when" opens, where it is no more than a pronoun and "isn't", "has", "can't" or the
+    like."""
     tokens, end = document.tokens, opening + 1
     while end < len(tokens) and tokens[end].lower not in _ENDS and end - opening < 5:
         end += 1

@@ -28,6 +28,7 @@ _RULES = (
     replies.search_within,
     parts.oppose,
     replies.wait,
+    replies.come_to_be,
     parts.look_after,
     replies.find_after_all,
     replies.miss,

@@ -193,6 +193,24 @@ def wait(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
         roles[k] = "task"
 
 
+def come_to_be(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """What is not so and is then said by a "when" behind an order to be so is waited for in that case ("if she hasn't
+    eaten, text me *when she has*")."""
+    if roles[k] in CONDITION_ROLES | {"task"} and comes_to_be(clauses, roles, k):
+        roles[k] = "condition"
+
+
+def comes_to_be(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` says behind an order no more than that what is not so in the case of that order is so."""
+    clause, order = clauses[k], clauses[k - 1]
+    is_behind = clause.boundary == "none" and clause.near == ("when",) and clause.sentence == order.sentence
+    is_echo = clause.is_check and clause.wording.is_echo and not clause.wording.is_negated
+    check = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if check is None or check == k - 1 or not (is_behind and is_echo) or clauses[check].sentence != clause.sentence:
+        return False
+    return clauses[check].wording.is_negated and "if" in clauses[check].near and roles[k - 1] == "task"
+
+
 def waits_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
     """Whether clause `k` is what is waited for where it is not so: "if it isn't hot, wait. *As soon as it is*, ...",
     "if the bathroom is occupied, wait. *When it's free*, ..."."""

@@ -159,6 +159,7 @@ _RULES = (
     scopes.ask_each,
     scopes.ask_besides,
     scopes.wait_in_case,
+    scopes.wait_in_other_case,
     scopes.wait_out,
     scopes.ask_of_ring,
     scopes.ask_of_needs,

@@ -19,7 +19,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_rival_of,
 )
 from decomplex_bt.understanding.control_flow.outcomes import answers_ring, comes_through
-from decomplex_bt.understanding.control_flow.roles.replies import ends_of_case, rings_before, waits_out
+from decomplex_bt.understanding.control_flow.roles.replies import comes_to_be, ends_of_case, rings_before, waits_out
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -358,6 +358,13 @@ def wait_in_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
     done*, ...")."""
     if roles[k] == "condition" and ends_of_case(clauses, roles, k) and sides[k - 2] in (">1+", ">1-"):
         sides[k] = f"<1{sides[k - 2][2:]}"
+
+
+def wait_in_other_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """The order right ahead of what is waited for in its case is carried out then ("if she hasn't eaten, *text me* when
+    she has")."""
+    if roles[k] == "condition" and comes_to_be(clauses, roles, k) and sides[k - 1] in (HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1+", sides[k - 1]
 
 
 def wait_out(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
