@@ -466,3 +466,24 @@ def test_who_comes_along_does_so_with_what_is_fetched_instead_too(interpreter: I
 )
 def test_what_hangs_on_the_thing_itself_is_done_with_it_alone(interpreter: Interpreter, text: str) -> None:
     assert flow(interpreter, text) == [{"if": 3, "then": [4], "else": [1, 2]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Unless Lea is asleep, start the mixer; if she is, shut her door before you start it.",
+         [{"if": [1, 3], "then": [4, 5], "else": [2]}]),
+        ("If the pot is hot, bring it here. If it isn't, warm it before you bring it here.",
+         [{"if": [1, 3], "then": [2], "else": [4, 5]}]),
+        ("Serve the stew if it's warm, and if it's cold, heat it before you serve it.",
+         [{"if": [2, 3], "then": [1], "else": [4, 5]}]),
+        ("Put the forks away. If they're dirty, wash them before you put them away.",
+         [{"if": 2, "then": [3]}, {"same": [1, 4]}]),
+        ("If the pot is warm, serve it, but before you serve it, lay the table. If it isn't, heat it.",
+         [{"if": [1, 5], "then": [4, {"same": [2, 3]}], "else": [6]}]),
+    ],
+)  # fmt: skip
+def test_what_is_done_in_one_case_is_done_in_the_other_behind_a_before(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

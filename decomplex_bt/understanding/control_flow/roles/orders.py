@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
+from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
 from decomplex_bt.understanding.control_flow.clause import AROUND, Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposite_of
 from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_behind, is_fallback_for
@@ -84,11 +84,30 @@ def ask_of_its_person(clauses: Sequence[Clause], roles: list[str], k: int) -> No
 
 def repeat(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """An order that is only said again, to say what comes before it, is carried out once; what is of another type than
-    all orders before, or names another thing, says none of them again."""
+    all orders before, or names another thing, says none of them again, and what is done in the other case of the last
+    one is done then, too ("if it's hot, serve it; if it's cold, warm it *before you serve it*")."""
     if roles[k] == "again" and not any(roles[j] == "task" and may_repeat(clauses[k], clauses[j]) for j in range(k)):
         roles[k] = "task"
     if roles[k] == "task" and any(roles[j] == "task" and _says_again(clauses[k], clauses[j]) for j in range(k)):
         roles[k] = "again"
+    if roles[k] == "again" and is_of_other_case(clauses, roles, k):
+        roles[k] = "task"
+
+
+def is_of_other_case(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` is behind a "before" in the other case of a condition in whose one case all is ordered that it
+    may say again."""
+    other = next((j for j in range(k - 1, -1, -1) if roles[j] != "task"), 0)
+    first = next((j for j in range(other - 1, -1, -1) if roles[j] != "task"), None)
+    if first is None or (roles[first], roles[other]) != ("condition", "mention") or "before" not in clauses[k].near:
+        return False
+    if clauses[k].sentence != clauses[other].sentence:
+        return False
+    wordings = [clause.wording for clause in clauses]
+    are_opposite = is_flipped(other, first, wordings) != wordings[first].is_negated
+    start = first - (first > 0 and clauses[first].boundary == "none")  # "serve it if it's hot"
+    alike = [j for j in range(k) if roles[j] == "task" and may_repeat(clauses[k], clauses[j])]
+    return are_opposite and bool(alike) and start <= min(alike) and max(alike) < other
 
 
 def _says_again(clause: Clause, before: Clause) -> bool:

@@ -21,6 +21,7 @@ from decomplex_bt.understanding.control_flow.sides import (
 
 _RULES = (
     mentions.repeat,
+    mentions.repeat_in_other_case,
     mentions.answer,
     mentions.name,
     mentions.pass_reply,

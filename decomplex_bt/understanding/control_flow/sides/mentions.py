@@ -12,6 +12,7 @@ from decomplex_bt.understanding.control_flow.contrasts import is_elsewhere_than,
 from decomplex_bt.understanding.control_flow.failures import finds_out, is_failure_of, may_fail_as
 from decomplex_bt.understanding.control_flow.outcomes import is_answer_behind, is_answer_to, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import may_repeat, repeats
+from decomplex_bt.understanding.control_flow.roles.orders import is_of_other_case
 from decomplex_bt.understanding.control_flow.roles.parts import (
     are_asked_of_both,
     is_told_of_both,
@@ -39,6 +40,14 @@ def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
         sides[k] = f"<{min(9, next(fitting, 1))}"
     rank = next((rank for rank, j in enumerate(orders, start=1) if repeats(clauses[k], clauses[j])), None)
     sides[k] = sides[k] if rank is None else f"<{min(9, rank)}"
+
+
+def repeat_in_other_case(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """What is ordered in one case and said behind a "before" in the other one is done in that, too ("if it's hot, serve
+    it; if it's cold, warm it *before you serve it*")."""
+    is_behind = clauses[k].boundary == "none" and (roles[k - 1], roles[k]) == ("task", "task")
+    if is_behind and sides[k - 1] == HOLDS and is_of_other_case(clauses, roles, k):
+        sides[k] = HOLDS
 
 
 def answer(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
