@@ -106,3 +106,23 @@ def test_what_is_done_where_it_is_not_found_leaves_the_want_standing(interpreter
     want, check, _ = interpreter.interpret(text).tasks
     assert (want.type, check.type) == ("bringing", "check_state")
     assert want.value("object") == check.value("object")
+
+
+@pytest.mark.parametrize(
+    ("text", "flow"),
+    [
+        ("I fancy a cup of coffee. If we have no milk, just bring me a tea.", [{"if": 2, "then": [1], "else": [3]}]),
+        ("I could do with a plum. If we have no plums, bring me a fig.", [{"if": 2, "then": [1], "else": [3]}]),
+        ("I need a saw. If we don't have one, fetch me the axe.", [{"if": [1, 2], "else": [3]}]),
+        ("I fancy a plum if there are any.", [{"if": 2, "then": [1]}]),
+        ("I could murder a tea if the kettle's on.", [{"if": 2, "then": [1]}]),
+        # no order of its own
+        ("I fancy an omelette. If we have eggs, heat the pan.", [{"if": 1, "then": [2]}]),
+        ("I fancy a walk. If we have no umbrella, tell me.", [{"if": 1, "else": [2]}]),
+        ("I fancy a bath if the water is hot.", [1]),
+    ],
+)
+def test_a_wish_is_an_order_beside_what_is_for_where_it_cannot_be_had(
+    interpreter: Interpreter, text: str, flow: object
+) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == flow

@@ -32,6 +32,7 @@ _COLLOQUIAL: Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]] =
 )
 """By the verb of a wish what may stand between "I" and that, and what stands behind it."""
 _LACKING = frozenset("no none not n't n\u2019t nt".split())
+_HAVING = (["have"], ["'ve"], ["\u2019ve"], ["do"])
 _ADVERBS = frozenset("also really just now rather still badly urgently".split())
 _ASKING = frozenset(("check_state", "searching"))
 _JOINING_CASES = frozenset(("and", "but", "or", ","))
@@ -166,7 +167,7 @@ def _thing(observed: Observed, who: range, verb: int, last: int, tasks: Mapping[
     stop = next((token.i for token in tokens[thing.stop :] if token.lower in ENDS), len(tokens))
     if stop < len(tokens) and tokens[stop].text == "?":
         return None
-    end = next((token.i for token in tokens[thing.stop : stop] if token.text == ","), stop)
+    end = next((token.i for token in tokens[thing.stop : stop] if token.lower in (",", "if")), stop)
     while end > thing.stop and tokens[end - 1].lower in _CLOSING:
         end -= 1
     place = range(thing.stop + (tokens[thing.stop : end][:1] != () and tokens[thing.stop].lower == "over"), end)
@@ -183,6 +184,9 @@ def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[in
     tokens, sentences = document.tokens, document.sentences
     others = {i: kind for i, kind in tasks.items() if tokens[i].lower not in _NEEDING | _LIKING | _COLLOQUIAL.keys()}
     others = {i: kind for i, kind in others.items() if not _is_in_its_place(document, who, i)}
+    if [t.lower for t in tokens[thing.stop : thing.stop + 1]] == ["if"]:  # "I fancy a plum *if there are any*"
+        case = [i for i in others if i > thing.stop and sentences[i] == sentences[thing.stop]]
+        others = {i: kind for i, kind in others.items() if i not in case or kind not in _ASKING}
     if any(i >= thing.stop and not (kind in _ASKING and _is_case(document, i)) for i, kind in others.items()):
         return True
     first = next(i for i in range(who.start + 1) if sentences[i] == sentences[who.start])
@@ -195,14 +199,14 @@ def _is_of_order(document: Document, who: range, thing: range, tasks: Mapping[in
 
 def _is_in_its_place(document: Document, who: range, order: int) -> bool:
     """Whether an order of the next sentence is for where there is none of what is wanted, or it is not where it is
-    thought to be: "I need a saw. If there is none, *bring* the axe", "I need my pen. If it isn't on the desk, *ask*
-    Tom"."""
+    thought to be: "I need a saw. If there is none, *bring* the axe", "I fancy a tea. If we have no milk, *bring* me a
+    juice", "I need my pen. If it isn't on the desk, *ask* Tom"."""
     tokens, sentences = document.tokens, document.sentences
     ahead = [t.lower for t in tokens[who.stop : order + 2] if sentences[t.i] == sentences[order]]
     if sentences[order] != sentences[who.start] + 1 or "if" not in ahead:
         return False
     case = ahead[ahead.index("if") + 1 :]
-    is_none = ahead[:1] == ["if"] and "there" in case
+    is_none = ahead[:1] == ["if"] and ("there" in case or (case[:1] in (["we"], ["you"]) and case[1:2] in _HAVING))
     is_elsewhere = case[:1] in (["it"], ["they"]) and not _LEADING.isdisjoint(ahead)
     return (is_none or is_elsewhere) and not _LACKING.isdisjoint(case)
 
