@@ -487,3 +487,25 @@ def test_what_is_done_in_one_case_is_done_in_the_other_behind_a_before(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Hang the blouse on the hook. In case the iron's still hot, stand it on the tile.",
+         [1, {"if": 2, "then": [3]}]),
+        ("My blouse is on the chair, hang it on the hook. If the pan is still hot, set it on the tile.",
+         [1, {"if": 2, "then": [3]}]),
+        ("Put the forks in the drawer. If the pan is dirty, put it in the sink.", [1, {"if": 2, "then": [3]}]),
+        ("Hang the coat in the hall. If it's wet, put it in the tub.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Hang the coat in the hall. If the rack is full, put it on my bed.", [{"if": 2, "then": [3], "else": [1]}]),
+        ("Put the cake in the fridge. If the fridge is full, put it in the cellar.",
+         [{"if": 2, "then": [3], "else": [1]}]),
+        ("Hang the shirts in the wardrobe. If the wardrobe is locked, hang them on the door.",
+         [{"if": 2, "then": [3], "else": [1]}]),
+    ],
+)  # fmt: skip
+def test_where_another_thing_is_put_in_its_case_is_no_other_place_of_the_first(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

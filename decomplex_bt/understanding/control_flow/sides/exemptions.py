@@ -129,18 +129,29 @@ def let_other_be(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
 
 
 def put_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """What is put somewhere is so though a sentence of its own tells where something else is put that may turn up ("put
-    the book on the shelf. If you see the pencil, *put it in the drawer*")."""
+    """What is put somewhere is so though a sentence of its own tells where something else is put that may turn up, or
+    be hot still ("put the book on the shelf. If you see the pencil, *put it in the drawer*", "..., if the pan is still
+    hot, *stand it on the tile*", "put the forks away. If the pan is dirty, *put it in the sink*")."""
     if k + 1 >= len(clauses) or (roles[k - 1], roles[k], roles[k + 1]) != ("task", "condition", "task"):
         return
     order, check, other = clauses[k - 1 : k + 2]
-    is_led = check.boundary in (".", "!") and check.near == ("if",) and check.task.type == "searching"
-    is_led = is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS] and not check.wording.is_negated
+    is_led = check.boundary in (".", "!") and check.near == ("if",) and not check.wording.is_negated
+    is_led = is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
+    is_led = is_led and (check.task.type == "searching" or _is_of_own_thing(check, order, other))
     are_put = order.task.type == other.task.type == "placing" and bool(order.receivers) and bool(other.receivers)
     is_other = bool(check.objects) and not check.names_same(order) and other.has_pronoun and not other.objects
     is_apart = order.receivers.isdisjoint(other.receivers) and "instead" not in (*other.near, *other.behind)
     if is_led and are_put and is_other and is_apart and not order.is_forbidden:
         sides[k - 1] = "top"
+
+
+def _is_of_own_thing(check: Clause, order: Clause, other: Clause) -> bool:
+    """Whether it asks how the thing is that the order behind it takes up, and the one ahead does not: what is still hot
+    is put where it can cool, and "it" is not "the forks"."""
+    is_asked = check.is_check and bool(check.said_state) and not check.says_there_is and not check.is_of_weather
+    is_one = other.number == check.number != "" and order.nouns.isdisjoint(check.objects)
+    is_hot = check.says_still and check.wording.state == "hot"
+    return is_asked and is_one and (is_hot or (bool(order.number) and order.number != other.number))
 
 
 def do_as_well(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
