@@ -161,3 +161,23 @@ def test_what_is_switched_for_something_is_switched_back_after_it(
     interpreter: Interpreter, text: str, expected: Any
 ) -> None:
     assert flow(interpreter, text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Has my supper come? If it's downstairs fetch it, put the stew in a bowl and zap it if it's gone cold, "
+         "then bring it to me.", [{"if": [1, 2], "then": [3, 4, {"if": 6, "then": [5]}, 7]}]),
+        ("Did the cake come? If it's outside bring it in, pour the tea in a pot and heat it up if it's cold, "
+         "then call me.", [{"if": [1, 2], "then": [3, 4, {"if": 6, "then": [5]}, 7]}]),
+        ("If she's home, put the stew in a dish and zap it if it's cold, then take it up.",
+         [{"if": 1, "then": [2, {"if": 4, "then": [3]}, 5]}]),
+        ("Is the stew cold? If it is, put it in a pan and heat it if it's cold.",
+         [{"if": [1, 2, 5], "then": [3, 4]}]),
+        ("Is the gate open? Close it if it's open, then come back.", [{"if": [1, 3], "then": [2]}, 4]),
+    ],
+)  # fmt: skip
+def test_what_is_asked_behind_one_step_of_a_case_is_of_that_step(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == expected

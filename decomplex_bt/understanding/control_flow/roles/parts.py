@@ -20,6 +20,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_other_degree,
     joining_role,
 )
+from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
 from decomplex_bt.understanding.cues import WISHING
 
 _HAVING = frozenset(("have", "get", "be"))
@@ -53,18 +54,41 @@ def join(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 def part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     """A check whose words are of another matter than those of all conditions before it is no mention of one, but a
     condition of its own; and then what an order to check asks is asked of nothing ("check if it is done, and if it's
-    burnt, ...")."""
+    burnt, ..."). So is what is asked behind one of several orders of a case if that is needed ("is he home? If he is,
+    pour the tea *and warm it if it's cold*, then ...")."""
     clause, before = clauses[k], clauses[k - 1]
     is_bare = roles[k] == "mention" and roles[k - 1] == "condition" and "mention" not in roles[k + 1 :]
     is_order_to_check = is_bare and before.is_asked and is_of_other_matter(clause, before)
     firsts = [clauses[j] for j in range(k) if roles[j] == "condition"]
     if is_order_to_check or (is_bare and is_of_other_state(clause, before)):
         roles[k - 1 : k + 1] = "task", "condition"
-    elif roles[k] == "mention" and firsts and all(is_of_another(clause, first) for first in firsts):
+    elif roles[k] == "mention" and (
+        (firsts and all(is_of_another(clause, first) for first in firsts)) or guards_own_order(clauses, roles, k)
+    ):
         roles[k] = "condition"
     last = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), k)
     if roles[k] == "mention" and roles[last] == "mention" and is_named_apart(clause, clauses[last]):
         roles[k] = "condition"
+
+
+def guards_own_order(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
+    """Whether clause `k` asks if the order right ahead is needed, or how the thing of that is which the orders of a
+    case were the first to name, and nothing before asks that, nor is left open."""
+    clause, order = clauses[k], clauses[k - 1]
+    if k < 3 or clause.boundary != "none" or clause.near not in (("if",), ("unless",)):
+        return False
+    is_listed = tuple(roles[k - 2 : k]) == ("task", "task") and clauses[k - 2].sentence == clause.sentence
+    last = next((j for j in range(k - 2, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if not is_listed or last is None or clauses[last].sentence != clause.sentence or "if" not in clauses[last].near:
+        return False
+    firsts = [clauses[j] for j in range(k) if roles[j] in CONDITION_ROLES]
+    state = clause.wording.state
+    is_open = any(c.leaves_open and not c.is_question for c in firsts)
+    is_other = state is not None and all(state not in (c.wording.state, c.wording.opposite) for c in firsts)
+    named = next((clauses[j] for j in range(k - 1, last, -1) if clauses[j].objects), None)
+    is_new = named is not None and all(frozenset(named.objects).isdisjoint(c.nouns) for c in firsts)
+    is_own = is_guard_of(clause, order) or (is_new and clause.is_of_it and order.task.type == "change_state")
+    return is_other and not is_open and is_own
 
 
 def look_over(clauses: Sequence[Clause], roles: list[str], k: int) -> None:

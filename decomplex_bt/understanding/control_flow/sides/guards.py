@@ -17,6 +17,7 @@ from decomplex_bt.understanding.control_flow.outcomes import (
     spares,
     undoes,
 )
+from decomplex_bt.understanding.control_flow.roles.parts import guards_own_order
 from decomplex_bt.understanding.control_flow.sides.labels import (
     FAILS,
     HOLDS,
@@ -45,9 +46,10 @@ _AT_ONCE = 3
 def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """A condition behind one of several orders is of that one alone where it stands within a list ("pick up the mug,
     wash it if it's dirty, and put it away"), or asks whether that order is needed ("turn the tv off if it's on and come
-    here")."""
+    here", "if he's home, pour the tea and warm it if it's cold, then come here")."""
     clause, order = clauses[k], clauses[k - 1]
-    is_guard = is_guard_of(clause, order) and (roles[k - 1], roles[k]) == ("task", "condition")
+    is_guard = is_guard_of(clause, order) or guards_own_order(clauses, roles, k)
+    is_guard = is_guard and (roles[k - 1], roles[k]) == ("task", "condition")
     is_behind = clause.boundary == "none" or (clause.boundary == "," and is_guard and "unless" in clause.near)
     if not is_behind or OPENING.isdisjoint(clause.near) or "mention" in roles[k + 1 :]:
         return
