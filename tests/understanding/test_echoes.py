@@ -52,3 +52,19 @@ def test_what_comes_to_be_so_is_waited_for_in_the_other_case(
     interpreter: Interpreter, text: str, expected: object
 ) -> None:
     assert interpreter.interpret(text).to_json()["flow"] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Shout if the milk boils over.", [{"if": 2, "then": [1]}]),
+        ("Buzz me if the roofer arrives.", [{"if": 2, "then": [1]}]),
+        ("Watch the milk and shout if it boils over.", [1, {"if": 3, "then": [2]}]),
+        ("Walk Nan to the gate and holler if she slips.", [1, {"if": 3, "then": [2]}]),
+        ("Let me know if the roofer arrives.", [1]),
+        ("Tell me if the milk boils over.", [1]),
+        ("Ring Ann and ask her if the bus stops there.", [1, 2]),
+    ],
+)
+def test_what_somebody_is_called_for_is_a_case(interpreter: Interpreter, text: str, expected: object) -> None:
+    assert interpreter.interpret(text).to_json()["flow"] == expected

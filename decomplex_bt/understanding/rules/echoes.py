@@ -1,7 +1,7 @@
 """Echoes: cases behind a verb of telling that only take up the one before, and are no message ("bring it in if it has
 come and tell me *if it hasn't*", "if he isn't up, wake him and text me *when he is*", "close it if you can and let me
-know *if you can't*"), and that the listener fails in what was ordered before ("look for my ring and ask Tom *if you
-don't find it*")."""
+know *if you can't*"), that the listener fails in what was ordered before ("look for my ring and ask Tom *if you don't
+find it*"), and that something happens for which somebody is called ("shout *if the pan boils over*")."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _SUBJECTS = frozenset("it he she they we there you i that those these".split())
 _TYPED = frozenset("isnt arent wasnt hasnt havent doesnt dont didnt cant couldnt".split())
@@ -19,7 +20,9 @@ _BETWEEN = frozenset("me us him her them know".split())
 _NAMING = frozenset(("DET", "NOUN", "PROPN"))
 _ENDS = MARKS | {"and", "but", "then", "or"}
 _OPENING = frozenset("if unless when whether".split())
-_CALLING = frozenset("call ring phone text message ping buzz page shout holler yell".split())
+_SUMMONING = frozenset("call ring phone buzz page shout holler yell".split())
+"""Verbs of telling by which somebody is made to come, or told something else than that a case is so."""
+_CALLING = _SUMMONING | frozenset(("text", "message", "ping"))
 """Verbs of telling by which somebody is told, with a "when" behind, that it is so then, and not asked when it is."""
 _ASKING = frozenset(("check_state", "searching"))
 
@@ -42,6 +45,10 @@ def echoes(document: Document, tasks: Mapping[int, str]) -> dict[int, Echo]:
     for i, token in enumerate(tokens[:-2]):
         telling = _telling(document, tasks, i) if token.lower in ("if", "when") else None
         if telling is None or (token.lower == "when" and tokens[telling].lemma not in _CALLING):
+            continue
+        event = _event(document, i) if tokens[telling].lemma in _SUMMONING else None
+        if event is not None:
+            found[telling] = event
             continue
         failure = _failure(document, i)
         if failure is not None and any(j < telling for j in tasks):
@@ -75,6 +82,17 @@ def _echo(document: Document, opening: int) -> Echo | None:
     if not is_auxiliary or (words[0] in ("you", "i") and verb.lower not in _ABLE | {"do", "dont"}):
         return None
     return Echo(range(opening, end), opening + 2, verb.lower not in _ABLE and words[0] != "you")
+
+
+def _event(document: Document, opening: int) -> Echo | None:
+    """The case that an "if" opens, where it is that somebody or something does something."""
+    tokens = document.tokens
+    end = next((t.i for t in tokens[opening:] if t.lower in _ENDS), len(tokens))
+    named = next((chunk for chunk in noun_chunks(document) if chunk.start == opening + 1), range(0))
+    verb = named.stop if named else opening + 2
+    is_known = bool(named) or (verb < end and tokens[opening + 1].lower in _SUBJECTS - {"you", "i", "we", "there"})
+    is_event = is_known and verb < end and tokens[verb].tag == "VBZ" and tokens[verb].pos == "VERB"
+    return Echo(range(opening, end), verb, asks=True) if is_event and tokens[opening].lower == "if" else None
 
 
 def _failure(document: Document, opening: int) -> Echo | None:

@@ -32,6 +32,7 @@ from decomplex_bt.understanding.references.phrases import ROOM
 _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))
 _WATCHING = frozenset("keep watch mind supervise stay remain sit stand wait".split())
+_SETTING_OUT = frozenset("go leave want need wish like".split())
 _LISTING = frozenset(("and", "please"))
 _AND_ONLY = (("but", "but"), ("and", "but"))
 """The cues of "but only" and "and only" ahead of a verb."""
@@ -236,8 +237,8 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     or an "only" sets that one apart ("take it out, but cut it only when it's cold", "... but only cut it when ..."),
     where it is about weather that only the last is for ("feed the cat and shut the window if it rains"), where
     somebody whom only the last speaks to does something ("put out the light and sing to Mia if she cries"), where
-    somebody or something is watched over until then ("sit with Gran and call me if she wakes"), and where a comma
-    parts it from them ("shut the door, and bring a chair if there is one")."""
+    somebody or something is gone with or watched over until then ("sit with Gran and call me if she wakes"), and where
+    a comma parts it from them ("shut the door, and bring a chair if there is one")."""
     clause, order = clauses[k], clauses[k - 1]
     is_behind = clause.boundary == "none" and (roles[k - 1], roles[k]) == ("task", "condition")
     if not is_behind or OPENING.isdisjoint(clause.near) or sides[k - 1][:2] != ">1" or "or" in order.near:
@@ -263,8 +264,10 @@ def withhold(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
 
 
 def _watches(order: Clause, check: Clause) -> bool:
-    """Whether an order is to stay with or watch over who or what a check behind it asks about."""
-    is_watch = order.task.type in ("following", "searching") and order.verb in _WATCHING
+    """Whether an order is to go or stay with, or watch over, who or what a check behind it asks about; not to go with
+    whoever goes out."""
+    is_gone_with = order.task.type == "following" and (order.verb in _WATCHING or check.verb not in _SETTING_OUT)
+    is_watch = is_gone_with or (order.task.type == "searching" and order.verb in _WATCHING)
     is_of_it = check.has_pronoun and not check.objects
     return is_watch and not order.is_forbidden and check.is_check and (is_of_it or check.names_same(order))
 
