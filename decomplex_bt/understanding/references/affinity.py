@@ -23,6 +23,7 @@ from decomplex_bt.understanding.references.gaps import (
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
+from decomplex_bt.understanding.references.repeated import asked_before
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +95,12 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
         return options  # "bring me Mum's" leaves its noun to those before
     is_one = gap.tokens and gap.word == "one" and any(_is_halved(document, gap, c) for c in of_side["before"])
     if not options or not (
-        pair or is_one or meant(context, gap) or is_pointing_back(document, gap) or containers_of(context, gap)
+        pair
+        or is_one
+        or meant(context, gap)
+        or is_pointing_back(document, gap)
+        or containers_of(context, gap)
+        or asked_before(context, gap)
     ):
         options.append(Option(None, "", "", tuple(_none_features(context, gap))))
     return options

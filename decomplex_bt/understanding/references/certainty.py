@@ -24,6 +24,7 @@ from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
+from decomplex_bt.understanding.references.repeated import asked_before, is_of_own_branch
 from decomplex_bt.understanding.references.roles import (
     ELSEWHERE,
     is_called_in,
@@ -83,11 +84,13 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     settled = meant(context, gap)
     if not settled and _is_weather(context, gap):
         return []
-    order = 0 if settled else _guarded(context, gap)
+    again = asked_before(context, gap)
+    order = 0 if settled or again else _guarded(context, gap)
     identity = settled or _identity(context, gap) or _fronted(context, gap) or _reasoned(context, gap)
     is_of_nobody = gap.type == "object" and not gap.word and bool(nobody(document, gap.position))
     containers = containers_of(context, gap)
-    before, instrument = _done_before(context, gap) or _listed(context, gap), _instrument(context, gap)
+    before = _done_before(context, gap) or _listed(context, gap) or again
+    instrument = _instrument(context, gap)
     # "mop it up" is not of the floor, but of what is on it
     is_wiped_up = bool(instrument) and context.lemmas[gap.task.id].endswith(" up")
 
@@ -250,7 +253,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_later = candidate.tokens.start > gap.position and candidate.type == "location"
     if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
-    if is_no_goal(context, gap, candidate):
+    if is_no_goal(context, gap, candidate) or is_of_own_branch(context, gap, candidate):
         return True
     if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody, is_blemish)):
         return True

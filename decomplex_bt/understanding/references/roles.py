@@ -24,10 +24,19 @@ _OF_ROOMS = frozenset("vacuum hoover mop sweep dust tidy".split())
 
 
 def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there"."""
+    """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there", "pack
+    *the kite*, and if it isn't there, ..."."""
     is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
+    if gap.word == "there" and candidate.type == "object" and not is_own and _is_own_object(context, gap, candidate):
+        return True
     is_living = kind_of(context, candidate) in ANIMATE  # nor inside somebody who was spoken of before
     return gap.word == "there" and (is_own != is_living if gap.preposition == "in" else is_own and not is_living)
+
+
+def _is_own_object(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what the task of a gap is about, by a word that refers to it."""
+    own = (c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object") and c.mention)
+    return any(c.text.lower() == candidate.text.lower() for c in own)
 
 
 def is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:

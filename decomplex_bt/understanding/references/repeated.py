@@ -1,0 +1,50 @@
+"""Repeated: conditions that are said again are about what they were about before, and about nothing that is first named
+where they hold or do not."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.gaps import Gap, is_bare_being
+from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.references.roles import ELSEWHERE
+
+_THERE = "there"
+_PLACES = frozenset(("location", "source", "goal"))
+_ALREADY = frozenset(("already", "now"))
+_NEAR = 3
+"""Within so many words around a "there" stands what tells that it is the end of an order [tokens]."""
+
+
+def asked_before(context: Context, gap: Gap) -> int:
+    """The check, by its number, that an "if it is" takes up: "is *the stew* still warm? Bring me a plate if *it* is"; 0
+    where there is none."""
+    first = context.first.get(gap.task.id, gap.task.id)
+    is_again = first < gap.task.id and context.types.get(first) == gap.task.type == "check_state"
+    if gap.type != "object" or gap.word not in ELSEWHERE or not is_again:
+        return 0
+    is_bare = is_bare_being(context.observed.document, context.observed.document.indices(gap.task.span).start)
+    return first if is_bare and _has_object(context, first) else 0
+
+
+def is_of_own_branch(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is first named in an order that the condition decides which a check says again: "look in the
+    loft. If the cat is out, carry the basket to *the cellar*; if she's still *there*, ...". Where something is
+    "already" it is to go, and where no place was spoken of before, that may be the one."""
+    first = context.first.get(gap.task.id, gap.task.id)
+    if first >= gap.task.id or gap.task.type != "check_state" or candidate.mention:
+        return False
+    is_place = gap.type == "location" and gap.word == _THERE and _is_of_place_before(context, gap, first)
+    is_thing = gap.type == "object" and gap.word in ELSEWHERE and _has_object(context, first)
+    return (is_place or is_thing) and context.relation(candidate.owner, gap.task.id) == "governed"
+
+
+def _is_of_place_before(context: Context, gap: Gap, first: int) -> bool:
+    """Whether a place was spoken of before the condition or in it, and it is not asked if something is by now where it
+    is to go: "if they're *already* in there"."""
+    tokens, start = context.observed.document.tokens, max(0, gap.tokens.start - _NEAR)
+    is_done = any(token.lower in _ALREADY for token in tokens[start : gap.tokens.stop + _NEAR])
+    return not is_done and any(0 < c.owner <= first and c.type in _PLACES for c in context.pool)
+
+
+def _has_object(context: Context, number: int) -> bool:
+    return any((c.owner, c.type) == (number, "object") for c in context.pool)

@@ -1,0 +1,59 @@
+"""Conditions that are said again: what "if it is" and "if they're still there" are about."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+def told(found: Interpreter, text: str, kind: str) -> list[str | None]:
+    """What the checks of a text are about, or where that is, in text order."""
+    return [task.value(kind) for task in found.interpret(text).tasks if task.type == "check_state"]
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("Is the tea still warm? I'll have a cup if it is. If it's cold, warm it up.", ["the tea"] * 3),
+        ("Is the ironing done? Bring me a shirt if it is.", ["the ironing"] * 2),
+        ("Check whether the freezer is on. Plug in the lamp if it is, and if it isn't, call Ada.", ["the freezer"] * 3),
+        ("Is the milk fresh? I'd like a glass if it is, otherwise pour it away.", ["the milk"] * 2),
+        # a condition that was not asked before is of what is named right ahead of it
+        ("Is the dryer done? Hang the shirt up if it's wet.", ["the dryer", "the shirt"]),
+        ("Bring me the paper if it's dry. If it isn't, hang it over the chair.", ["the paper"] * 2),
+        ("If the soup is hot, bring me a bowl. If the bowl is chipped, bring a mug.", ["the soup", "the bowl"]),
+    ],
+)
+def test_a_condition_said_again_is_of_what_it_was_of(interpreter: Interpreter, text: str, values: list[str]) -> None:
+    assert told(interpreter, text, "object") == values
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        (
+            "Look into the loft. If the bats are gone, shut the hatch and carry the crates to the garage; if they are "
+            "still there, tell Lea.",
+            "the loft",
+        ),
+        ("Look in the pen. If the hens are out, carry the straw to the barn; if they're still there, wait.", "the pen"),
+        ("Is the ladder in the garage? If it is, bring it to the balcony; if it's not there, tell me.", "the garage"),
+        # where something is already is where it is to go
+        (
+            "Is there a rug on the sofa? If there is, put it in the chest. If it's in there already, tell me.",
+            "the chest",
+        ),
+        ("See if Tom's van is gone. If so, roll the bin onto his drive. If it's still there, ask Tom.", "his drive"),
+    ],
+)
+def test_there_is_no_place_that_is_first_named_in_the_other_case(
+    interpreter: Interpreter, text: str, value: str
+) -> None:
+    assert told(interpreter, text, "location")[-1] == value
+
+
+def test_nothing_is_there_where_it_is_itself(interpreter: Interpreter) -> None:
+    assert "the parcel" not in told(
+        interpreter, "If the parcel has come, tell me; if it isn't there, wait.", "location"
+    )
