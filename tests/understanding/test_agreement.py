@@ -144,6 +144,22 @@ def test_an_if_it_right_behind_an_order_is_of_what_that_names(
     assert interpreter.interpret(text).task(number).value("object") == value
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Take the rug out and beat the mat, but only if it's dirty.", "the mat"),
+        ("Get the hose and rinse the terrace, but not if it's wet.", "the terrace"),
+        ("Sweep the porch, and while you're at it empty the tub, though not if it's half full.", "the tub"),
+        # the place where something is put, what it is like outside
+        ("Put the towel in the basket, but not if it's full.", "the basket"),
+        ("Close the curtain and turn on the lamp, but not if it's sunny.", None),
+        ("Turn the oven off and open the window, but only if it's warm out.", None),
+    ],
+)
+def test_what_is_hung_on_an_order_is_of_what_that_names(interpreter: Interpreter, text: str, value: str | None) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
 def test_what_is_put_in_is_put() -> None:
     task = Interpreter.load().interpret("When it boils, put in the peas.").tasks[-1]
     assert (task.value("object"), task.value("goal")) == ("the peas", None)

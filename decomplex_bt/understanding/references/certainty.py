@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decomplex_bt.domain.clauses import WEATHER
+from decomplex_bt.domain.clauses import AIR, WEATHER
 from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.absences import is_absent, is_blemish, is_of_other_case, is_used_up
@@ -71,6 +71,9 @@ _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
 _GUARDING = frozenset(("if", "unless"))
 _JOINING = frozenset(("and", "but", "or", "then"))
+_LIMITING = frozenset(("not", "only"))
+_HANGING = _LIMITING | {"but", "though", "although", "just"}
+"""What hangs a condition on the order ahead: ", but not if ..."."""
 _ONES = frozenset(("one", "ones"))
 _ABSENT = frozenset(("missing", "gone", "lost"))
 
@@ -387,15 +390,17 @@ def _is_feature(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 def _guarded(context: Context, gap: Gap) -> int:
     """The order right behind which, with no mark between, an "if it ..." asks of what that names: "take the tray away
-    and hang the towel up *unless it* is wet"; 0 where there is none."""
+    and hang the towel up *unless it* is wet"; or which it is hung on: "..., *but not if it* is wet". 0 where there is
+    none."""
     tokens, before = context.observed.document.tokens, gap.task.id - 1
     opener = gap.tokens.start - 1
     if gap.word != "it" or gap.task.type != "check_state" or opener < 1 or tokens[opener].lower not in _GUARDING:
         return 0
     check = context.observed.document.indices(gap.task.span).start
+    start = _hung(context, gap, opener)
     if (
         check < opener
-        or tokens[opener - 1].lower in _JOINING
+        or (tokens[opener - 1].lower in _JOINING and start == opener)
         or identity_of(context.observed.document, check) is not None
     ):
         return 0  # "see if it is", "... and if it is", "only if it's the plumber"
@@ -403,8 +408,21 @@ def _guarded(context: Context, gap: Gap) -> int:
     if order is None or order.type in ("check_state", "searching", "informing", "motion"):
         return 0
     verb = context.observed.document.indices(order.span).start
-    is_apart = any(token.text in MARKS for token in tokens[verb:opener]) or verb > opener
+    is_apart = any(token.text in MARKS for token in tokens[verb:start]) or verb > opener
     return 0 if is_apart or not any(c.owner == before and c.type == "object" for c in context.pool) else before
+
+
+def _hung(context: Context, gap: Gap, opener: int) -> int:
+    """Where the words begin that hang a condition on the order ahead: the mark of ", *though not* if it is full"; the
+    "if" where there are none, or where it may be the day or the room that is so ("..., but only if it's warm")."""
+    tokens, start = context.observed.document.tokens, opener
+    while start and tokens[start - 1].lower in _HANGING:
+        start -= 1
+    states = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    if _LIMITING.isdisjoint(token.lower for token in tokens[start:opener]) or not states.isdisjoint(AIR):
+        return opener
+    is_marked = start > 0 and tokens[start - 1].text in MARKS and tokens[start - 1].text not in ".?!"
+    return start - 1 if is_marked else start
 
 
 def _is_of(context: Context, order: int, candidate: Candidate) -> bool:

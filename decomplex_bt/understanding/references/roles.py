@@ -27,7 +27,8 @@ def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "there" would be inside the very thing that is there: "wipe the sink and empty *the bin* in there", "pack
     *the kite*, and if it isn't there, ..."."""
     is_own = candidate.owner == gap.task.id and candidate.type == "object" and not candidate.mention
-    if gap.word == "there" and candidate.type == "object" and not is_own and _is_own_object(context, gap, candidate):
+    is_where = gap.word == "there" and gap.type == "location" and gap.task.type == "check_state"
+    if is_where and candidate.type == "object" and not is_own and _is_own_object(context, gap, candidate):
         return True
     is_living = kind_of(context, candidate) in ANIMATE  # nor inside somebody who was spoken of before
     return gap.word == "there" and (is_own != is_living if gap.preposition == "in" else is_own and not is_living)
