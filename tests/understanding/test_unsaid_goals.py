@@ -41,3 +41,19 @@ def test_nothing_is_put_into_what_does_not_hold_it(text: str, goal: str | None, 
 )
 def test_what_is_put_back_is_where_it_was(interpreter: Interpreter, text: str, goal: str | None) -> None:
     assert interpreter.interpret(text).tasks[-1].value("goal") == goal
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("Put the roses in the blue vase. If the water is dirty, put the tulips in instead.", "the blue vase"),
+        ("Load the washer with the shirts. If they're clean, put the towels in instead.", "the washer"),
+        ("Put the milk in the flask, unless it's sour; then put the juice in instead.", "the flask"),
+        ("If the jam is open, put a jar in each of the two bags, otherwise put some honey in instead.", "each of the"),
+        # where that is said
+        ("Put the chicken in the oven. If it's frozen, put the fish in the pan instead.", "in the pan"),
+        ("Put the lamp on the desk. If the bulb is broken, put the lantern there instead.", "the desk"),
+    ],
+)
+def test_what_is_put_in_instead_goes_where_the_other_would(interpreter: Interpreter, text: str, goal: str) -> None:
+    assert (interpreter.interpret(text).tasks[-1].value("goal") or "").startswith(goal)

@@ -22,6 +22,7 @@ from decomplex_bt.understanding.references.phrases import (
 )
 from decomplex_bt.understanding.references.places import place_meant
 from decomplex_bt.understanding.references.undoing import undone
+from decomplex_bt.understanding.references.unsaid_goals import goal_instead
 from decomplex_bt.understanding.references.wholes import whole_meant
 
 _FEMALE = frozenset(
@@ -82,6 +83,7 @@ def meant(context: Context, gap: Gap) -> range:
         or _somebody(context, gap)
         or _instead(context, gap)
         or undone(context, gap)
+        or goal_instead(context, gap)
     )
 
 

@@ -1,5 +1,5 @@
-"""Unsaid goals: where something is not put "in" or "on", be it the place that was named last: nothing goes into what it
-was just taken out of, into what was taken out itself, or into its like."""
+"""Unsaid goals: where something is not put "in" or "on", be it the place that was named last (nothing goes into what it
+was just taken out of, into what was taken out itself, or into its like), and where it is put "instead"."""
 
 from __future__ import annotations
 
@@ -45,6 +45,26 @@ def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
     taken = {c.head for c in context.pool if (c.owner, c.type) == (candidate.owner, "object")}
     is_same = any(c.head in taken for c in things)
     return before == ["out", "of"] and (is_same or (verb in _LAYING | {"hang"} and not is_in))
+
+
+def goal_instead(context: Context, gap: Gap) -> range:
+    """Where something else would have been put in the other case, where it is said how but not where: "put the pears in
+    *the bowl*; if they are soft, put the figs *in instead*"; empty where there is no such place."""
+    said = _said(context.observed.document, gap.position)
+    ways = _INTO | {"into"} if "in" in said else {"on", "onto"} if "on" in said else frozenset()
+    if gap.type != "goal" or gap.word or gap.task.type != "placing" or "instead" not in said or not ways:
+        return range(0)
+    tokens = context.observed.document.tokens
+    goals = [
+        c
+        for c in context.pool
+        if (c.task_type, c.type) == ("placing", "goal")
+        and c.shape in ("whole", "long")
+        and not c.mention
+        and context.relation(c.owner, gap.task.id) == "exclusive"
+        and (tokens[c.tokens.start - 1].lower in ways or (tokens[c.tokens.start - 1].pos == "VERB" and "in" in said))
+    ]
+    return goals[-1].tokens if goals else range(0)
 
 
 def _said(document: Document, verb: int) -> set[str]:
