@@ -16,7 +16,10 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("The stew is on the hob, switch it off.", "switch", "the hob"),
         ("Turn the grill off if the fish is ready. If it isn't, leave it on.", "leave", "the grill"),
         ("Get the butter out of the fridge and close it.", "close", "the fridge"),
+        ("If the safe is open, put the tray inside and close it.", "close", "the safe"),
+        ("Is the gate open? If so, carry the box to the shed and close it.", "close", "the gate"),
         # what has a switch, or is shut, itself
+        ("If Max is at home, get the parasol in and close it.", "close", "the parasol"),
         ("Take the batteries out of the remote and turn it off.", "turn", "the remote"),
         ("Lift the kettle off the hob and switch it off.", "switch", "the kettle"),
         ("Take the umbrella out of the wardrobe and close it.", "close", "the umbrella"),

@@ -8,6 +8,7 @@ from decomplex_bt.understanding.references.phrases import Candidate
 
 _PERSONAL = frozenset("he him she her they you somebody someone anybody anyone everybody everyone nobody".split())
 _UNCLOSING = frozenset(("open", "unlock", "unzip"))
+_OPEN = frozenset(("open", "unlocked", "ajar"))
 _WAYS_IN = frozenset("door window gate curtain blind shutter hatch lid flap skylight tap".split())
 """What is opened and has no inside of its own."""
 
@@ -20,8 +21,8 @@ def containers_of(context: Context, gap: Gap) -> list[Candidate]:
     """
     is_inside = gap.word == "inside" or (gap.word == "there" and gap.preposition == "in")
     if gap.type == "goal":
-        is_put_in = not gap.word and last_word(context.observed.document, gap.position) == "in"
-        return _opened(context, gap) if is_inside or is_put_in else []
+        is_put_in = not gap.word and _is_put_in(context, gap)
+        return _opened(context, gap) or _found_open(context, gap) if is_inside or is_put_in else []
     if not is_inside or gap.type not in ("location", "source"):
         return []
     tokens = context.observed.document.tokens
@@ -43,17 +44,55 @@ def containers_of(context: Context, gap: Gap) -> list[Candidate]:
     )
 
 
+def _is_put_in(context: Context, gap: Gap) -> bool:
+    """Whether something is put in without a word of where: "put the pears *in*", "lay *in* the new ones"."""
+    document = context.observed.document
+    behind = document.tokens[gap.position + 1 :][:1]
+    return last_word(document, gap.position) == "in" or any(token.lower == "in" for token in behind)
+
+
 def _opened(context: Context, gap: Gap) -> list[Candidate]:
-    """What the order before opens, where something is put in: "open *the trunk* and put the bags *inside*"."""
+    """What the order before opens, where something is put in, be it after other things were taken out: "open *the
+    trunk* and put the bags *inside*", "open *the case*, take out the old cards and put in the new ones"."""
     before = gap.task.id - 1
+    while context.types.get(before) == "taking" and _is_taken_out(context, before):
+        before -= 1
     is_opened = context.types.get(before) == "change_state" and context.lemmas[before].split()[0] in _UNCLOSING
-    if gap.task.type != "placing" or not is_opened:
-        return []
+    return _with_an_inside(context, before) if gap.task.type == "placing" and is_opened else []
+
+
+def _is_taken_out(context: Context, number: int) -> bool:
+    """Whether something is taken out without a word of what it is in."""
+    is_told = any((c.owner, c.type) == (number, "source") for c in context.pool)
+    task = next(task for task in context.tasks if task.id == number)
+    document = context.observed.document
+    verb = document.indices(task.span).start
+    is_out = "out" in context.lemmas[number].split()[1:] or last_word(document, verb) == "out"
+    return is_out and not is_told
+
+
+def _found_open(context: Context, gap: Gap) -> list[Candidate]:
+    """What is open in the case in which something is put in: "is *the trunk* open? If yes, put the bags *inside*"."""
+    path = context.paths.get(gap.task.id, ())
+    is_found = bool(path) and path[-1] == (gap.task.id - 1, "then") and is_said_open(context, gap.task.id - 1)
+    return _with_an_inside(context, gap.task.id - 1) if gap.task.type == "placing" and is_found else []
+
+
+def is_said_open(context: Context, number: int) -> bool:
+    """Whether a check asks if something is open."""
+    check = next((task for task in context.tasks if task.id == number), None)
+    if check is None or check.type != "check_state":
+        return False
+    return any(a.type == "state" and a.value.lower().split()[-1] in _OPEN for a in check.arguments)
+
+
+def _with_an_inside(context: Context, number: int) -> list[Candidate]:
+    """What a task is about, as far as it is no door or window."""
     tokens = context.observed.document.tokens
     return [
         c
         for c in context.pool
-        if (c.owner, c.type) == (before, "object")
+        if (c.owner, c.type) == (number, "object")
         and not c.shape.startswith("in.")
         and tokens[c.head].lemma not in _WAYS_IN
         and not (c.shape == "short" and tokens[c.tokens.stop].lower == "of")  # "the boot of the car"

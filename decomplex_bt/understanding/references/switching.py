@@ -10,7 +10,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.fitness import VESSELS
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.insides import has_inside
+from decomplex_bt.understanding.references.insides import has_inside, is_said_open
 from decomplex_bt.understanding.references.phrases import Candidate, stripped
 
 _SWITCHES = frozenset(
@@ -31,6 +31,7 @@ _ON_OR_OFF = frozenset(("on", "off"))
 _SHUTTING = frozenset(("close", "shut"))
 _FOLDING = frozenset("book umbrella parasol laptop piano lid pen notebook diary album".split())
 """What is shut itself, and no opening of anything."""
+_HANDLING = frozenset(("placing", "taking", "bringing"))
 _TOLD = frozenset(("location", "source", "goal"))
 
 
@@ -49,8 +50,10 @@ def is_unswitched(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def is_unshut(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "it" is closed, and a candidate is only what was in the thing that can be."""
+    """Whether "it" is closed, and a candidate is only what was in the thing that can be, or no thing that is open."""
     is_shut = gap.word == "it" and gap.type == "object" and context.lemmas[gap.task.id].split()[0] in _SHUTTING
+    if is_shut and candidate.task_type in _HANDLING and _is_open_there(context, gap, candidate):
+        return True
     noun = context.observed.document.tokens[candidate.head].lemma
     if not is_shut or noun in VESSELS | _FOLDING or "aperture" in context.observed.gazetteer.changeable.get(noun, ()):
         return False
@@ -58,6 +61,17 @@ def is_unshut(context: Context, gap: Gap, candidate: Candidate) -> bool:
         c for c in context.pool if c.tokens.stop <= gap.position and has_inside(context, c) and c.head != candidate.head
     )
     return any(_is_beside(context, gap, candidate, place) and _is_place(context, gap, place) for place in places)
+
+
+def _is_open_there(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether another thing than the one that was handled is open in the case in which "it" is closed: "if the safe is
+    open, put *the ring* inside and close *it*"."""
+    checks = [check for check, side in context.paths.get(gap.task.id, ()) if side == "then"]
+    return any(
+        (c.owner, c.type) == (check, "object") and c.head != candidate.head and is_said_open(context, check)
+        for check in checks
+        for c in context.pool
+    )
 
 
 def is_stated_place(context: Context, gap: Gap, candidate: Candidate) -> bool:
