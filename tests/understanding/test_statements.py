@@ -56,3 +56,38 @@ def test_of_two_statements_the_one_about_the_thing_tells_where_it_is(
 )  # fmt: skip
 def test_where_the_thing_itself_may_be_is_kept(interpreter: Interpreter, text: str, sources: list[str]) -> None:
     assert _sources(interpreter, text) == sources
+
+
+def _places(interpreter: Interpreter, text: str) -> list[str]:
+    return [a.value for a in interpreter.interpret(text).tasks[0].arguments if a.type in ("source", "location")]
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("The alarm in the hall is bleeping, find a battery in the drawer and bring it to Ann.", ["in the drawer"]),
+        ("The lamp on the desk is flickering. Look for a bulb in the shed.", ["in the shed"]),
+        ("The bulb in the study has gone, get a new one from the cupboard.", ["from the cupboard"]),
+        # where the thing itself is
+        ("The plant on the sill is dying, water it.", ["on the sill"]),
+        ("The kettle in the kitchen is boiling, turn it off.", ["in the kitchen"]),
+    ],
+)
+def test_which_thing_is_spoken_of_is_no_place_of_another(
+    interpreter: Interpreter, text: str, places: list[str]
+) -> None:
+    assert _places(interpreter, text) == places
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("The roast is expected in the dining room. Take it out of the oven.", ["out of the oven"]),
+        ("The vase belongs in the parlour. If you can lift it off the shelf, dust it.", ["off the shelf"]),
+        ("The carpet is due in the hall. Take it off the line.", ["off the line"]),
+        # where it is now
+        ("The roast is in the dining room. Take it to Ann.", ["in the dining room"]),
+    ],
+)
+def test_where_something_is_to_be_it_is_not_yet(interpreter: Interpreter, text: str, places: list[str]) -> None:
+    assert _places(interpreter, text) == places

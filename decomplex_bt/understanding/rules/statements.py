@@ -13,6 +13,9 @@ from decomplex_bt.understanding.references.certainty import INSTRUMENTS
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_pronoun
 
 _BEING = frozenset(("be", "'s", "\u2019s"))
+_BELONGING = frozenset(("belongs", "belong"))
+_TO_BE = _BELONGING | frozenset("due expected wanted needed awaited required".split())
+"""What is said of things that are to be somewhere."""
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _NAMING = frozenset(("NN", "NNS", "NNP", "NNPS"))
 _OWNED = frozenset("his her its their 's \u2019s '".split())
@@ -39,13 +42,43 @@ def without_places_of_others(
 ) -> list[FoundArgument]:
     """The arguments without a source that a statement tells of something else: of somebody or an animal where a thing
     is fetched, or of one thing where another statement tells it of what is fetched ("the forks are *in the drawer* and
-    the plates are on the rack, bring me a plate"), or where there is something to be cleaned. "The tools are in the
+    the plates are on the rack, bring me a plate"), or where there is something to be cleaned, or which one is spoken of
+    where the order has a place of its own, nor one where something is only to be. "The tools are in the
     shed, get the hammer" stays open."""
     document = observed.document
     stated = [found for a in arguments if a.type == "source" and (found := _stated(document, tasks, a)) is not None]
     strange = {id(found.source) for found in stated if _is_strange(observed, found, stated, arguments)}
     strange |= {id(a) for a in arguments if a.type in _PLACES and _is_of_mess(document, arguments, a)}
+    strange |= {id(a) for a in arguments if a.type in _PLACES and _is_of_subject(document, tasks, arguments, a)}
+    strange |= {id(a) for a in arguments if a.type == "source" and _is_to_be_there(document, tasks, a)}
     return [a for a in arguments if id(a) not in strange]
+
+
+def _is_of_subject(
+    document: Document, tasks: Container[int], arguments: Sequence[FoundArgument], place: FoundArgument
+) -> bool:
+    """Whether a place only tells which thing a statement is about, ahead of an order that fetches or looks for another
+    thing somewhere else: "the alarm *in the hall* is bleeping, get a battery from the drawer"."""
+    tokens, owner = document.tokens, place.owner
+    subject = tokens[place.tokens.start].head
+    of = [a for a in arguments if a.owner == owner and a.tokens.start > owner]
+    things = [a.tokens for a in of if a.type == "object" and not is_pronoun(document, a.tokens)]
+    if not things or not any(a.type in _PLACES for a in of) or subject != place.tokens.start - 1:
+        return False
+    stop = place.tokens.stop
+    is_stated = tokens[subject].dep in ("nsubj", "nsubjpass") and tokens[stop].tag in ("VBZ", "VBP", "VBD", "MD")
+    nouns = frozenset[str]().union(*(_nouns(document, thing) for thing in things))
+    is_apart = stop <= tokens[subject].head < owner and tokens[subject].head not in tasks and stop not in tasks
+    return is_stated and is_apart and tokens[subject].lemma.lower() not in nouns
+
+
+def _is_to_be_there(document: Document, tasks: Container[int], source: FoundArgument) -> bool:
+    """Whether a statement tells that something is to be at a place, where it is not yet: "the cake is due *in the
+    hall*. Take it off the shelf and ..."."""
+    tokens, first = document.tokens, source.tokens.start
+    if first == 0 or source.owner < first or tokens[first - 1].lower not in _TO_BE or first - 1 in tasks:
+        return False
+    return tokens[first - 1].lower in _BELONGING or (first > 1 and tokens[first - 2].lemma in _BEING)
 
 
 def _is_of_mess(document: Document, arguments: Sequence[FoundArgument], place: FoundArgument) -> bool:
