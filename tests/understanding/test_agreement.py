@@ -51,7 +51,11 @@ from decomplex_bt.understanding.interpreter import Interpreter
         # where the rest is
         ("Move three chairs from the hall to the kitchen and leave the rest there.", "goal", "the hall"),
         ("Move three chairs from the hall to the kitchen and leave them there.", "goal", "the kitchen"),
+        ("The harp is due in the hall. If you can get it off its stand, carry it down there.", "goal", "the hall"),
+        ("Dad is in the shed. Take the drill off the hook and bring it out there.", "goal", "the shed"),
+        ("The kids are in the tent. Get the torch from the drawer and take it there.", "goal", "the tent"),
         # back where it was
+        ("Take the cups off the shelf, rinse them and put them back there.", "goal", "the shelf"),
         ("Remove the lid from the pan, take out a sausage and put it back on.", "object", "the lid"),
         ("Take the picture out of the frame, wipe the glass and put it back in.", "object", "the picture"),
         ("Take the milk out of the fridge, get a cup and put it back on the shelf.", "object", "a cup"),

@@ -32,6 +32,7 @@ from decomplex_bt.understanding.references.roles import (
     is_led,
     is_nobody,
     is_sought,
+    is_where_from,
     is_within,
 )
 from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
@@ -258,7 +259,10 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
     if is_no_goal(context, gap, candidate) or is_of_own_branch(context, gap, candidate):
         return True
-    if any(is_not(context, gap, candidate) for is_not in (is_within, is_sought, is_led, is_nobody, is_blemish)):
+    if any(
+        is_not(context, gap, candidate)
+        for is_not in (is_within, is_where_from, is_sought, is_led, is_nobody, is_blemish)
+    ):
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
         return True

@@ -14,6 +14,9 @@ _HANDLING = frozenset(("bringing", "taking", "placing"))
 ELSEWHERE = frozenset("it them 'em em they that those this these him he she her".split())
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _FIXED = frozenset("floor wall ceiling ground lawn pavement porch".split())
+_FROM = frozenset("off of from".split())
+_AGAIN = frozenset(("back", "again"))
+_AT = frozenset("in at on by under".split())
 _WHERE = frozenset(("goal", "source", "recipient"))
 _OF_THINGS = frozenset("dry wet damp soaked heavy light broken ripe stale".split())
 """States that say how something is to be handled."""
@@ -38,6 +41,28 @@ def _is_own_object(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what the task of a gap is about, by a word that refers to it."""
     own = (c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object") and c.mention)
     return any(c.text.lower() == candidate.text.lower() for c in own)
+
+
+def is_where_from(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether something would be carried "there" from where the order before takes it: "Ann is in the yard. Get the rug
+    off *the sofa* and take it out *there*"; it may well be put back."""
+    is_goal = gap.word == "there" and gap.type == "goal" and gap.task.type in ("bringing", "placing")
+    order = gap.task.id - 1
+    is_source = (candidate.owner, candidate.type) == (order, "source") and not candidate.mention
+    if not is_goal or not is_source or context.types.get(order) != "taking" or context.lemmas[gap.task.id] == "leave":
+        return False
+    tokens = context.observed.document.tokens
+    verb = context.observed.document.indices(gap.task.span).start
+    words = {token.lower for token in tokens[verb : gap.tokens.stop + 1]}
+    taken, moved = ({c.text.lower() for c in _objects(context, number)} for number in (order, gap.task.id))
+    ahead = (c for c in context.pool if c.tokens.stop <= candidate.tokens.start)
+    is_other = any(tokens[c.tokens.start - 1].lower in _AT for c in ahead)
+    is_taken_away = bool(taken & moved) and tokens[candidate.tokens.start - 1].lower in _FROM
+    return words.isdisjoint(_AGAIN) and is_taken_away and is_other
+
+
+def _objects(context: Context, number: int) -> list[Candidate]:
+    return [c for c in context.pool if (c.owner, c.type) == (number, "object")]
 
 
 def is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
