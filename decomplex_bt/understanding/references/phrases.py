@@ -48,6 +48,8 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
+_WHERE = frozenset("in on at under underneath behind beside near above below inside outside".split())
+"""What stands before the place where something is."""
 ROOM = frozenset(("room", "space"))
 """What there may be none of for something to be put."""
 TIME_UNITS = frozenset("second minute hour day week month".split())
@@ -174,6 +176,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 shape = f"across.{shape}"
             if shape.endswith("of") and _are_of_one(held):
                 continue  # "put *the jam on the shelf*"
+            if shape == "of" and owner is None and _is_there_somewhere(document, phrase):
+                continue
             if owner is None:
                 found[phrase.start, phrase.stop] = _outside(document, phrase, shape)
             else:
@@ -185,6 +189,14 @@ def _are_of_one(held: set[tuple[Task, str] | None]) -> bool:
     """Whether what a phrase holds are two arguments of one task, and no other words."""
     tasks = {entry[0].id for entry in held if entry is not None}
     return None not in held and len(held) > 1 and len(tasks) == 1
+
+
+def _is_there_somewhere(document: Document, phrase: range) -> bool:
+    """Whether a phrase is of a thing with the place where a statement says that there is one: "there's *a bat in the
+    attic*"."""
+    before = [token.lower for token in document.tokens[max(0, phrase.start - 2) : phrase.start]]
+    is_said = len(before) > 1 and before[0] == "there" and before[1] in _ARE
+    return is_said and any(document.tokens[i].lower in _WHERE for i in phrase)
 
 
 def is_deed(document: Document, phrase: range) -> bool:
