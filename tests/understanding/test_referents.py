@@ -132,3 +132,19 @@ def test_nothing_is_put_into_itself_nor_is_a_time_brought(interpreter: Interpret
 )
 def test_what_tells_which_one_stays_with_the_noun(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If the frog is in the pond close the hatch, and if it's gone open it.", "the hatch"),
+        ("If the tin is empty, shut the drawer; if it isn't, open it.", "the drawer"),
+        ("Turn the fan off if the kettle is boiling. If it isn't, turn it on.", "the fan"),
+        # what has the state that the verb ends, and what the same is done to
+        ("If the door is open close the window; if it's shut, open it.", "the door"),
+        ("If the kettle's empty, fill the jug; if it's full, empty it.", "the kettle"),
+        ("If the parcel is for Ann open it, otherwise close the door.", "the parcel"),
+    ],
+)
+def test_the_contrary_is_done_to_the_same_thing(interpreter: Interpreter, text: str, value: str) -> None:
+    assert values(interpreter, text, "it")[-1] == value

@@ -21,7 +21,7 @@ from decomplex_bt.understanding.references.phrases import (
     Candidate,
 )
 from decomplex_bt.understanding.references.places import place_meant
-from decomplex_bt.understanding.references.undoing import undone
+from decomplex_bt.understanding.references.undoing import done_contrariwise, undone
 from decomplex_bt.understanding.references.unsaid_goals import goal_instead
 from decomplex_bt.understanding.references.wholes import whole_meant
 
@@ -83,6 +83,7 @@ def meant(context: Context, gap: Gap) -> range:
         or _somebody(context, gap)
         or _instead(context, gap)
         or undone(context, gap)
+        or done_contrariwise(context, gap)
         or goal_instead(context, gap)
     )
 
