@@ -91,3 +91,18 @@ def test_which_thing_is_spoken_of_is_no_place_of_another(
 )
 def test_where_something_is_to_be_it_is_not_yet(interpreter: Interpreter, text: str, places: list[str]) -> None:
     assert _places(interpreter, text) == places
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("There's a lamp in the study. If it's on the desk, bring it to me.", ["on the desk"]),
+        ("My coat is in the hall. If it's under the stairs, hang it up.", ["under the stairs"]),
+        ("There are some plates on the table. If they're on the tray, wash them.", ["on the tray"]),
+        # of what it is asked how that is
+        ("The flour on the shelf, is it open? If so, put it in the jar.", ["on the shelf"]),
+        ("If the towels in the bathroom are dry, fold them.", ["in the bathroom"]),
+    ],
+)
+def test_what_is_asked_to_be_elsewhere_is_at_one_place(interpreter: Interpreter, text: str, places: list[str]) -> None:
+    assert _places(interpreter, text) == places

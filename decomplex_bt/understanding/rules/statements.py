@@ -38,20 +38,33 @@ class _Stated:
 
 
 def without_places_of_others(
-    observed: Observed, tasks: Container[int], arguments: Sequence[FoundArgument]
+    observed: Observed, tasks: Mapping[int, str], arguments: Sequence[FoundArgument]
 ) -> list[FoundArgument]:
     """The arguments without a source that a statement tells of something else: of somebody or an animal where a thing
     is fetched, or of one thing where another statement tells it of what is fetched ("the forks are *in the drawer* and
     the plates are on the rack, bring me a plate"), or where there is something to be cleaned, or which one is spoken of
-    where the order has a place of its own, nor one where something is only to be. "The tools are in the
-    shed, get the hammer" stays open."""
+    where the order has a place of its own; nor one where something is only to be, or that a condition asks to be at
+    another. "The tools are in the shed, get the hammer" stays open."""
     document = observed.document
     stated = [found for a in arguments if a.type == "source" and (found := _stated(document, tasks, a)) is not None]
     strange = {id(found.source) for found in stated if _is_strange(observed, found, stated, arguments)}
     strange |= {id(a) for a in arguments if a.type in _PLACES and _is_of_mess(document, arguments, a)}
     strange |= {id(a) for a in arguments if a.type in _PLACES and _is_of_subject(document, tasks, arguments, a)}
     strange |= {id(a) for a in arguments if a.type == "source" and _is_to_be_there(document, tasks, a)}
+    strange |= {id(a) for a in arguments if a.type in _PLACES and _is_asked_otherwise(document, tasks, arguments, a)}
     return [a for a in arguments if id(a) not in strange]
+
+
+def _is_asked_otherwise(
+    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument], place: FoundArgument
+) -> bool:
+    """Whether a sentence before tells a place of what a condition asks to be at another: "there's a lamp *in the
+    study*. If it's on the desk, bring it"."""
+    owner, of = place.owner, document.sentences
+    is_before = place.tokens.stop <= owner and any(t.text in ENDS for t in document.tokens[place.tokens.stop : owner])
+    if tasks[owner] != "check_state" or not is_before or any(of[i] == of[place.tokens.start] for i in tasks):
+        return False
+    return any((a.owner, a.type) == (owner, "location") and a.tokens.start > owner for a in arguments)
 
 
 def _is_of_subject(
