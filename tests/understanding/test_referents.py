@@ -148,3 +148,21 @@ def test_what_tells_which_one_stays_with_the_noun(interpreter: Interpreter, text
 )
 def test_the_contrary_is_done_to_the_same_thing(interpreter: Interpreter, text: str, value: str) -> None:
     assert values(interpreter, text, "it")[-1] == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("The coat is on the bed. If it's wet, hang it in the bathroom; if not, leave it there.", "the bed"),
+        ("If the parcel in the hall is for Ann, take it to the office, otherwise leave it there.", "the hall"),
+        ("Look at the cake in the oven. If it's done, put it on the rack, and if not, leave it there.", "the oven"),
+        ("If the mug is dirty, put it in the sink; if it isn't, leave it there.", "there"),
+        # where it is put in the same case
+        ("If the cup is clean put it on the shelf, if not put it in the sink and leave it there.", "the sink"),
+        ("Move three chairs from the hall to the kitchen and leave them there.", "the kitchen"),
+    ],
+)
+def test_what_is_left_there_is_not_left_where_it_is_put_in_the_other_case(
+    interpreter: Interpreter, text: str, value: str
+) -> None:
+    assert values(interpreter, text, "there", "goal") == [value]

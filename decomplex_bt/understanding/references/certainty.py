@@ -32,6 +32,7 @@ from decomplex_bt.understanding.references.roles import (
     is_led,
     is_nobody,
     is_sought,
+    is_where_else,
     is_where_from,
     is_within,
 )
@@ -261,7 +262,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if any(
         is_not(context, gap, candidate)
-        for is_not in (is_within, is_where_from, is_sought, is_led, is_nobody, is_blemish)
+        for is_not in (is_within, is_where_from, is_where_else, is_sought, is_led, is_nobody, is_blemish)
     ):
         return True
     if is_on_whole(context, gap, candidate) or is_torn(context, candidate):

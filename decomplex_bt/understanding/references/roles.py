@@ -15,6 +15,8 @@ ELSEWHERE = frozenset("it them 'em em they that those this these him he she her"
 """Words that never mean another argument of their own task: in "put it on the table" it is not the table."""
 _FIXED = frozenset("floor wall ceiling ground lawn pavement porch".split())
 _FROM = frozenset("off of from".split())
+_LEAVING = frozenset(("leave", "keep"))
+_MOVING = frozenset(("bringing", "placing"))
 _AGAIN = frozenset(("back", "again"))
 _AT = frozenset("in at on by under".split())
 _WHERE = frozenset(("goal", "source", "recipient"))
@@ -59,6 +61,26 @@ def is_where_from(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_other = any(tokens[c.tokens.start - 1].lower in _AT for c in ahead)
     is_taken_away = bool(taken & moved) and tokens[candidate.tokens.start - 1].lower in _FROM
     return words.isdisjoint(_AGAIN) and is_taken_away and is_other
+
+
+def is_where_else(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether something would be left "there" where it is put in the other case: "if the coat is wet, hang it in *the
+    bath*; if not, leave it *there*"; nor is that where it is itself, or somebody."""
+    verb = context.lemmas[gap.task.id].split()[0]
+    if gap.word != "there" or gap.type != "goal" or verb not in _LEAVING:
+        return False
+    left = {c.text.lower() for c in _objects(context, gap.task.id)}
+    elsewhere = {
+        c.owner
+        for c in context.pool
+        if c.task_type in _MOVING
+        and c.type == "object"
+        and c.text.lower() in left
+        and context.relation(c.owner, gap.task.id) == "exclusive"
+    }
+    if candidate.text.lower() in left or kind_of(context, candidate) in ANIMATE:
+        return bool(elsewhere)
+    return candidate.type == "goal" and not candidate.mention and candidate.owner in elsewhere
 
 
 def _objects(context: Context, number: int) -> list[Candidate]:
