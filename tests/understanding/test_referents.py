@@ -166,3 +166,20 @@ def test_what_is_left_there_is_not_left_where_it_is_put_in_the_other_case(
     interpreter: Interpreter, text: str, value: str
 ) -> None:
     assert values(interpreter, text, "there", "goal") == [value]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Whose is this jacket? If there's a name in it, hang it on the hook.", "this jacket"),
+        ("Take the parcel from the hall. If our address is on it, bring it in.", "the parcel"),
+        ("Is there a name on the cup? If so, put it on the top shelf.", "the cup"),
+        ("Check the jar. If there's no date on the lid, put it in the bin.", "the jar"),
+        # what is done to what is written itself
+        ("If there's a price on the vase, peel it off.", "a price"),
+        ("If the name on the tag is wrong, change it.", "the name"),
+        ("If Ann's name isn't on the list, put it there.", "Ann's name"),
+    ],
+)
+def test_what_is_written_on_a_thing_is_not_what_is_moved(interpreter: Interpreter, text: str, value: str) -> None:
+    assert values(interpreter, text, "it")[-1] == value

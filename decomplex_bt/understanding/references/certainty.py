@@ -38,7 +38,7 @@ from decomplex_bt.understanding.references.roles import (
 )
 from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
 from decomplex_bt.understanding.references.unsaid_goals import is_no_goal
-from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part
+from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part, is_written
 
 _SOMEBODY = frozenset(("he", "him", "she", "her"))
 _SAYING = frozenset("say answer reply choose pick".split())
@@ -265,7 +265,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         for is_not in (is_within, is_where_from, is_where_else, is_sought, is_led, is_nobody, is_blemish)
     ):
         return True
-    if is_on_whole(context, gap, candidate) or is_torn(context, candidate):
+    if is_on_whole(context, gap, candidate) or is_written(context, gap, candidate) or is_torn(context, candidate):
         return True
     if _is_part_of_subject(context, gap, candidate):
         return True

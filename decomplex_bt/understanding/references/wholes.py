@@ -24,6 +24,9 @@ _FLAWS = frozenset(
     "stain hole tear crack dent scratch mark spot rip mould mold rust dust dirt mud crumb grease limescale fluff "
     "hair".split()
 )
+_WORDS = frozenset("name initial address price date logo barcode signature monogram".split())
+"""What is written on things."""
+_WRITTEN_ON = frozenset("it them there list label tag card board".split())
 _SOMETHING = frozenset(("something", "anything"))
 _BARE = 2
 """Words of "the battery", which is no spare one."""
@@ -76,6 +79,27 @@ def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
     behind = {token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 1]}
     is_undone = verb in _TO_FLAWS or (verb in _OF_FLAWS - {"take"} and not behind.isdisjoint(_AWAY))
     return document.tokens[candidate.head].lemma in _FLAWS and not is_undone
+
+
+def is_written(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is written on or in something, which nobody moves or asks the state of: "whose is
+    this bag? If *Ann's name* is in it, put *it* on her hook". It may be peeled off, or put where it is not yet."""
+    check = next((task for task in context.tasks if task.id == candidate.owner), None)
+    is_taken_up = gap.type == "object" and gap.word in ("it", "them") and candidate.type == "object"
+    if not is_taken_up or check is None or check.type != "check_state" or check.id >= gap.task.id:
+        return False
+    document = context.observed.document
+    behind = document.tokens[gap.tokens.stop : gap.tokens.stop + 1]
+    is_off = any(token.lower in _AWAY - {"up"} for token in behind) and gap.task.type == "taking"
+    goals = {a.value.lower().split()[-1] for a in gap.task.arguments if a.type == "goal"}
+    is_missing = (check.id, "else") in context.paths.get(gap.task.id, ())
+    if is_off or (is_missing and (not goals or not goals.isdisjoint(_WRITTEN_ON))):
+        return False
+    is_moved = gap.task.type in _CARRYING | {"taking"}
+    is_asked = gap.task.type == "check_state" and any(a.type == "state" for a in gap.task.arguments)
+    is_whole = candidate.head == candidate.tokens.stop - 1 or bool(candidate.mention)
+    is_word = is_whole and document.tokens[candidate.head].lemma in _WORDS
+    return is_word and (is_moved or is_asked) and any(a.type == "location" for a in check.arguments)
 
 
 def whole_meant(context: Context, gap: Gap) -> range:
