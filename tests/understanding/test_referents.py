@@ -183,3 +183,18 @@ def test_what_is_left_there_is_not_left_where_it_is_put_in_the_other_case(
 )
 def test_what_is_written_on_a_thing_is_not_what_is_moved(interpreter: Interpreter, text: str, value: str) -> None:
     assert values(interpreter, text, "it")[-1] == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Get a cloth and wipe the two chairs, then put one in the hall and take the other to Ann.", "one chair"),
+        ("Get a ladder and take the two lamps down, then put one in the box and bring me the other.", "one lamp"),
+        ("Fetch a towel, dry the plates, put one on the table and hang the other on the wall.", "one plate"),
+        # where no other one is spoken of
+        ("Get a towel and wipe the two chairs. If there's a dirty one, tell Ann.", "a dirty chair"),
+        ("The towels are wet. Get a dry one and wipe the two chairs.", "a dry towel"),
+    ],
+)
+def test_one_and_the_other_are_of_several(interpreter: Interpreter, text: str, value: str) -> None:
+    assert values(interpreter, text, "one")[0] == value

@@ -60,6 +60,9 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
             of_side["after"].append(candidate)
+    halved = [c for c in of_side["before"] if gap.word == "one" and gap.tokens and _is_halved(document, gap, c)]
+    if halved:
+        of_side = {"before": halved, "after": []}
     pair = gapped_pair(context, gap)
     if pair or gap.word in _TOGETHER:
         pairs = list(_together(document, of_side["before"]))
@@ -93,10 +96,9 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                 options.append(Option(candidate, gap.type, text, features, more))
     if _is_of_somebody(document, gap) and options:
         return options  # "bring me Mum's" leaves its noun to those before
-    is_one = gap.tokens and gap.word == "one" and any(_is_halved(document, gap, c) for c in of_side["before"])
     if not options or not (
         pair
-        or is_one
+        or halved
         or meant(context, gap)
         or is_pointing_back(document, gap)
         or containers_of(context, gap)
