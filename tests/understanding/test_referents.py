@@ -198,3 +198,17 @@ def test_what_is_written_on_a_thing_is_not_what_is_moved(interpreter: Interprete
 )
 def test_one_and_the_other_are_of_several(interpreter: Interpreter, text: str, value: str) -> None:
     assert values(interpreter, text, "one")[0] == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If there's a draught from the window, put the cushion against it.", "the window"),
+        ("If there's a smell from the drain, pour some soda in it.", "the drain"),
+        ("If there's a noise in the boiler, put a blanket over it.", "the boiler"),
+        # what is there to put something on
+        ("If there's a rug in the hall, put the shoes on it.", "a rug"),
+    ],
+)
+def test_nothing_is_put_on_what_is_only_felt(interpreter: Interpreter, text: str, value: str) -> None:
+    assert values(interpreter, text, "it", "goal") == [value]

@@ -66,6 +66,8 @@ _COOLING = frozenset("freezer fridge refrigerator icebox".split())
 """Of the machines those that are defrosted."""
 _SKY = frozenset("cloud wind sun fog thunder sunshine".split())
 """What nobody takes or puts anywhere."""
+_FELT = frozenset("draught draft breeze smell stink odour noise sound".split())
+"""What nobody puts anything on, but on what it comes from: "if there's *a draught* from the hatch, lay a rug on it"."""
 _SOCKETS = frozenset(("socket", "outlet"))
 _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 """By a verb, what it is done with."""
@@ -270,7 +272,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if _is_part_of_subject(context, gap, candidate):
         return True
     head = context.observed.document.tokens[candidate.head].lemma
-    if gap.type == "object" and gap.task.type in _HANDLING and head in _SKY:
+    is_handled = gap.task.type in _HANDLING
+    if (gap.type == "object" and is_handled and head in _SKY) or (gap.type == "goal" and head in _FELT):
         return True
     if gap.word not in ELSEWHERE:
         return False
