@@ -19,6 +19,8 @@ def told(found: Interpreter, text: str, kind: str) -> list[str | None]:
         ("Is the ironing done? Bring me a shirt if it is.", ["the ironing"] * 2),
         ("Check whether the freezer is on. Plug in the lamp if it is, and if it isn't, call Ada.", ["the freezer"] * 3),
         ("Is the milk fresh? I'd like a glass if it is, otherwise pour it away.", ["the milk"] * 2),
+        ("Has the kettle boiled? Make the tea if it has.", ["the kettle"] * 2),
+        ("Did the post come? Bring me a knife if it did.", ["the post"] * 2),
         # a condition that was not asked before is of what is named right ahead of it
         ("Is the dryer done? Hang the shirt up if it's wet.", ["the dryer", "the shirt"]),
         ("Bring me the paper if it's dry. If it isn't, hang it over the chair.", ["the paper"] * 2),

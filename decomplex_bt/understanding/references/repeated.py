@@ -3,12 +3,14 @@ where they hold or do not."""
 
 from __future__ import annotations
 
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import Gap, is_bare_being
+from decomplex_bt.understanding.references.gaps import DENYING, Gap, is_bare_being
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.roles import ELSEWHERE
 
 _THERE = "there"
+_PRO_VERBS = frozenset("has have had does do did will would can could".split())
 _PLACES = frozenset(("location", "source", "goal"))
 _ALREADY = frozenset(("already", "now"))
 _NEAR = 3
@@ -16,14 +18,21 @@ _NEAR = 3
 
 
 def asked_before(context: Context, gap: Gap) -> int:
-    """The check, by its number, that an "if it is" takes up: "is *the stew* still warm? Bring me a plate if *it* is"; 0
-    where there is none."""
+    """The check, by its number, that an "if it is" or "if it has" takes up: "is *the stew* still warm? Bring me a plate
+    if *it* is"; 0 where there is none."""
     first = context.first.get(gap.task.id, gap.task.id)
     is_again = first < gap.task.id and context.types.get(first) == gap.task.type == "check_state"
     if gap.type != "object" or gap.word not in ELSEWHERE or not is_again:
         return 0
-    is_bare = is_bare_being(context.observed.document, context.observed.document.indices(gap.task.span).start)
+    document, verb = context.observed.document, context.observed.document.indices(gap.task.span).start
+    is_bare = is_bare_being(document, verb) or _is_pro_verb(document, verb)
     return first if is_bare and _has_object(context, first) else 0
+
+
+def _is_pro_verb(document: Document, verb: int) -> bool:
+    """Whether a verb stands for what was asked, and no more: "make the tea if it *has*", "if he *doesn't*, ..."."""
+    behind = next((token for token in document.tokens[verb + 1 :] if token.lower not in DENYING), None)
+    return document.tokens[verb].lower in _PRO_VERBS and (behind is None or behind.text in MARKS)
 
 
 def is_of_own_branch(context: Context, gap: Gap, candidate: Candidate) -> bool:
