@@ -212,3 +212,15 @@ def test_one_and_the_other_are_of_several(interpreter: Interpreter, text: str, v
 )
 def test_nothing_is_put_on_what_is_only_felt(interpreter: Interpreter, text: str, value: str) -> None:
     assert values(interpreter, text, "it", "goal") == [value]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("What's that smell? Go and look in the lunch boxes.", None),
+        ("I can hear a noise in the loft. Look behind the wardrobe.", None),
+        ("My keys are gone. Look in the hall.", "My keys"),
+    ],
+)
+def test_nobody_looks_in_a_place_for_what_is_only_felt(interpreter: Interpreter, text: str, value: str | None) -> None:
+    assert interpreter.interpret(text).task(1).value("object") == value

@@ -272,8 +272,9 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if _is_part_of_subject(context, gap, candidate):
         return True
     head = context.observed.document.tokens[candidate.head].lemma
+    is_sensed = head in _FELT and (gap.type == "goal" or (gap.task.type == "searching" and not gap.word))
     is_handled = gap.task.type in _HANDLING
-    if (gap.type == "object" and is_handled and head in _SKY) or (gap.type == "goal" and head in _FELT):
+    if is_sensed or (gap.type == "object" and is_handled and head in _SKY):
         return True
     if gap.word not in ELSEWHERE:
         return False
