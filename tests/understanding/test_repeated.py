@@ -59,3 +59,20 @@ def test_nothing_is_there_where_it_is_itself(interpreter: Interpreter) -> None:
     assert "the parcel" not in told(
         interpreter, "If the parcel has come, tell me; if it isn't there, wait.", "location"
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("Open the fridge. Is the cake in it? If it is, bring it to me.", ["the fridge"] * 2),
+        ("Mop the hall unless the paint is still in there. If it is, tell me.", ["the hall"] * 2),
+        ("Would you clear the shelf, or is Ben's model still up there? If it is, clean the hob.", ["the shelf"] * 2),
+        # what was asked otherwise, or at a place that was named
+        ("Look at the soup in the pot. Is it hot? If it is, bring it to me.", [None] * 2),
+        ("Is the cake in the fridge? If it is, bring it to me.", ["in the fridge"] * 2),
+    ],
+)
+def test_a_condition_said_again_is_of_the_same_place(
+    interpreter: Interpreter, text: str, places: list[str | None]
+) -> None:
+    assert told(interpreter, text, "location") == places

@@ -3,9 +3,12 @@ where they hold or do not."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context
-from decomplex_bt.understanding.references.gaps import DENYING, Gap, is_bare_being
+from decomplex_bt.understanding.references.gaps import DENYING, PREDICATE, Gap, gap_of, is_bare_being
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.roles import ELSEWHERE
 
@@ -33,6 +36,21 @@ def _is_pro_verb(document: Document, verb: int) -> bool:
     """Whether a verb stands for what was asked, and no more: "make the tea if it *has*", "if he *doesn't*, ..."."""
     behind = next((token for token in document.tokens[verb + 1 :] if token.lower not in DENYING), None)
     return document.tokens[verb].lower in _PRO_VERBS and (behind is None or behind.text in MARKS)
+
+
+def place_asked_before(context: Context, gap: Gap, before: Sequence[Task]) -> Argument | None:
+    """Where something was asked to be that an "if it is" takes up, where a word stood for that place: "open the tin.
+    Are the keys *in it*? If they are, ..."; None where a state was asked, or the place was named."""
+    first = next((task for task in before if task.id == context.first.get(gap.task.id)), None)
+    document = context.observed.document
+    if gap.type != PREDICATE or first is None or not is_bare_being(document, gap.position):
+        return None
+    asked = [argument for argument in first.arguments if argument.type in ("state", "location")]
+    if first.type != "check_state" or len(asked) != 1 or asked[0].type != "location":
+        return None
+    is_referring = asked[0].span is not None and gap_of(document, first, asked[0]) is not None
+    is_resolved = is_referring and asked[0].span is not None and asked[0].value != asked[0].span.of(document.text)
+    return Argument("location", asked[0].value, None, asked[0].confidence) if is_resolved else None
 
 
 def is_of_own_branch(context: Context, gap: Gap, candidate: Candidate) -> bool:
