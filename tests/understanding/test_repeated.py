@@ -55,6 +55,11 @@ def test_there_is_no_place_that_is_first_named_in_the_other_case(
     assert told(interpreter, text, "location")[-1] == value
 
 
+def test_he_is_somebody(interpreter: Interpreter) -> None:
+    text = "My gloves aren't here. See if the dog has them, and if he does, get them back."
+    assert told(interpreter, text, "object")[-1] == "the dog"
+
+
 def test_nothing_is_there_where_it_is_itself(interpreter: Interpreter) -> None:
     assert "the parcel" not in told(
         interpreter, "If the parcel has come, tell me; if it isn't there, wait.", "location"

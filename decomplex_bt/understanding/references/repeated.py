@@ -7,12 +7,13 @@ from collections.abc import Sequence
 
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import DENYING, PREDICATE, Gap, gap_of, is_bare_being
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.roles import ELSEWHERE
 
 _THERE = "there"
+_SOMEBODY = frozenset("he him she her".split())
 _PRO_VERBS = frozenset("has have had does do did will would can could".split())
 _PLACES = frozenset(("location", "source", "goal"))
 _ALREADY = frozenset(("already", "now"))
@@ -29,7 +30,7 @@ def asked_before(context: Context, gap: Gap) -> int:
         return 0
     document, verb = context.observed.document, context.observed.document.indices(gap.task.span).start
     is_bare = is_bare_being(document, verb) or _is_pro_verb(document, verb)
-    return first if is_bare and _has_object(context, first) else 0
+    return first if is_bare and _has_object(context, first, is_living=gap.word in _SOMEBODY) else 0
 
 
 def _is_pro_verb(document: Document, verb: int) -> bool:
@@ -73,5 +74,7 @@ def _is_of_place_before(context: Context, gap: Gap, first: int) -> bool:
     return not is_done and any(0 < c.owner <= first and c.type in _PLACES for c in context.pool)
 
 
-def _has_object(context: Context, number: int) -> bool:
-    return any((c.owner, c.type) == (number, "object") for c in context.pool)
+def _has_object(context: Context, number: int, *, is_living: bool = False) -> bool:
+    """Whether a task is about something that was named or, where that is asked, about somebody."""
+    named = (c for c in context.pool if (c.owner, c.type) == (number, "object"))
+    return any(not is_living or kind_of(context, c) in ANIMATE for c in named)
