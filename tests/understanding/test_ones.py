@@ -30,3 +30,24 @@ from decomplex_bt.understanding.interpreter import Interpreter
 )
 def test_one_is_of_a_kind(text: str, value: str, encoder: bool) -> None:
     assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("Put the green cube on top of the yellow one.", "the yellow cube"),
+        ("Stand the tall vase in front of the short one.", "the short vase"),
+        ("Hang my brown scarf to the left of the white one.", "the white scarf"),
+        ("If the white jar is open, set the brown jar next to the black one.", "the black jar"),
+        ("If the red shelf is full, put the tin on top of the other one.", "the other shelf"),
+        ("Stack the green cube on the yellow one.", "the yellow cube"),
+        # as before
+        ("If the old bench is wet, put the rug under the new one.", "the new bench"),
+        ("The old desk is full. Put the new lamp on the small one.", "the small desk"),
+        ("Put the note in the pocket of the yellow one.", "in the pocket of the yellow one"),
+        ("Put the keys next to the blue one.", "next to the blue one"),
+        ("If the red mug is clean, put the spoon in the green one.", "the green mug"),
+    ],
+)
+def test_a_thing_is_put_by_another_of_its_kind(interpreter: Interpreter, text: str, goal: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("goal") == goal

@@ -9,7 +9,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.first_names import MEN, WOMEN
-from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
+from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import (
@@ -72,6 +72,7 @@ def meant(context: Context, gap: Gap) -> range:
         _own(context, gap)
         or one_of_two(context, gap)
         or place_meant(context, gap)
+        or _neighbour(context, gap)
         or other_place(context, gap)
         or _removed(context, gap)
         or _lacked(context, gap)
@@ -380,6 +381,19 @@ def other_place(context: Context, gap: Gap) -> range:
     others = (c for c in context.pool if c.type not in _PLACES and not c.mention and c.tokens.stop <= gap.position)
     is_alone = not any(_is_in_contrast(context, gap, c) for c in others)
     return last.tokens if is_alone and _is_in_contrast(context, gap, last) else range(0)
+
+
+def _neighbour(context: Context, gap: Gap) -> range:
+    """What is put by another of its kind, or, where nothing else was named, on one: "put *the red mug* next to *the
+    blue one*", "stack *the red crate* on *the blue one*"."""
+    if gap.form != "one" or not gap.tokens:
+        return range(0)
+    is_first = all(c.owner == gap.task.id for c in context.pool if c.tokens.stop <= gap.position)
+    is_on = is_first and gap.preposition in ("on", "onto")
+    if not is_on and not is_beside(context.observed.document, gap.tokens.start):
+        return range(0)
+    moved = (c for c in context.pool if c.owner == gap.task.id and c.type == "object" and not c.mention)
+    return next((c.tokens for c in moved if _is_in_contrast(context, gap, c)), range(0))
 
 
 def _is_in_contrast(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -52,6 +52,15 @@ _BEING = frozenset(("be", "look", "seem", "feel"))
 _AIR = AIR | {"late", "early"}
 """States of the day or the room, of which "is cold" may say what it names nothing for."""
 _OPENING = frozenset(("if", "when", "unless", "and", "but", "case"))
+_SIDES = frozenset(
+    tuple(phrase.split())
+    for phrase in (
+        "on top of", "on the top of", "in front of", "to the left of", "to the right of", "on the left of",
+        "on the right of", "next to", "close to", "beside", "behind", "under", "underneath", "by", "near",
+    )
+)  # fmt: skip
+"""Prepositions for where a thing is by another one."""
+_LONGEST_SIDE = max(map(len, _SIDES))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
 
@@ -79,7 +88,7 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     if argument.span is None or argument.type in ("message", "manner", "state", "direction"):
         return None
     tokens = document.indices(argument.span)
-    inner = stripped(document, tokens)
+    inner = _landmark(document, tokens) or stripped(document, tokens)
     if not inner:
         return None
     joined = _joined(document, inner)
@@ -97,6 +106,22 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     is_subject = is_one and document.indices(task.span).start == inner.stop  # "if *one* is chipped"
     is_certain = is_of_it or is_subject or is_told_one(document, inner)
     return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
+
+
+def _landmark(document: Document, tokens: range) -> range:
+    """The one on, before or beside which something is, without its preposition: "on top of *the blue one*", "in front
+    of *the blue one*". Empty in other words, and for a part of it: "in the pocket of the blue one"."""
+    words = [document.tokens[i].lower for i in tokens]
+    if words[-1:] not in (["one"], ["ones"]):
+        return range(0)
+    start = next((i for i in tokens[1:] if is_beside(document, i)), tokens.stop)
+    return range(start, tokens.stop) if "of" not in words[start - tokens.start :] else range(0)
+
+
+def is_beside(document: Document, at: int) -> bool:
+    """Whether a preposition ends ahead of a token that tells by which thing something is: "on top of", "next to"."""
+    before = [token.lower for token in document.tokens[max(0, at - _LONGEST_SIDE) : at]]
+    return any(tuple(before[k:]) in _SIDES for k in range(len(before)))
 
 
 def is_told_one(document: Document, tokens: range) -> bool:
