@@ -37,7 +37,7 @@ class Token:
     """A token with its tags and its place in the parse; `head` is the index of its head, itself at a root.
 
     `text`: the word, as it was meant where it was mistyped; `width`: with how many characters it was typed, where those
-    are not `text`'s.
+    are not `text`'s; `is_noun`: whether the dictionary knows it as a noun and no adjective, whatever its tag ("oven").
     """
 
     i: int
@@ -50,6 +50,7 @@ class Token:
     dep: str
     head: int
     width: int = 0
+    is_noun: bool = False
 
     @property
     def end(self) -> int:
@@ -129,8 +130,9 @@ Spelling = Callable[[Sequence[str], Callable[[], Collection[str]]], Sequence[str
 """
 
 
-def document_of(doc: Any, typed: Any = None) -> Document:
-    """The values of a parsed `spacy.tokens.Doc`; `typed`: one of the same tokens as they were typed, if otherwise."""
+def document_of(doc: Any, typed: Any = None, nouns: Collection[str] = ()) -> Document:
+    """The values of a parsed `spacy.tokens.Doc`; `typed`: one of the same tokens as they were typed, if otherwise;
+    `nouns`: the words that are nouns and no adjectives."""
     typed = doc if typed is None else typed
     kept = [token for token in doc if not token.is_space]
     new_index = {token.i: position for position, token in enumerate(kept)}
@@ -146,6 +148,7 @@ def document_of(doc: Any, typed: Any = None) -> Document:
             dep=token.dep_,
             head=new_index.get(token.head.i, position),
             width=len(typed[token.i]),
+            is_noun=token.lower_ in nouns,
         )
         for position, token in enumerate(kept)
     )
@@ -182,7 +185,7 @@ class Parser:
         """One parse; of the words as they were meant, where `spelling` is given."""
         with self._forgetting() as nlp:
             typed, meant = self._meant(nlp, text, spelling)
-            return document_of(nlp(meant), typed)
+            return document_of(nlp(meant), typed, self._nouns)
 
     def parse_batch(
         self, texts: Iterable[str], *, batch_size: int = 128, spelling: Spelling | None = None
@@ -193,7 +196,8 @@ class Parser:
             with self._forgetting() as nlp:  # not while the caller has the word, who may parse something else meanwhile
                 pairs = [self._meant(nlp, text, spelling) for text in batch]
                 docs = nlp.pipe([meant for _, meant in pairs], batch_size=batch_size)
-                documents = [document_of(doc, typed) for doc, (typed, _) in zip(docs, pairs, strict=True)]
+                both = zip(docs, pairs, strict=True)
+                documents = [document_of(doc, typed, self._nouns) for doc, (typed, _) in both]
             yield from documents
 
     def _meant(self, nlp: Any, text: str, spelling: Spelling | None) -> tuple[Any, Any]:
@@ -212,6 +216,12 @@ class Parser:
         tables = self._nlp.get_pipe("lemmatizer").lookups
         both = (*tables.get_table("lemma_index").values(), *tables.get_table("lemma_exc").values())
         return frozenset(word for words in both for word in words)
+
+    @cached_property
+    def _nouns(self) -> frozenset[str]:
+        """The nouns that the lemmatiser knows, without those that it knows as adjectives, too."""
+        table = self._nlp.get_pipe("lemmatizer").lookups.get_table("lemma_index")
+        return frozenset(table["noun"]) - frozenset(table["adj"])
 
     @contextmanager
     def _forgetting(self) -> Iterator[Any]:

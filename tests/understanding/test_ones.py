@@ -51,3 +51,22 @@ def test_one_is_of_a_kind(text: str, value: str, encoder: bool) -> None:
 )
 def test_a_thing_is_put_by_another_of_its_kind(interpreter: Interpreter, text: str, goal: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("goal") == goal
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Look for the nail brush. If you can't find it, hand me the blue one.", "the blue nail brush"),
+        ("If the pastry brush is dirty, wash it and bring me the other one.", "the other pastry brush"),
+        ("If the vacuum bag is full, pull it out and put a new one in.", "a new vacuum bag"),
+        ("If the waffle iron is broken, fetch me the old one.", "the old waffle iron"),
+        ("The green sippy bottle stays here. Pack the yellow one.", "the yellow sippy bottle"),
+        # as before
+        ("If the blue coat is wet, bring me the red one.", "the red coat"),
+        ("Get the blue bucket. If there's no room in it, bring the red one.", "the red bucket"),
+        ("If the kitchen lamp is on, switch off the bedroom one.", "the bedroom lamp"),
+        ("If the clean plates are gone, wash the dirty ones.", "the dirty plates"),
+    ],
+)
+def test_another_is_called_what_the_first_one_is(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

@@ -82,7 +82,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             word = gap.word or f"unsaid.{gap.type}"
             determiner = _determiner(document, candidate)
             contrast = f"{own}.{_modifier(context.observed, _named(candidate))}" if gap.tokens else ""
-            is_contrasted = contrast == "colour.colour" or (candidate.tokens == other and gap.form == "one")
+            is_of_colour = own == "colour" and _is_coloured(context.observed, candidate)
+            is_contrasted = is_of_colour or (candidate.tokens == other and gap.form == "one")
             for text, way in _worded(context.observed, gap, candidate, is_contrasted):
                 if ordered and way != "same":  # "the first one" is the red car, no "first red car"
                     continue
@@ -121,6 +122,11 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
         worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if kind := _kind_behind_colour(observed, gap, candidate):
+        told = " ".join(tokens[i].text for i in gap.tokens[:-1])
+        worded = [(f"{told} {kind}", "modified")]
+    if _is_of_same_kind(observed, gap, candidate):
+        worded = [(text, way) for text, way in worded if way != "modified.head"]
     if _is_of_somebody(observed.document, gap):  # "Anna's" is none of those named
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if words == {"some"} and tokens[candidate.tokens.start].lower == "enough":
@@ -150,6 +156,34 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         return
     noun = next((text for text, way in worded if way == "modified.head"), worded[0][0])
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
+
+
+def _is_coloured(observed: Observed, candidate: Candidate) -> bool:
+    before = observed.document.tokens[candidate.head - 1] if candidate.head else None
+    return before is not None and before.lower in observed.gazetteer.colours
+
+
+def _kind_behind_colour(observed: Observed, gap: Gap, candidate: Candidate) -> str:
+    """What a thing is called behind its colour where "one" has another colour: the "sippy cup" of "the blue sippy cup
+    ... *the pink one*"; empty where that is its noun alone."""
+    tokens, colours = observed.document.tokens, observed.gazetteer.colours
+    if gap.form != "one" or gap.word != "one" or _modifier(observed, gap.tokens) != "colour":
+        return ""
+    colour = next((i for i in _named(candidate) if tokens[i].lower in colours), candidate.head)
+    is_single = tokens[candidate.head].tag in ("NN", "NNP")
+    kind = " ".join(tokens[i].text for i in range(colour + 1, candidate.head + 1))
+    return kind if " " in kind and is_single else ""
+
+
+def _is_of_same_kind(observed: Observed, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "one" is of the very kind of a thing that is called by a compound: "another one", "the old one" or "the
+    red one" behind "the crib sheet" is a crib sheet; "the small one" behind "the dining table" may be any table."""
+    tokens, colours = observed.document.tokens, observed.gazetteer.colours
+    words = [tokens[i].lower for i in gap.tokens]
+    told = words[-2] if len(words) in (2, 3) and words[-1] in _ONES else ""
+    first = tokens[candidate.head - 1]
+    is_compound = candidate.head > 0 and first.dep == "compound" and first.lower not in colours
+    return gap.form == "one" and is_compound and (told in _SAME_KIND or told in colours)
 
 
 def _is_of_somebody(document: Document, gap: Gap) -> bool:
@@ -190,6 +224,8 @@ _EACH = frozenset(("all", "every", "each"))
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
 _ONES = frozenset(("one", "ones"))
+_SAME_KIND = frozenset("another other new old spare fresh second third first next last".split())
+"""What tells a thing from others of its kind."""
 _CERTAIN = frozenset("the this that these those".split())
 _TOGETHER = frozenset("both them they those these either".split())
 

@@ -390,12 +390,20 @@ def is_pointing(document: Document, tokens: range) -> bool:
 def noun_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
     """The head noun of a candidate with its compound ("baking tray"), in the plural or singular; None: as it is."""
     head = document.tokens[candidate.head]
-    compound = [
-        document.tokens[i].text
-        for i in range(candidate.tokens.start, candidate.head)
-        if document.tokens[i].dep == "compound" and document.tokens[i].head == candidate.head
-    ]
+    said = candidate.text.split()
+    start = candidate.head
+    while start and _is_in_compound(document, start - 1, candidate.head) and document.tokens[start - 1].text in said:
+        start -= 1
+    compound = [token.text for token in document.tokens[start : candidate.head]]
     return " ".join([*compound, _inflected(head.text, head.lemma, head.tag, is_plural)])
+
+
+def _is_in_compound(document: Document, i: int, head: int) -> bool:
+    """Whether a word ahead of a noun is part of what it is called: "*oven* glove", which the tagger may take for an
+    adjective."""
+    token = document.tokens[i]
+    is_noun = token.is_noun and token.pos in ("NOUN", "PROPN", "ADJ")
+    return is_noun or (token.dep == "compound" and token.head == head)
 
 
 def whole_noun_of(document: Document, candidate: Candidate) -> str:
