@@ -70,3 +70,20 @@ def test_a_thing_is_put_by_another_of_its_kind(interpreter: Interpreter, text: s
 )
 def test_another_is_called_what_the_first_one_is(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Any oat cakes left on the shelf? Bring me three if there are.", "three oat cakes"),
+        ("Are there any lemons? If there are, bring me four.", "four lemons"),
+        ("If there are any clean napkins in the chest, bring me six.", "six clean napkins"),
+        ("Are there any plain rolls? If so, take five to Mum.", "five plain rolls"),
+        # as before
+        ("Are there any lemons? If there are, bring me some.", "lemons"),
+        ("If you find a spare fuse, bring me one.", "a spare fuse"),
+    ],
+)
+def test_a_number_alone_is_that_many(interpreter: Interpreter, text: str, value: str) -> None:
+    bringing = [task for task in interpreter.interpret(text).tasks if task.type == "bringing"]
+    assert bringing[-1].value("object") == value

@@ -135,6 +135,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(text, way) for text, way in worded if way == "one"] or worded
     if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if _is_counted(observed.document, gap, candidate):
+        worded = [(text, way) for text, way in worded if way.startswith("counted")] or worded
     if numbered_of(observed.document, gap) or _is_one_of_several(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if is_told_one(observed.document, gap.tokens):
@@ -210,6 +212,13 @@ def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bo
     first = document.tokens[candidate.tokens.start].lower
     is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS") and first in _CERTAIN and not candidate.mention
     return first in _EACH or (is_several and gap.task.type != "check_state")
+
+
+def _is_counted(document: Document, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a number alone says how many are meant, and not all: "any buns left? Bring me *two*"; no "six" that is
+    booth six."""
+    number = document.tokens[gap.tokens.start] if gap.form == "count" else None
+    return number is not None and number.pos == "NUM" and number.lower not in candidate.text.lower().split()
 
 
 def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:
