@@ -87,3 +87,19 @@ def test_another_is_called_what_the_first_one_is(interpreter: Interpreter, text:
 def test_a_number_alone_is_that_many(interpreter: Interpreter, text: str, value: str) -> None:
     bringing = [task for task in interpreter.interpret(text).tasks if task.type == "bringing"]
     assert bringing[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Get a cloth and dry the two mugs by the tap, then give one to Ida and bring me the other.", "one mug"),
+        ("Fetch a tray, rinse both bowls, carry one to Ida and put the other on it.", "one bowl"),
+        ("Take a tin and the two spoons. Carry one to Ida and the other to Max.", "one spoon"),
+        # as before
+        ("Get the two mugs and bring me one.", "a mug"),
+        ("Look on the shelves for a candle. If you find a candle, bring me one.", "a candle"),
+    ],
+)
+def test_one_and_the_other_are_of_the_pair_named(interpreter: Interpreter, text: str, value: str) -> None:
+    carried = [task for task in interpreter.interpret(text).tasks if task.type == "bringing"]
+    assert value in [task.value("object") for task in carried]

@@ -60,14 +60,13 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             of_side["before"].append(candidate)
         elif candidate.tokens.start > max(gap.position, gap.tokens.stop - 1):
             of_side["after"].append(candidate)
-    halved = [c for c in of_side["before"] if gap.word == "one" and gap.tokens and _is_halved(document, gap, c)]
-    if halved:
-        of_side = {"before": halved, "after": []}
     pair = gapped_pair(context, gap)
     if pair or gap.word in _TOGETHER:
         pairs = list(_together(document, of_side["before"]))
         pair = pair or pair_meant(context, gap, pairs)
         of_side = {"before": [pair], "after": []} if pair else {**of_side, "before": [*of_side["before"], *pairs]}
+    halved = [c for c in of_side["before"] if _is_halved(document, gap, c)] if _is_bare_one(document, gap) else []
+    of_side = {"before": halved, "after": []} if halved else of_side
     of_side["before"].sort(key=lambda candidate: -candidate.tokens.stop)
     for side, candidates in of_side.items():
         heads: dict[int, int] = {}
@@ -131,7 +130,7 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if words == {"some"} and tokens[candidate.tokens.start].lower == "enough":
         worded = [(text, way) for text, way in worded if way != "same"] or worded
-    if words == {"one"} and _is_halved(observed.document, gap, candidate):
+    if _is_bare_one(observed.document, gap) and _is_halved(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way == "one"] or worded
     if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
@@ -195,11 +194,15 @@ def _is_of_somebody(document: Document, gap: Gap) -> bool:
     return is_handled and gap.word == "'s" and words.isdisjoint(("of", "yesterday", "today"))
 
 
+def _is_bare_one(document: Document, gap: Gap) -> bool:
+    return [document.tokens[i].lower for i in gap.tokens] == ["one"]
+
+
 def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:
     """Whether "one" is one of several things of which "the other" is told behind: "get *two* cups, put *one* here and
     *the other* there"."""
     tokens = document.tokens
-    if gap.type != "object" or tokens[candidate.head].tag not in ("NNS", "NNPS"):
+    if gap.type != "object" or tokens[candidate.head].tag not in ("NNS", "NNPS") or candidate.type in _PLACES:
         return False
     others = (t.i for t in tokens[gap.tokens.stop :] if t.lower == "other" and tokens[t.i - 1].lower == "the")
     return any(i + 1 == len(tokens) or tokens[i + 1].pos not in ("NOUN", "PROPN") for i in others)
@@ -207,7 +210,7 @@ def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:
 
 def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bool:
     """Whether a bare "one" is one of several, and not all of them: of all the towels, or of "*the plums*"."""
-    if [document.tokens[i].lower for i in gap.tokens] != ["one"]:
+    if not _is_bare_one(document, gap):
         return False
     first = document.tokens[candidate.tokens.start].lower
     is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS") and first in _CERTAIN and not candidate.mention
@@ -229,6 +232,7 @@ def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:
     return count.pos == "NUM" and count.lower != "one" and is_known and is_several
 
 
+_PLACES = frozenset(("goal", "location", "source", "path"))
 _EACH = frozenset(("all", "every", "each"))
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
