@@ -213,8 +213,11 @@ def is_deed(document: Document, phrase: range) -> bool:
 
 
 def _is_of_time(document: Document, phrase: range) -> bool:
-    """Whether a phrase says how long: "an hour", "five more minutes"."""
+    """Whether a phrase says how long, or is of "one at *a time*": "an hour", "five more minutes"."""
     tokens = document.tokens
+    before = tokens[phrase.start - 1].lower if phrase.start else ""
+    if before == "at" and [tokens[i].lower for i in phrase] == ["a", "time"]:
+        return True
     return tokens[phrase.stop - 1].lemma in TIME_UNITS and tokens[phrase.start].lower not in _DEFINITE
 
 

@@ -63,9 +63,9 @@ from decomplex_bt.understanding.rules.questions import with_questions
 from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
 from decomplex_bt.understanding.rules.second_cases import second_cases
 from decomplex_bt.understanding.rules.sequels import with_sequels
-from decomplex_bt.understanding.rules.singly import with_singly
 from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.task_arguments import Setting, of_task
+from decomplex_bt.understanding.rules.turns import with_turns
 from decomplex_bt.understanding.rules.unspoken import unspoken
 from decomplex_bt.understanding.rules.uses import with_uses
 from decomplex_bt.understanding.rules.verbless import verbless_cases
@@ -129,7 +129,7 @@ def _of_tasks(
 def _with_whole_phrases(observed: Observed, tasks: Tasks, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:
     """The arguments with all that belongs to the thing or the place that they name, and nothing else."""
     document = observed.document
-    kept = with_singly(document, tasks, without_cases(document, tasks, list(arguments)))
+    kept = with_turns(document, tasks, without_cases(document, tasks, list(arguments)))
     kept = with_whole_compounds(document, tasks, kept)
     kept = with_whole_clauses(document, with_whole_places(document, kept))
     kept = with_passages(document, tasks, without_questions(document, tasks, kept))
