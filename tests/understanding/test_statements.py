@@ -106,3 +106,21 @@ def test_where_something_is_to_be_it_is_not_yet(interpreter: Interpreter, text: 
 )
 def test_what_is_asked_to_be_elsewhere_is_at_one_place(interpreter: Interpreter, text: str, places: list[str]) -> None:
     assert _places(interpreter, text) == places
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("There's half a sack of oats in the barn. Bring it to me.", "half a sack of oats"),
+        ("I left half a melon on the counter. Wrap it.", "half a melon"),
+        ("There's a couple of blankets in the loft. Bring them down to me.", "a couple of blankets"),
+        ("I left a pair of pliers on the bench. Bring them to me.", "a pair of pliers"),
+        ("All the forks are in the sink. Wash them.", "All the forks"),
+        # as before
+        ("There's a sack of oats in the barn. Bring it to me.", "a sack of oats"),
+        ("There's a couple of blankets in the loft. Get one.", "a blanket"),
+        ("There are two jugs on the shelf. Bring them here.", "two jugs"),
+    ],
+)
+def test_what_is_told_of_a_part_is_handled_as_that_part(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

@@ -22,7 +22,7 @@ from decomplex_bt.understanding.references.gaps import (
 )
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
+from decomplex_bt.understanding.references.phrases import SHARES, Candidate, degree_asked, nobody
 from decomplex_bt.understanding.references.repeated import asked_before
 
 
@@ -209,11 +209,13 @@ def _is_halved(document: Document, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a bare "one" is one of several, and not all of them: of all the towels, or of "*the plums*"."""
+    """Whether a bare "one" is one of several, and not all of them: of all the towels, of "*the plums*" or of "*a
+    couple of plums*"."""
     if not _is_bare_one(document, gap):
         return False
     first = document.tokens[candidate.tokens.start].lower
-    is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS") and first in _CERTAIN and not candidate.mention
+    is_plural = document.tokens[candidate.head].tag in ("NNS", "NNPS")
+    is_several = is_plural and first in _CERTAIN | {"a"} and not candidate.mention
     return first in _EACH or (is_several and gap.task.type != "check_state")
 
 
@@ -452,9 +454,10 @@ def _none_features(context: Context, gap: Gap) -> Iterator[str]:
 
 
 def _determiner(document: Document, candidate: Candidate) -> str:
-    """How a phrase begins, behind a "half": definite, indefinite, counted, quantified, possessive or bare."""
+    """How a phrase begins, behind a "half" or "all": definite, indefinite, counted, quantified, possessive or bare."""
     first = document.tokens[min(candidate.tokens.start, candidate.head) if not candidate.mention else candidate.head]
-    word = candidate.text.lower().removeprefix("half ").split(" ", 1)[0]
+    words = candidate.text.lower().split(" ")
+    word = words[1] if candidate.type == "outside" and words[0] in SHARES and len(words) > 1 else words[0]
     if word in ("a", "an"):
         return "a"
     if word in ("any", "some", "enough", "more", "no", "another"):

@@ -53,6 +53,10 @@ _WHERE = frozenset("in on at under underneath behind beside near above below ins
 ROOM = frozenset(("room", "space"))
 """What there may be none of for something to be put."""
 TIME_UNITS = frozenset("second minute hour day week month".split())
+_SO_MANY = (["a", "couple", "of"], ["a", "pair", "of"])
+SHARES = frozenset(("half", "all", "both"))
+"""What stands ahead of "the" or "a" for how much of something is meant."""
+_LONGEST_MEASURE = 3
 _DEFINITE = frozenset("the my your his her our their this that".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy half".split())
@@ -161,11 +165,14 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
         ("free", free_relatives(document, verbs)),
         ("free", (words for words, _ in free_places(document))),
     ):
-        for phrase in phrases:
+        for named in phrases:
+            phrase = _measured(document, named) if inside.keys().isdisjoint(named) else named
             if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):
                 continue
             if document.tokens[phrase.stop - 1].lower in _NO_NOUNS or _is_of_time(document, phrase):
                 continue
+            if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in _SO_MANY:
+                continue  # "*a couple* of towels"
             if is_deed(document, phrase):
                 continue
             owner = inside.get(phrase.stop - 1)
@@ -183,6 +190,17 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             else:
                 found[phrase.start, phrase.stop] = _owned(document, phrase, *owner, f"in.{shape}")
     return [found[place] for place in sorted(found)]
+
+
+def _measured(document: Document, phrase: range) -> range:
+    """A phrase with the words ahead of it for how much or many of it there is: "*half* a loaf", "*a couple of* towels",
+    "*all* the plates"."""
+    before = [token.lower for token in document.tokens[max(0, phrase.start - _LONGEST_MEASURE) : phrase.start]]
+    if before[-3:] in _SO_MANY:
+        return range(phrase.start - 3, phrase.stop)
+    first = document.tokens[phrase.start]
+    is_open = first.pos == "DET" or first.tag == "PRP$" or first.lower == "dozen"
+    return range(phrase.start - 1, phrase.stop) if is_open and not SHARES.isdisjoint(before[-1:]) else phrase
 
 
 def _are_of_one(held: set[tuple[Task, str] | None]) -> bool:
@@ -284,7 +302,7 @@ def noun_chunks(document: Document) -> Iterator[range]:
         if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
             token = document.tokens[i]
             opens = token.pos == "DET" or token.tag == "PRP$"
-            if opens and start is not None and document.tokens[i - 1].lower != "half":  # "half a bag" is one phrase
+            if opens and start is not None:
                 yield from _trimmed(document, range(start, i))
                 start = i
             start = i if start is None else start
@@ -422,7 +440,9 @@ def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None)
     if candidate.mention or not candidate.tokens.start <= candidate.head < candidate.tokens.stop:
         return noun_of(document, candidate, is_plural=is_plural)
     start = candidate.tokens.start
-    for i in range(candidate.tokens.start, candidate.head):
+    if [document.tokens[i].lower for i in candidate.tokens[:3]] in _SO_MANY:
+        start += 3
+    for i in range(start, candidate.head):
         token = document.tokens[i]
         if token.pos in ("DET", "NUM") or token.tag in ("PRP$", "POS") or token.lower in QUANTIFIERS:
             start = i + 1
