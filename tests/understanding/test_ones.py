@@ -103,3 +103,32 @@ def test_a_number_alone_is_that_many(interpreter: Interpreter, text: str, value:
 def test_one_and_the_other_are_of_the_pair_named(interpreter: Interpreter, text: str, value: str) -> None:
     carried = [task for task in interpreter.interpret(text).tasks if task.type == "bringing"]
     assert value in [task.value("object") for task in carried]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Collect the pens. If one of them is dry, tell me.", "one of the pens"),
+        ("Follow the kids, and should one of them slip, call me.", "one of the kids"),
+        ("Rinse the jars, and if one of them is cracked, tell me.", "one of the jars"),
+        ("If the big bowls are dirty, see if one of the small ones is clean.", "one of the small bowls"),
+        # as before
+        ("Rinse the jars, and if any of them is cracked, tell me.", "the jars"),
+        ("Rinse the jars, and if either of them is cracked, tell me.", "the jars"),
+    ],
+)
+def test_one_of_them_is_one_of_those_named(interpreter: Interpreter, text: str, value: str) -> None:
+    checks = [task for task in interpreter.interpret(text).tasks if task.type == "check_state"]
+    assert checks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Check the plates, and if the apple one's dirty, give it a wash.", "the apple plate"),
+        ("Look at the mugs, and if the owl one's dirty, give it a rinse.", "the owl mug"),
+        ("Get the socks, and if the left one's wet, dry it.", "the left sock"),
+    ],
+)
+def test_it_is_the_one_spoken_of_by_its_noun(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

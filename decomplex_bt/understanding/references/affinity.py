@@ -227,11 +227,11 @@ def _is_counted(document: Document, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:
-    """Whether so and so many are taken of known things: "six of them" of "the balloons"."""
+    """Whether one or so and so many are taken of known things: "six of them" of "the balloons"."""
     count, first = document.tokens[gap.tokens.start], document.tokens[candidate.tokens.start]
     is_known = first.lower in _CERTAIN or first.tag == "PRP$"
     is_several = document.tokens[candidate.head].tag in ("NNS", "NNPS")
-    return count.pos == "NUM" and count.lower != "one" and is_known and is_several
+    return (count.pos == "NUM" or count.lower == "one") and is_known and is_several
 
 
 _PLACES = frozenset(("goal", "location", "source", "path"))

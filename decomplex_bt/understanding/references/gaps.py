@@ -99,7 +99,7 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
         return None
     before = inner.start - 1
     preposition = document.tokens[before].lower if before >= tokens.start else ""
-    head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[head_of(document, inner)]
+    head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[_head(document, inner)]
     word = "'s" if form == "own" and head.lower not in _OWN else head.lower
     is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
     is_one = form == "one" and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
@@ -159,7 +159,10 @@ def filled(document: Document, argument: Argument, gap: Gap, text: str) -> str:
 
 
 def part_of(document: Document, argument: Argument, gap: Gap, value: str) -> dict[str, str]:
-    """What words for a part of what is told by a pronoun ("one of them") say with its value ("one of the plates")."""
+    """What words for a part of what is told by a pronoun ("one of them") say with its value ("one of the plates"), and
+    what "the blue one" does ("the blue plate")."""
+    if gap.form == "one" and len(gap.tokens) > 1:
+        return {_text(document, gap.tokens).lower(): value}
     if gap.form != "part" or argument.span is None:
         return {}
     said = _text(document, stripped(document, document.indices(argument.span)))
@@ -173,7 +176,7 @@ def _form(document: Document, tokens: range) -> str | None:
     words = [document.tokens[i].lower for i in tokens]
     if (is_pointing(document, tokens) and words[0] not in _OWN) or is_child(document, tokens):
         return None
-    head = document.tokens[head_of(document, tokens)].lower
+    head = document.tokens[_head(document, tokens)].lower
     last = document.tokens[tokens.stop - 1]
     if len(words) == 1:
         if words[0] in _OWN:
@@ -181,8 +184,10 @@ def _form(document: Document, tokens: range) -> str | None:
         if words[0] in _COUNTS:
             return "one" if words[0] == "one" else "count"
         return "pronoun" if words[0] in PRONOUNS or words[0] in _ALONE else None
-    if words[:2] == ["one", "of"]:
-        return "part" if len(words) == 3 and words[-1] in PRONOUNS else None
+    if words[:2] == ["one", "of"] and len(words) == 3:
+        return "part" if words[-1] in PRONOUNS else None
+    if words[:2] == ["one", "of"] and words[-1] != "ones":
+        return None
     if head in ("one", "ones"):  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
     if last.tag == "POS":
@@ -192,6 +197,12 @@ def _form(document: Document, tokens: range) -> str | None:
     if words[-1] in _COUNTS and len(words) == 2 and words[0] == "a":
         return "count"
     return "pronoun" if all(word in _LEADING | PRONOUNS | QUANTIFIERS for word in words) else None
+
+
+def _head(document: Document, tokens: range) -> int:
+    """The head of a phrase; of "one of the new ones" the last word."""
+    words = [document.tokens[i].lower for i in tokens]
+    return tokens.stop - 1 if words[:2] == ["one", "of"] and words[-1] == "ones" else head_of(document, tokens)
 
 
 def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[Gap]:
@@ -323,7 +334,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         whole = bare_of(document, candidate, is_plural=None) if is_open else text  # of "any milk", "a cup of milk"
         yield f"{_text(document, gap.tokens[:-1])} {whole}", "of"
         first = document.tokens[gap.tokens.start]
-        if len(gap.tokens) == 3 and (first.pos == "NUM" or first.lower in ("some", "any", "few")):
+        is_amount = first.lower in ("some", "any", "few") or (first.pos == "NUM" and first.lower != "one")
+        if len(gap.tokens) == 3 and is_amount:
             yield f"{first.text} {bare_of(document, candidate, is_plural=None)}", "counted"
         yield text, "same"
         return
@@ -343,11 +355,11 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         yield f"{words} {bare_of(document, candidate, is_plural=is_plural)}", "counted.bare"
     if number := numbered_of(document, gap):
         yield f"{number} {noun_of(document, candidate, is_plural=True)}", "counted"
-    modifiers = range(gap.tokens.start, head_of(document, gap.tokens)) if gap.tokens else range(0)
+    modifiers = range(gap.tokens.start, _head(document, gap.tokens)) if gap.tokens else range(0)
     if gap.form == "one" and any(document.tokens[i].lower not in _DEMONSTRATIVES for i in modifiers):
         words = _text(document, modifiers)
         is_plural = gap.word == "ones"
-        after = range(head_of(document, gap.tokens) + 1, gap.tokens.stop)
+        after = range(_head(document, gap.tokens) + 1, gap.tokens.stop)
         if after:
             yield (
                 f"{words} {noun_of(document, candidate, is_plural=is_plural)} {_text(document, after)}",
