@@ -132,3 +132,18 @@ def test_one_of_them_is_one_of_those_named(interpreter: Interpreter, text: str, 
 )
 def test_it_is_the_one_spoken_of_by_its_noun(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If there's any of that paste left, bring it here.", "that paste"),
+        ("Check if there's any of the dough left. If there is, bake it.", "the dough"),
+        ("Is there any of Mum's stew left? If there is, heat it up.", "Mum's stew"),
+        # as before
+        ("Is there any rice left? If there is, heat it up.", "any rice"),
+        ("Get half a loaf and toast it.", "half a loaf"),
+    ],
+)
+def test_it_is_what_there_may_be_some_of(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value

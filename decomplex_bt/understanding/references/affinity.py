@@ -121,6 +121,8 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
         worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if gap.word == "it" and gap.form == "pronoun":
+        worded = [(_without_open_share(text), way) for text, way in worded]
     if kind := _kind_behind_colour(observed, gap, candidate):
         told = " ".join(tokens[i].text for i in gap.tokens[:-1])
         worded = [(f"{told} {kind}", "modified")]
@@ -157,6 +159,12 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         return
     noun = next((text for text, way in worded if way == "modified.head"), worded[0][0])
     yield from ((noun if colour.text in text.split() else text, way) for text, way in worded)
+
+
+def _without_open_share(text: str) -> str:
+    """What is handled as "it" where it was asked if there is any of it: "*that soup*" of "any of that soup"."""
+    share, joint, whole = text.partition(" of ")
+    return whole if joint and share.lower() in _OPEN_SHARES else text
 
 
 def _is_coloured(observed: Observed, candidate: Candidate) -> bool:
@@ -236,6 +244,7 @@ def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:
 
 _PLACES = frozenset(("goal", "location", "source", "path"))
 _EACH = frozenset(("all", "every", "each"))
+_OPEN_SHARES = frozenset(("any", "some", "enough", "much"))
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
 _ONES = frozenset(("one", "ones"))
