@@ -79,6 +79,7 @@ def test_another_is_called_what_the_first_one_is(interpreter: Interpreter, text:
         ("Are there any lemons? If there are, bring me four.", "four lemons"),
         ("If there are any clean napkins in the chest, bring me six.", "six clean napkins"),
         ("Are there any plain rolls? If so, take five to Mum.", "five plain rolls"),
+        ("If there are fresh rolls in the tin, bring me two of those.", "two fresh rolls"),
         # as before
         ("Are there any lemons? If there are, bring me some.", "lemons"),
         ("If you find a spare fuse, bring me one.", "a spare fuse"),

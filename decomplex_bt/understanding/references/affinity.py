@@ -228,10 +228,12 @@ def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bo
 
 
 def _is_counted(document: Document, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a number alone says how many are meant, and not all: "any buns left? Bring me *two*"; no "six" that is
-    booth six."""
-    number = document.tokens[gap.tokens.start] if gap.form == "count" else None
-    return number is not None and number.pos == "NUM" and number.lower not in candidate.text.lower().split()
+    """Whether a number alone, or one "of those", says how many are meant, and not all: "any buns left? Bring me *two*",
+    "if there are fresh buns, bring me *two of those*"; no "six" that is booth six."""
+    number = document.tokens[gap.tokens.start] if gap.form in ("count", "part") else None
+    if number is None or number.pos != "NUM" or number.lower in ("one", *candidate.text.lower().split()):
+        return False
+    return gap.form == "count" or gap.word in ("those", "these")
 
 
 def _is_counted_out(document: Document, gap: Gap, candidate: Candidate) -> bool:

@@ -63,6 +63,8 @@ _SIDES = frozenset(
 _LONGEST_SIDE = max(map(len, _SIDES))
 _OWN = {"mine": "my", "his": "his", "hers": "her", "yours": "your", "ours": "our", "theirs": "their"}
 
+_DETERMINERS = QUANTIFIERS | _LEADING | _COUNTS | frozenset(_OWN.values())
+
 
 @dataclass(frozen=True, slots=True)
 class Gap:
@@ -336,7 +338,9 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         first = document.tokens[gap.tokens.start]
         is_amount = first.lower in ("some", "any", "few") or (first.pos == "NUM" and first.lower != "one")
         if len(gap.tokens) == 3 and is_amount:
-            yield f"{first.text} {bare_of(document, candidate, is_plural=None)}", "counted"
+            is_told_bare = candidate.mention and text.split()[0].lower() not in _DETERMINERS  # "new ones"
+            told = text if is_told_bare else bare_of(document, candidate, is_plural=None)
+            yield f"{first.text} {told}", "counted"
         yield text, "same"
         return
     if gap.form == "own":
