@@ -19,6 +19,7 @@ from decomplex_bt.understanding.references.phrases import (
     PREPOSITIONS,
     WHOLE,
     Candidate,
+    is_child,
 )
 from decomplex_bt.understanding.references.places import place_meant
 from decomplex_bt.understanding.references.undoing import done_contrariwise, undone
@@ -52,11 +53,14 @@ _OWNING = {"his": "he", "her": "she", "their": "they"}
 _SINGLING = frozenset("either neither one any each every whichever".split())
 """What tells one of several: "either of the lamps"."""
 _SINGULAR = frozenset("thermos atlas canvas gas lens news iris pancreas compass series".split())
+_ONES = frozenset(("one", "ones"))
 _CALLED_IT = frozenset("baby child kid toddler patient family cleaner driver".split())
 """Who may be "it" for all that."""
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
 """What only somebody does."""
-_CALLED_SHE = frozenset("doll teddy bear bunny boat ship dinghy skiff yacht canoe car mower".split())
+_CALLED_SHE = frozenset(
+    "doll teddy bear bunny boat ship dinghy skiff yacht canoe car van tractor mower stove boiler".split()
+)
 _NEAR = 3
 """Within so many words before a participle stands who has done it."""
 _WITHIN = frozenset("in into inside on onto under behind off out".split())
@@ -132,7 +136,7 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
             and kind_of(context, c) == "person"
             and not is_of_other_gender(document, gap, c)
             for c in context.pool
-            if not c.mention and c.shape in ("whole", "short") and c.type == "object"
+            if not c.mention and _is_whole_person(document, c)
         )
     owner = next((i for i in candidate.tokens if tokens[i].tag == "POS"), None)
     if owner is None or owner == candidate.tokens.stop - 1 or kind_of(context, candidate) in ANIMATE:
@@ -140,12 +144,21 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
     return any(c.tokens == range(candidate.tokens.start, owner) for c in context.pool)
 
 
+def _is_whole_person(document: Document, candidate: Candidate) -> bool:
+    """Whether a phrase is of whom something is said or done, or of somebody's little one."""
+    is_of_task = candidate.shape in ("whole", "short") and candidate.type == "object"
+    return is_of_task or is_child(document, candidate.tokens)
+
+
 def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "he" or "she" cannot mean a candidate because that is a thing or a place ("turn the *music* on, and if
-    she's still awake, ..."), or "they" because it is one thing ("clear the *table* once they have finished"), or
-    whose it is ("if they call, bring *their coats*"). A boat or a doll may be "she"."""
+    she's still awake, ..."), or are several ("if *the matches* are wet, get him a lighter"), or "they" because it is
+    one thing ("clear the *table* once they have finished"), or whose it is ("if they call, bring *their coats*"). A
+    boat or a doll may be "she"."""
     document, group = context.observed.document, GROUPS.get(gap.word, "")
     head = document.tokens[candidate.head]
+    if group in ("he", "she") and _are_several(context, candidate):
+        return True
     if group not in _PERSONAL or kind_of(context, candidate) in ANIMATE:
         return False
     if candidate.mention:
@@ -168,6 +181,9 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return gap.word == "they" and is_thing and is_one  # "them" may be two things named one by one
     if head.lemma in _CALLED_SHE | ANIMALS:
         return False
+    is_person = document.tokens[candidate.tokens.stop - 1].lower in PERSON_NOUNS  # a "window cleaner" is no window
+    if category not in ("", "person") and head.text.islower() and not is_person:
+        return True
     if len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | WEATHER | {"home"}:
         return True
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
@@ -180,7 +196,7 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
     """Whether "it" cannot mean a candidate because that is somebody ("warm the soup if *Max* is in. When *it*'s hot,
     ...") or several things, where one thing is named ("shake *the crumbs* off the cloth and fold *it*"), or "them"
     because it is the one thing of a task that names several. A baby may be "it", but is given to nobody it is itself,
-    and so may be whoever is at the door ("if *it*'s Max")."""
+    and so may be whoever is at the door ("if *it*'s Max"); who is told something is none."""
     tokens, head = context.observed.document.tokens, context.observed.document.tokens[candidate.head]
     if len(gap.tokens) != 1 or gap.word not in ("it", "them"):
         return False
@@ -188,7 +204,8 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
         return _is_the_one_of(context, gap, candidate)
     if _asks_who(context, gap):
         return False
-    if GROUPS.get(candidate.mention) == "he" or _is_person(context, candidate):
+    is_told = (candidate.task_type, candidate.type) == ("informing", "recipient")
+    if GROUPS.get(candidate.mention) == "he" or is_told or _is_person(context, candidate):
         return True
     if kind_of(context, candidate) in ANIMATE:
         return _is_given_to(context, gap, candidate)
@@ -215,6 +232,15 @@ def _is_plural(context: Context, candidate: Candidate) -> bool:
     return is_last and not is_compound and head.tag == "NNS" and head.lower.endswith("s")
 
 
+def _are_several(context: Context, candidate: Candidate) -> bool:
+    """Whether a phrase names several, and is none of one person whom they only tell about: "the man about *the
+    gutters*"."""
+    tokens = context.observed.document.tokens
+    named = [i for i in candidate.tokens if i != candidate.head and tokens[i].lower in PERSON_NOUNS]
+    is_of_one = any(tokens[i + 1 : i + 2] == () or tokens[i + 1].tag != "POS" for i in named)
+    return tokens[candidate.head].text.islower() and _is_plural(context, candidate) and not is_of_one
+
+
 def _is_the_one_of(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is one thing that was got off or out of several, right ahead of what is done to "them"."""
     document, order = context.observed.document, gap.task.id - 1
@@ -226,10 +252,12 @@ def _is_the_one_of(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 
 def _asks_who(context: Context, gap: Gap) -> bool:
-    """Whether it is asked who or what somebody is: "if *it*'s Max", "if *it* is the neighbours"."""
+    """Whether it is asked who or what somebody is: "if *it*'s Max", "if *it* is the neighbours", not "... the red
+    one"."""
     tokens = context.observed.document.tokens
     states = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "state" and a.span]
-    is_named = any(tokens[state[-1]].pos in ("NOUN", "PROPN", "PRON") for state in states)
+    last = [tokens[state[-1]] for state in states]
+    is_named = any(token.pos in ("NOUN", "PROPN", "PRON") and token.lower not in _ONES for token in last)
     return gap.task.type == "check_state" and (is_named or not states)
 
 

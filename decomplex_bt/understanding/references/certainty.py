@@ -21,6 +21,7 @@ from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
+from decomplex_bt.understanding.references.persons import is_no_somebody
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
@@ -146,7 +147,8 @@ def _identity(context: Context, gap: Gap) -> range:
     elif identity is not None and not identity.is_of_order(document):
         is_meant = identity.is_of_person(document) if gap.word in _SOMEBODY else not identity.is_pronoun(document)
         named = identity.name if is_meant else named
-    return named if any(c.tokens == named for c in context.pool) else range(0)
+    found = [c for c in context.pool if c.tokens == named]
+    return named if found and not any(is_no_somebody(context, gap, c) for c in found) else range(0)
 
 
 def _is_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -252,8 +254,10 @@ def _instrument(context: Context, gap: Gap) -> int:
 def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a pronoun cannot mean a candidate: another argument of its own task ("put it on the table"), what there
     is none of, or what is no person where it is named after a "she" ("if she's hungry, bring her the cake") or handled
-    before somebody is told or given something ("bring her the cake and tell her ..."); and nobody is opened or shut."""
-    if gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and kind_of(context, candidate) in ANIMATE:
+    before somebody is told or given something ("bring her the cake and tell her ..."); and nobody is opened or shut,
+    be it that "*she* opens"."""
+    is_shut = gap.type == "object" and context.lemmas[gap.task.id] in _ACTS[1] and gap.word not in _SOMEBODY | {"they"}
+    if is_shut and kind_of(context, candidate) in ANIMATE:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
@@ -301,6 +305,8 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
     if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
+        return True
+    if is_no_somebody(context, gap, candidate):
         return True
     if is_no_single_thing(context, gap, candidate):
         return True

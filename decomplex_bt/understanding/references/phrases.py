@@ -169,7 +169,8 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             phrase = _measured(document, named) if inside.keys().isdisjoint(named) else named
             if (phrase.start, phrase.stop) in found or is_pronoun(document, phrase):
                 continue
-            if document.tokens[phrase.stop - 1].lower in _NO_NOUNS or _is_of_time(document, phrase):
+            is_unnamed = document.tokens[phrase.stop - 1].lower in _NO_NOUNS and not is_child(document, phrase)
+            if is_unnamed or _is_of_time(document, phrase):
                 continue
             if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in _SO_MANY:
                 continue  # "*a couple* of towels"
@@ -596,7 +597,9 @@ def _trimmed(document: Document, chunk: range) -> Iterator[range]:
     first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
     if len(nouns) > 1 and document.tokens[nouns[-1]].lower == "open":
         nouns.pop()  # "wants the window open", where the tagger takes it for a noun
-    if nouns and nouns[-1] > chunk.start + 1 and _is_complement(document, chunk.start - 1, nouns[-1]):
+    if is_child(document, chunk):
+        yield chunk
+    elif nouns and nouns[-1] > chunk.start + 1 and _is_complement(document, chunk.start - 1, nouns[-1]):
         yield range(chunk.start, nouns[-1])
     elif nouns:
         yield range(chunk.start, nouns[-1] + 1)

@@ -1,0 +1,46 @@
+"""Persons: what "he" and "she" cannot be for how it is asked about, be it named by a noun that might be somebody's."""
+
+from __future__ import annotations
+
+from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.phrases import ANIMALS, Candidate
+
+_OF_THINGS = frozenset(
+    "on off open closed shut ajar locked unlocked lit unlit empty full flat broken cracked chipped torn ripped blown "
+    "faulty jammed ripe boiled baked charged plugged unplugged".split()
+)
+"""States that nobody is in."""
+_ASKED_FOR = frozenset(("which", "what"))
+
+
+def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "him" cannot mean a candidate since that is in a state of things ("if *the torch* is flat, give him the
+    lantern"), is one of those that were asked for ("ask her which coat she likes. If it's *the duffel*, ...") or goes
+    to somebody in the same order ("if it's *the duffel*, take it to her")."""
+    if GROUPS.get(gap.word, "") not in ("he", "she"):
+        return False
+    if _goes(context, gap, candidate):
+        return True
+    tokens = context.observed.document.tokens
+    head = tokens[candidate.head]
+    if candidate.task_type != "check_state" or kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
+        return False
+    check = next(task for task in context.tasks if task.id == candidate.owner)
+    if candidate.type == "object" and not candidate.mention:
+        states = {a.value.lower() for a in check.arguments if a.type == "state"}
+        return head.text.islower() and not states.isdisjoint(_OF_THINGS)
+    return _is_of_choice(context, candidate.owner)
+
+
+def _is_of_choice(context: Context, check: int) -> bool:
+    """Whether a check asks which of some things it is: "ask her *which coat* she likes. If *it*'s the duffel, ..."."""
+    tokens = context.observed.document.tokens
+    asked = (c for c in context.pool if (c.owner, c.type) == (check, "object"))
+    return any(tokens[c.tokens.start].lower in _ASKED_FOR or c.text.split()[0].lower() in _ASKED_FOR for c in asked)
+
+
+def _goes(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what goes to somebody in the order that the word stands in."""
+    moved = (c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object"))
+    return gap.type == "recipient" and any(c.text.lower() == candidate.text.lower() for c in moved)

@@ -1,0 +1,59 @@
+"""Who "he" and "she" are, and what they cannot be."""
+
+from __future__ import annotations
+
+import pytest
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        (
+            "Ask Mrs Vane which vase she meant. If it's the enamel, take it to her; if it's tin, tell her it broke.",
+            ["Mrs Vane", "Mrs Vane", "Mrs Vane"],
+        ),
+        ("Ask the lodger which tie he means. If it is the silk one, give it to him.", ["the lodger", "the lodger"]),
+        ("Check the label on the jar for Gran. If it's the chutney, bring it to her.", ["Gran"]),
+        ("If the matches are damp, hand him the lighter.", ["him"]),
+        ("If the bulbs are dusty, give her two of those.", ["her"]),
+        ("If the lantern is cracked, hand him the torch.", ["him"]),
+        ("If the kids are asleep, hand her the keys.", ["her"]),
+        # who may be meant
+        ("If the sexton is wet, hand him the towel.", ["the sexton"]),
+        ("If the ferret is loose, hand him a biscuit.", ["the ferret"]),
+        ("Should the window cleaner turn up, hand him the bucket.", ["the window cleaner"]),
+        ("If it's that fellow about the gutters, tell him I'm out.", ["that fellow about the gutters"]),
+        ("Somebody rang. If it's the vicar, tell him I'm out.", ["the vicar"]),
+    ],
+)
+def test_nobody_is_a_thing_that_is_asked_about(interpreter: Interpreter, text: str, values: list[str]) -> None:
+    found = interpreter.interpret(text)
+    assert [task.value("recipient") for task in found.tasks if task.value("recipient")] == values
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("My niece's little one is crying in the barn. Go there, open up and walk with her.", "My niece's little one"),
+        ("The tenant's wee one is at the gate. Walk with her.", "The tenant's wee one"),
+        ("The tenant's son is at the gate. Walk with him.", "The tenant's son"),
+        ("The tenant's hen house is open. Walk there with her.", "The tenant"),
+    ],
+)
+def test_somebodys_little_one_is_who_is_spoken_of(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Take this parcel to Mrs Abara. If she opens, tell her it's from me.", "Mrs Abara"),
+        ("Carry the crate to the widow. If she opens, tell her it's from me.", "the widow"),
+        ("Ring for Ivo. If he opens, tell him it's me.", "Ivo"),
+        ("If the sexton is in the crypt, open the door.", "the door"),
+    ],
+)
+def test_who_opens_is_somebody(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).task(2).value("object") == value
