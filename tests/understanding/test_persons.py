@@ -57,3 +57,25 @@ def test_somebodys_little_one_is_who_is_spoken_of(interpreter: Interpreter, text
 )
 def test_who_opens_is_somebody(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).task(2).value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("Nan wants her shawl. Take it to her in the conservatory and tell her it's dry.", ["Nan", "Nan"]),
+        ("Hugo's broth is ready. Carry it up to him in the attic.", ["Hugo"]),
+        ("If the girls are hungry, bring the crisps out to them on the porch.", ["the girls"]),
+        # nobody named, and words that name who it is
+        ("Take the mallet to him on the roof.", ["to him on the roof"]),
+        ("Take the mallet to the man on the roof.", ["to the man on the roof"]),
+    ],
+)
+def test_who_is_somewhere_is_who_was_named(interpreter: Interpreter, text: str, values: list[str]) -> None:
+    found = interpreter.interpret(text)
+    assert [task.value("recipient") for task in found.tasks if task.value("recipient")] == values
+
+
+def test_who_has_nodded_off_is_who_was_to_be_brought_something(interpreter: Interpreter) -> None:
+    text = "Gran's pot of tea is stewing. Take it out to her by the pond, and if she's dozed off, leave it on the sill."
+    found = interpreter.interpret(text)
+    assert (found.tasks[0].value("recipient"), found.tasks[1].value("object")) == ("Gran", "Gran")

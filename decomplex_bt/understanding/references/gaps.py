@@ -19,6 +19,7 @@ from decomplex_bt.understanding.references.phrases import (
     degree_asked,
     head_of,
     is_child,
+    is_placed,
     is_pointing,
     noun_of,
     stripped,
@@ -86,7 +87,8 @@ class Gap:
 
 
 def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
-    """The gap that an argument's words leave to be resolved, or None where they name what they mean."""
+    """The gap that an argument's words leave to be resolved, or None where they name what they mean; of "her on the
+    porch" it is who that is."""
     if argument.span is None or argument.type in ("message", "manner", "state", "direction"):
         return None
     tokens = document.indices(argument.span)
@@ -96,6 +98,8 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     joined = _joined(document, inner)
     if joined is not None:
         return Gap(task, argument.type, joined, document.tokens[joined].lower, "joined", "", range(joined, joined + 1))
+    if is_placed(document, inner):
+        inner = inner[:1]
     form = _form(document, inner)
     if form is None:
         return None

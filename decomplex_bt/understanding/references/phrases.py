@@ -137,7 +137,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             if argument.type in _NOT_REFERENTS:
                 continue
             inner = stripped(document, tokens)
-            if not inner or is_pointing(document, inner) or is_pronoun(document, inner):
+            if not inner or is_pointing(document, inner) or is_pronoun(document, inner) or is_placed(document, inner):
                 continue
             if document.tokens[inner.start].lower == "who":  # "see *who it is*"
                 continue
@@ -396,6 +396,15 @@ def is_child(document: Document, tokens: range) -> bool:
     return is_little and words[0].tag in ("POS", "PRP$")
 
 
+def is_placed(document: Document, tokens: range) -> bool:
+    """Whether a phrase is of somebody by a pronoun, with where they are: "*her* on the porch"."""
+    person, *behind = document.tokens[tokens.start : tokens.stop]
+    is_person = person.tag == "PRP" and person.lower in _SOMEBODY
+    return is_person and len(behind) > 1 and behind[0].lower in PREPOSITIONS - _LEADING_AWAY
+
+
+_SOMEBODY = frozenset("him her them 'em em".split())
+_LEADING_AWAY = frozenset("to from into onto for of off out with toward towards".split())
 _EXCEPTING = frozenset(("but", "except", "excepting", "excluding"))
 _HEADS = frozenset("it one ones them they him her he she there mine".split())
 
