@@ -79,3 +79,21 @@ def test_who_has_nodded_off_is_who_was_to_be_brought_something(interpreter: Inte
     text = "Gran's pot of tea is stewing. Take it out to her by the pond, and if she's dozed off, leave it on the sill."
     found = interpreter.interpret(text)
     assert (found.tasks[0].value("recipient"), found.tasks[1].value("object")) == ("Gran", "Gran")
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("If a builder rings, let him in. Should it be the policewoman instead, give her the papers.", ["policewoman"]),
+        ("If the curate calls, show him in. Should it be the piano tuner, tell him I'm out.", ["piano tuner"]),
+        ("If the matron comes, bring her the chart. If it's the chaplain, bring him a chair.", ["matron", "chaplain"]),
+        ("If the curate calls, pour him a cup. Should it be raining, give him the umbrella.", ["curate", "curate"]),
+        ("If Ivo is cold, bring him tea. If the kettle is cold, tell him to wait.", ["Ivo", "Ivo"]),
+    ],
+)
+def test_somebody_else_who_calls_is_who_is_given_something(
+    interpreter: Interpreter, text: str, values: list[str]
+) -> None:
+    found = interpreter.interpret(text)
+    said = [task.value("recipient") for task in found.tasks if task.value("recipient")]
+    assert [value.removeprefix("the ") for value in said] == values

@@ -21,7 +21,7 @@ from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
-from decomplex_bt.understanding.references.persons import is_no_somebody
+from decomplex_bt.understanding.references.persons import asks_who_calls, is_no_somebody
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
@@ -145,7 +145,8 @@ def _identity(context: Context, gap: Gap) -> range:
     if is_asked and gap.word in _SOMEBODY:
         named = said["state"] if document.tokens[said["state"][-1]].pos in ("NOUN", "PROPN") else named
     elif identity is not None and not identity.is_of_order(document):
-        is_meant = identity.is_of_person(document) if gap.word in _SOMEBODY else not identity.is_pronoun(document)
+        is_who = identity.is_of_person(document) or (identity.is_pronoun(document) and asks_who_calls(context, check))
+        is_meant = is_who if gap.word in _SOMEBODY else not identity.is_pronoun(document)
         named = identity.name if is_meant else named
     found = [c for c in context.pool if c.tokens == named]
     return named if found and not any(is_no_somebody(context, gap, c) for c in found) else range(0)

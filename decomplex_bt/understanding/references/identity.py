@@ -1,4 +1,5 @@
-"""Identity: conditions that ask who or what something is, "if it's *the plumber*", "if that was *the last one*"."""
+"""Identity: conditions that ask who or what something is, "if it's *the plumber*", "if that was *the last one*",
+"should it be *the plumber*"."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.phrases import ANYBODY, PERSON_NOUNS
 
-_OPENING = frozenset("if unless when case".split())
+_OPENING = frozenset("if unless when case should".split())
 _POINTING = frozenset("it that this those these they".split())
 _BE = frozenset("is was are were 's \u2019s 're \u2019re".split())
 _BETWEEN = frozenset("only just really indeed actually still even merely n't n\u2019t not".split())
@@ -81,9 +82,11 @@ def order_behind(document: Document, identity: Identity) -> int | None:
 
 
 def _be(document: Document, start: int) -> int | None:
-    """The "is" behind "it" or a phrase such as "that noise"."""
+    """The "is" behind "it" or a phrase such as "that noise", the "be" behind "should it"."""
     tokens = document.tokens
     at = start + 1
+    if tokens[start - 1].lower == "should":
+        return at if tokens[start].lower in _POINTING and tokens[at].lower == "be" else None
     if tokens[start].lower in _POINTING_AT and tokens[at].lower not in _BE:
         while at < len(tokens) and tokens[at].tag in ("NN", "NNS", "JJ", "VBG"):
             at += 1

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.fitness import VESSELS
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import ANIMALS, Candidate
 
@@ -11,13 +13,14 @@ _OF_THINGS = frozenset(
     "faulty jammed ripe boiled baked charged plugged unplugged".split()
 )
 """States that nobody is in."""
+_CALLING = frozenset("ring call phone knock buzz come arrive visit appear".split()) | {"turn up", "show up"}
 _ASKED_FOR = frozenset(("which", "what"))
 
 
 def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "him" cannot mean a candidate since that is in a state of things ("if *the torch* is flat, give him the
-    lantern"), is one of those that were asked for ("ask her which coat she likes. If it's *the duffel*, ...") or goes
-    to somebody in the same order ("if it's *the duffel*, take it to her")."""
+    """Whether "him" cannot mean a candidate since that is a vessel or in a state of things ("if *the torch* is flat,
+    give him the lantern"), is one of those that were asked for ("ask her which coat she likes. If it's *the duffel*,
+    ...") or goes to somebody in the same order ("if it's *the duffel*, take it to her")."""
     if GROUPS.get(gap.word, "") not in ("he", "she"):
         return False
     if _goes(context, gap, candidate):
@@ -29,7 +32,7 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     check = next(task for task in context.tasks if task.id == candidate.owner)
     if candidate.type == "object" and not candidate.mention:
         states = {a.value.lower() for a in check.arguments if a.type == "state"}
-        return head.text.islower() and not states.isdisjoint(_OF_THINGS)
+        return head.text.islower() and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
     return _is_of_choice(context, candidate.owner)
 
 
@@ -38,6 +41,15 @@ def _is_of_choice(context: Context, check: int) -> bool:
     tokens = context.observed.document.tokens
     asked = (c for c in context.pool if (c.owner, c.type) == (check, "object"))
     return any(tokens[c.tokens.start].lower in _ASKED_FOR or c.text.split()[0].lower() in _ASKED_FOR for c in asked)
+
+
+def asks_who_calls(context: Context, check: Task) -> bool:
+    """Whether a check may ask who it is that calls, since one ahead of it asks if somebody does: "if the vicar rings,
+    show him in. If *it's* the tuner, ..."."""
+    callings = (task for task in context.tasks if task.id < check.id and task.type == "check_state")
+    return any(
+        not {context.lemmas[task.id], context.lemmas[task.id].split()[0]}.isdisjoint(_CALLING) for task in callings
+    )
 
 
 def _goes(context: Context, gap: Gap, candidate: Candidate) -> bool:
