@@ -97,3 +97,23 @@ def test_somebody_else_who_calls_is_who_is_given_something(
     found = interpreter.interpret(text)
     said = [task.value("recipient") for task in found.tasks if task.value("recipient")]
     assert [value.removeprefix("the ") for value in said] == values
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        (
+            "When the woman in the loft rings, go up. If her door is ajar, ask whether she wants tea.",
+            "the woman in the loft",
+        ),
+        ("Look for the nurse and ask how long she needs.", "the nurse"),
+        ("Find Granny. If she's in the garden, ask whether she needs her hat.", "Granny"),
+        # whoever that is
+        ("If the lodger isn't in his room, ask when he comes back.", None),
+        ("If Mr Bose is in, show him up, else ring the desk and ask whether he has cancelled.", None),
+        ("Find Granny. If Ivo is in the garden, ask where he left the hat.", "Ivo"),
+        ("Walk the dog. If the gate is shut, ask when it opens.", None),
+    ],
+)
+def test_who_is_asked_is_whom_the_orders_are_about(interpreter: Interpreter, text: str, value: str | None) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("recipient") == value

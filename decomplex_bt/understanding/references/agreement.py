@@ -12,6 +12,7 @@ from decomplex_bt.understanding.references.first_names import MEN, WOMEN
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
+from decomplex_bt.understanding.references.persons import asked
 from decomplex_bt.understanding.references.phrases import (
     ANIMALS,
     PERSON_NOUNS,
@@ -90,6 +91,7 @@ def meant(context: Context, gap: Gap) -> range:
         or undone(context, gap)
         or done_contrariwise(context, gap)
         or goal_instead(context, gap)
+        or asked(context, gap)
     )
 
 
