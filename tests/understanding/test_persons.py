@@ -117,3 +117,17 @@ def test_somebody_else_who_calls_is_who_is_given_something(
 )
 def test_who_is_asked_is_whom_the_orders_are_about(interpreter: Interpreter, text: str, value: str | None) -> None:
     assert interpreter.interpret(text).tasks[-1].value("recipient") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If there's nobody in the hall, lock up, otherwise tell them to leave.", "them"),
+        ("Unless the porch is empty, tell them to go.", "them"),
+        ("Is anyone at the table? If so, tell them lunch is ready.", "anyone"),
+        ("Drive to the school and tell them Ann is ill.", "the school"),
+        ("Ring the bakery. If the bread is ready, tell them to keep it.", "the bakery"),
+    ],
+)
+def test_whoever_is_told_something_is_no_thing_or_room(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("recipient") == value

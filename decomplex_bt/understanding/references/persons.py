@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
-from decomplex_bt.understanding.references.fitness import VESSELS
+from decomplex_bt.understanding.references.fitness import VESSELS, WITH_HOURS
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import ANIMALS, ANYBODY, Candidate
 
@@ -21,15 +21,22 @@ _ASKED_FOR = frozenset(("which", "what"))
 def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "him" cannot mean a candidate since that is a vessel or in a state of things ("if *the torch* is flat,
     give him the lantern"), is one of those that were asked for ("ask her which coat she likes. If it's *the duffel*,
-    ...") or goes to somebody in the same order ("if it's *the duffel*, take it to her")."""
-    if GROUPS.get(gap.word, "") not in ("he", "she"):
+    ...") or goes to somebody in the same order ("if it's *the duffel*, take it to her"), nor "them" where several are
+    told something, and nobody was named ("is *the porch* empty? Otherwise tell them to go")."""
+    group = GROUPS.get(gap.word, "")
+    is_told = group == "they" and gap.type == "recipient" and gap.task.type == "informing"
+    if group not in ("he", "she") and not is_told:
         return False
-    if _goes(context, gap, candidate):
+    if _goes(context, gap, candidate) or (is_told and _is_one_person(context, candidate)):
         return True
     tokens = context.observed.document.tokens
     head = tokens[candidate.head]
-    if candidate.task_type != "check_state" or kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
+    if kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
         return False
+    if candidate.task_type != "check_state" or (is_told and _may_be_told(context, candidate)):
+        return False
+    if is_told and (context.observed.gazetteer.category(head.lemma) or candidate.type == "location"):
+        return True
     check = next(task for task in context.tasks if task.id == candidate.owner)
     if candidate.type == "object" and not candidate.mention:
         states = {a.value.lower() for a in check.arguments if a.type == "state"}
@@ -42,6 +49,17 @@ def _is_of_choice(context: Context, check: int) -> bool:
     tokens = context.observed.document.tokens
     asked = (c for c in context.pool if (c.owner, c.type) == (check, "object"))
     return any(tokens[c.tokens.start].lower in _ASKED_FOR or c.text.split()[0].lower() in _ASKED_FOR for c in asked)
+
+
+def _may_be_told(context: Context, candidate: Candidate) -> bool:
+    """Whether those at a place may be told something ("if *the bakery* is shut, ..."), or somebody was named."""
+    head = context.observed.document.tokens[candidate.head]
+    return head.lemma in WITH_HOURS or any(kind_of(context, c) in ANIMATE for c in context.pool)
+
+
+def _is_one_person(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate was called "he" or "she" before, and so is not "them"."""
+    return not {"he", "she"}.isdisjoint(context.mentions.get(candidate.text.lower(), ()))
 
 
 def asks_who_calls(context: Context, check: Task) -> bool:
