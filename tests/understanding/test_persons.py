@@ -131,3 +131,38 @@ def test_who_is_asked_is_whom_the_orders_are_about(interpreter: Interpreter, tex
 )
 def test_whoever_is_told_something_is_no_thing_or_room(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("recipient") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Whose is this satchel? If Bea's name is inside, put it on her peg.", "this satchel"),
+        ("If Nan's name is on the letter, bring it up to her.", "the letter"),
+        ("Is my name on the crate? If so, bring it to me.", "the crate"),
+        ("If Lea's initials are in the cap, hang it on her peg.", "the cap"),
+        ("If the name tag is on the shelf, bring it to her.", "the name tag"),
+    ],
+)
+def test_what_bears_somebodys_name_is_handled(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "values"),
+    [
+        ("wake sean and if he won't get up tell him it's noon", "recipient", ["sean"]),
+        ("ned's got the rake, get it off him", "source", ["ned"]),
+        ("If she's still up in the morning, hand her the shawl.", "recipient", ["her"]),
+        ("Get hold of the janitor and have him unlock the shed.", "recipient", ["the janitor"]),
+        ("Fetch Grandad's boots for him.", "recipient", ["Grandad"]),
+        ("Nobody's in the study, is there? If there is, ask them to leave.", "recipient", ["them"]),
+        (
+            "Look for a spade in the yard; if they're all dirty, bring the hoe.",
+            "object",
+            ["for a spade", "a spade", "the hoe"],
+        ),
+    ],
+)
+def test_who_is_named_in_passing(interpreter: Interpreter, text: str, kind: str, values: list[str]) -> None:
+    found = interpreter.interpret(text)
+    assert [task.value(kind) for task in found.tasks if task.value(kind)] == values

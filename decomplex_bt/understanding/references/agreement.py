@@ -59,6 +59,7 @@ _CALLED_IT = frozenset("baby child kid toddler patient family cleaner driver".sp
 """Who may be "it" for all that."""
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
 """What only somebody does."""
+_TIMES = frozenset("morning afternoon evening night noon midnight day week weekend".split())
 _CALLED_SHE = frozenset(
     "doll teddy bear bunny boat ship dinghy skiff yacht canoe car van tractor mower stove boiler".split()
 )
@@ -176,17 +177,20 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False  # "in *Ann*'s room"
     category = context.observed.gazetteer.category(head.lemma)
     is_whole = candidate.type == "object" or "across" in candidate.shape  # "put *the cake on the table*"
-    is_handled = is_whole and candidate.task_type in _HANDLING_THINGS
+    said = [token.lower for token in document.tokens[max(0, candidate.tokens.start - 2) : candidate.tokens.start]]
+    is_handled = is_whole and candidate.task_type in _HANDLING_THINGS and said != ["hold", "of"]
     if group == "they":
         is_thing = category not in ("", "person") or (is_handled and context.lemmas[gap.task.id] in _HUMAN)
+        is_later = candidate.tokens.start > gap.position
         is_one = head.tag == "NN" and not _is_of_several(document, candidate)
-        return gap.word == "they" and is_thing and is_one  # "them" may be two things named one by one
-    if head.lemma in _CALLED_SHE | ANIMALS:
+        return gap.word == "they" and (is_thing or is_later) and is_one  # "them" may be two things named one by one
+    if head.lemma in _CALLED_SHE | ANIMALS or (head.lower in MEN | WOMEN and len(candidate.tokens) == 1):
         return False
     is_person = document.tokens[candidate.tokens.stop - 1].lower in PERSON_NOUNS  # a "window cleaner" is no window
     if category not in ("", "person") and head.text.islower() and not is_person:
         return True
-    if len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | WEATHER | {"home"}:
+    is_adverb = len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | WEATHER | {"home"}
+    if is_adverb or head.lemma in _TIMES:
         return True
     before = document.tokens[candidate.tokens.start - 1].lower if candidate.tokens.start else ""
     is_place = candidate.type in _PLACES and (bool(category) or before in _WITHIN)
@@ -269,7 +273,7 @@ def _is_person(context: Context, candidate: Candidate) -> bool:
     head, first = tokens[candidate.head], tokens[candidate.tokens.start]
     if head.lemma in PERSON_NOUNS:
         return head.lemma not in _CALLED_IT and first.lower not in WHOLE  # "anything the guests have left"
-    is_first_name = head.lower in MEN | WOMEN and head.pos == "PROPN" and head.text[:1].isupper()
+    is_first_name = head.lower in MEN | WOMEN and head.pos == "PROPN"
     is_alone = candidate.head == candidate.tokens.start or first.lower in _TITLES
     return is_first_name and (is_alone or bool(candidate.mention))
 

@@ -33,6 +33,8 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     head = tokens[candidate.head]
     if kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
         return False
+    if is_told and _is_stated_place(context, candidate):
+        return True
     if candidate.task_type != "check_state" or (is_told and _may_be_told(context, candidate)):
         return False
     if is_told and (context.observed.gazetteer.category(head.lemma) or candidate.type == "location"):
@@ -49,6 +51,15 @@ def _is_of_choice(context: Context, check: int) -> bool:
     tokens = context.observed.document.tokens
     asked = (c for c in context.pool if (c.owner, c.type) == (check, "object"))
     return any(tokens[c.tokens.start].lower in _ASKED_FOR or c.text.split()[0].lower() in _ASKED_FOR for c in asked)
+
+
+def _is_stated_place(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is a room that somebody is or is not in, as a statement has it: "nobody's in *the office*, is
+    there? If there is, ask them to leave"."""
+    tokens = context.observed.document.tokens
+    is_inside = candidate.tokens.start > 0 and tokens[candidate.tokens.start - 1].lower in ("in", "inside")
+    is_room = context.observed.gazetteer.category(tokens[candidate.head].lemma) == "room"
+    return not candidate.owner and is_room and is_inside
 
 
 def _may_be_told(context: Context, candidate: Candidate) -> bool:

@@ -33,7 +33,11 @@ PERSON_NOUNS = frozenset(
     "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
     "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
     "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister "
-    "lad lass lassie mate pal buddy bloke fella fellow chap toddler teenager twin sibling granddad nephew niece".split()
+    "lad lass lassie mate pal buddy bloke fella fellow chap toddler teenager twin sibling granddad nephew niece "
+    "gentleman janitor receptionist mechanic midwife vicar landlord landlady lodger builder roofer chef waiter "
+    "waitress butler maid nanny babysitter housekeeper handyman milkman mailman salesman watchman policeman "
+    "policewoman postwoman locksmith glazier carpenter decorator surveyor photographer hairdresser barber "
+    "physiotherapist dentist therapist chaplain pastor priest clerk porter pupil organist tailor".split()
 )
 """Nouns for people."""
 ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
@@ -157,7 +161,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
     for shape, phrases in (
         ("chunk", chunks),
         ("list", _coordinations(document, chunks)),
-        ("name", _names(document)),
+        ("name", (words for name in _names(document) for words in _between(document, name, verbs))),
         ("possessor", _possessors(document, chunks)),
         ("word", _whole_words(document)),
         ("of", _with_complements(document, chunks)),
@@ -174,7 +178,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 continue
             if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in _SO_MANY:
                 continue  # "*a couple* of towels"
-            if is_deed(document, phrase):
+            if is_deed(document, phrase) or _is_grip(document, phrase):
                 continue
             owner = inside.get(phrase.stop - 1)
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
@@ -229,6 +233,12 @@ def is_deed(document: Document, phrase: range) -> bool:
     giving = next((i for i, word in enumerate(before) if word in _GIVING), None)
     is_ended = giving is not None and MARKS.isdisjoint(before[giving:])
     return said[:1] == ["a"] and said[-1] in _DEEDS and len(said) > 1 and is_ended
+
+
+def _is_grip(document: Document, phrase: range) -> bool:
+    """Whether a phrase is only the "hold" of "get *hold* of the vet"."""
+    first, behind = document.tokens[phrase.start], document.tokens[phrase.start + 1 : phrase.start + 2]
+    return first.lower == "hold" and bool(behind) and behind[0].lower == "of"
 
 
 def _is_of_time(document: Document, phrase: range) -> bool:
