@@ -166,3 +166,28 @@ def test_what_bears_somebodys_name_is_handled(interpreter: Interpreter, text: st
 def test_who_is_named_in_passing(interpreter: Interpreter, text: str, kind: str, values: list[str]) -> None:
     found = interpreter.interpret(text)
     assert [task.value(kind) for task in found.tasks if task.value(kind)] == values
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Is the nurse here? Ask her to look at Grandad, and tell him she's coming.", "Grandad"),
+        ("If the vet calls, ask her to see to Hugo's foal and tell him she's on her way.", "Hugo"),
+        ("Is the nurse here? Ask her to look at Grandad, and tell her he's asleep.", "the nurse"),
+    ],
+)
+def test_who_was_called_her_is_not_him(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("recipient") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If the book is at the neighbour's, ask him for it.", "the neighbour"),
+        ("Go round to the dentist's and tell her I'll be late.", "the dentist"),
+        ("Go round to the dentist's and tell me if it's open.", "me"),
+        ("If the butcher's open, ask him for mince.", "the butcher"),
+    ],
+)
+def test_who_is_at_somebodys_is_that_person(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("recipient") == value

@@ -55,8 +55,11 @@ _SINGLING = frozenset("either neither one any each every whichever".split())
 """What tells one of several: "either of the lamps"."""
 _SINGULAR = frozenset("thermos atlas canvas gas lens news iris pancreas compass series".split())
 _ONES = frozenset(("one", "ones"))
-_CALLED_IT = frozenset("baby child kid toddler patient family cleaner driver".split())
-"""Who may be "it" for all that."""
+_CALLED_IT = frozenset(
+    "baby child kid toddler patient family cleaner driver butcher baker grocer florist chemist pharmacist hairdresser "
+    "barber dentist".split()
+)
+"""Who may be "it" for all that, some as their shop."""
 _HUMAN = frozenset("ask want say call complain cry like knock arrive".split())
 """What only somebody does."""
 _TIMES = frozenset("morning afternoon evening night noon midnight day week weekend".split())

@@ -21,16 +21,19 @@ _ASKED_FOR = frozenset(("which", "what"))
 def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether "him" cannot mean a candidate since that is a vessel or in a state of things ("if *the torch* is flat,
     give him the lantern"), is one of those that were asked for ("ask her which coat she likes. If it's *the duffel*,
-    ...") or goes to somebody in the same order ("if it's *the duffel*, take it to her"), nor "them" where several are
-    told something, and nobody was named ("is *the porch* empty? Otherwise tell them to go")."""
+    ...") or goes to somebody in the same order ("if it's *the duffel*, take it to her"), or was called "her" before;
+    nor "them" where several are told something, and nobody was named ("is *the porch* empty? Otherwise tell them to
+    go"). Of a trough it may be said that "she's low"."""
     group = GROUPS.get(gap.word, "")
     is_told = group == "they" and gap.type == "recipient" and gap.task.type == "informing"
     if group not in ("he", "she") and not is_told:
         return False
-    if _goes(context, gap, candidate) or (is_told and _is_one_person(context, candidate)):
+    if _goes(context, gap, candidate) or _is_called_otherwise(context, gap, candidate):
         return True
     tokens = context.observed.document.tokens
     head = tokens[candidate.head]
+    if not candidate.mention and tokens[candidate.tokens.stop - 1].tag == "POS":
+        return True  # "the dentist's" is where the dentist is
     if kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
         return False
     if is_told and _is_stated_place(context, candidate):
@@ -42,7 +45,8 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     check = next(task for task in context.tasks if task.id == candidate.owner)
     if candidate.type == "object" and not candidate.mention:
         states = {a.value.lower() for a in check.arguments if a.type == "state"}
-        return head.text.islower() and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
+        is_given = head.text.islower() and gap.task.type != "check_state"
+        return is_given and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
     return _is_of_choice(context, candidate.owner)
 
 
@@ -68,9 +72,11 @@ def _may_be_told(context: Context, candidate: Candidate) -> bool:
     return head.lemma in WITH_HOURS or any(kind_of(context, c) in ANIMATE for c in context.pool)
 
 
-def _is_one_person(context: Context, candidate: Candidate) -> bool:
-    """Whether a candidate was called "he" or "she" before, and so is not "them"."""
-    return not {"he", "she"}.isdisjoint(context.mentions.get(candidate.text.lower(), ()))
+def _is_called_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate was called "she" before, and so is neither "he" nor "them": "is *the nurse* here? Ask *her*
+    to look at Ivo and tell *him* ..."."""
+    called = {"he", "she"}.intersection(context.mentions.get(candidate.text.lower(), ()))
+    return bool(called) and GROUPS.get(gap.word) not in called
 
 
 def asks_who_calls(context: Context, check: Task) -> bool:

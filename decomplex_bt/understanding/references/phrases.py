@@ -37,7 +37,8 @@ PERSON_NOUNS = frozenset(
     "gentleman janitor receptionist mechanic midwife vicar landlord landlady lodger builder roofer chef waiter "
     "waitress butler maid nanny babysitter housekeeper handyman milkman mailman salesman watchman policeman "
     "policewoman postwoman locksmith glazier carpenter decorator surveyor photographer hairdresser barber "
-    "physiotherapist dentist therapist chaplain pastor priest clerk porter pupil organist tailor".split()
+    "physiotherapist dentist therapist chaplain pastor priest clerk porter pupil organist tailor butcher baker grocer "
+    "florist chemist pharmacist".split()
 )
 """Nouns for people."""
 ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
