@@ -280,9 +280,10 @@ def identified(observed: Observed, arguments: Sequence[FoundArgument], check: in
 
 def with_named_state(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
     """The arguments with what a condition says something is: the object where "it" names nothing ("if it's *my
-    cousin*"), else the state of what is spoken of ("if that noise is *the dryer*", "if that was *the last one*")."""
+    cousin*"), else the state of what is spoken of ("if that noise is *the dryer*", "if that was *the last one*").
+    A "should it be the vet" has the arguments that were found."""
     identity = identity_of(document, check)
-    if identity is None:
+    if identity is None or document.tokens[identity.subject.start - 1].lower == "should":
         return list(arguments)
     order = order_behind(document, identity)
     said = {*identity.subject, *identity.name, order}
