@@ -11,10 +11,10 @@ from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
-from decomplex_bt.understanding.rules.alternatives import alternatives
-from decomplex_bt.understanding.rules.omissions import of_all
-from decomplex_bt.understanding.rules.prohibitions import forbidden, is_needless
-from decomplex_bt.understanding.rules.times import times
+from decomplex_bt.understanding.rules.cases.times import times
+from decomplex_bt.understanding.rules.ellipses.alternatives import alternatives
+from decomplex_bt.understanding.rules.orders.omissions import of_all
+from decomplex_bt.understanding.rules.orders.prohibitions import forbidden, is_needless
 
 NO_TASK = "no task that this robot knows was found in the text"
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
-from decomplex_bt.understanding.rules.certain_cases import certain_cases
-from decomplex_bt.understanding.rules.concessions import concessions
-from decomplex_bt.understanding.rules.expectations import expectations
-from decomplex_bt.understanding.rules.repairs import replaced_orders
+from decomplex_bt.understanding.rules.cases.certain_cases import certain_cases
+from decomplex_bt.understanding.rules.cases.concessions import concessions
+from decomplex_bt.understanding.rules.cases.expectations import expectations
+from decomplex_bt.understanding.rules.speech.repairs import replaced_orders
 
 PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {

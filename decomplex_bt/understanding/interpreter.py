@@ -33,14 +33,14 @@ from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.references.weather import without_weather
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
-from decomplex_bt.understanding.rules.assurances import with_denied
-from decomplex_bt.understanding.rules.checks import naming
-from decomplex_bt.understanding.rules.completion import answered, completed, reported, retracted
-from decomplex_bt.understanding.rules.likewise import CARRIERS
-from decomplex_bt.understanding.rules.pro_verbs import with_doings
-from decomplex_bt.understanding.rules.relatives import without_stated
-from decomplex_bt.understanding.rules.repairs import repaired
-from decomplex_bt.understanding.rules.second_thoughts import set_off
+from decomplex_bt.understanding.rules.cases.checks import naming
+from decomplex_bt.understanding.rules.ellipses.likewise import CARRIERS
+from decomplex_bt.understanding.rules.ellipses.pro_verbs import with_doings
+from decomplex_bt.understanding.rules.orders.assurances import with_denied
+from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
+from decomplex_bt.understanding.rules.spans.relatives import without_stated
+from decomplex_bt.understanding.rules.speech.repairs import repaired
+from decomplex_bt.understanding.rules.speech.second_thoughts import set_off
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
 

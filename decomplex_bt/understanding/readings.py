@@ -26,9 +26,9 @@ from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.amendments import amended
 from decomplex_bt.understanding.rules.facts import corrected
-from decomplex_bt.understanding.rules.prohibitions import forbidden, put_off
-from decomplex_bt.understanding.rules.uses import uses
-from decomplex_bt.understanding.rules.withdrawals import Withdrawals, withdrawals_of
+from decomplex_bt.understanding.rules.orders.prohibitions import forbidden, put_off
+from decomplex_bt.understanding.rules.orders.uses import uses
+from decomplex_bt.understanding.rules.speech.withdrawals import Withdrawals, withdrawals_of
 from decomplex_bt.understanding.tasks import FoundTask, FoundTasks, TaskModel
 
 FEATURES = (

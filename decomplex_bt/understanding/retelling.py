@@ -24,9 +24,9 @@ from decomplex_bt.understanding.references.phrases import (
     is_pronoun,
 )
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
-from decomplex_bt.understanding.rules.alternatives import Alternative, alternatives
-from decomplex_bt.understanding.rules.likewise import Likewise, likewise, so_does
-from decomplex_bt.understanding.rules.needs import NEEDING
+from decomplex_bt.understanding.rules.ellipses.alternatives import Alternative, alternatives
+from decomplex_bt.understanding.rules.ellipses.likewise import Likewise, likewise, so_does
+from decomplex_bt.understanding.rules.orders.needs import NEEDING
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))

@@ -11,9 +11,9 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.amendments import amended
-from decomplex_bt.understanding.rules.checks import naming
-from decomplex_bt.understanding.rules.completion import answered, completed, reported, retracted
-from decomplex_bt.understanding.rules.withdrawals import withdrawals_of
+from decomplex_bt.understanding.rules.cases.checks import naming
+from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
+from decomplex_bt.understanding.rules.speech.withdrawals import withdrawals_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.asides import (
+from decomplex_bt.understanding.rules.speech.asides import (
     asides,
     means,
     means_of,

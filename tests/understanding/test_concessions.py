@@ -7,7 +7,7 @@ import pytest
 from decomplex_bt.understanding.cues import find_cues
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.concessions import concessions
+from decomplex_bt.understanding.rules.cases.concessions import concessions
 
 
 @pytest.fixture(scope="module")

@@ -6,8 +6,8 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.certain_cases import certain_cases
-from decomplex_bt.understanding.rules.conditions import untold
+from decomplex_bt.understanding.rules.cases.certain_cases import certain_cases
+from decomplex_bt.understanding.rules.cases.conditions import untold
 
 
 @pytest.fixture(scope="module")

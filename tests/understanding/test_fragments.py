@@ -9,8 +9,8 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.alternatives import alternatives
-from decomplex_bt.understanding.rules.fragments import fragments
+from decomplex_bt.understanding.rules.ellipses.alternatives import alternatives
+from decomplex_bt.understanding.rules.ellipses.fragments import fragments
 
 
 @pytest.fixture(scope="module")

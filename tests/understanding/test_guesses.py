@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.guesses import guesses
+from decomplex_bt.understanding.rules.background.guesses import guesses
 
 
 @pytest.fixture(scope="module")

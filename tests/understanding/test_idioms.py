@@ -8,7 +8,7 @@ from documents import document
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.phrases import degree_asked
-from decomplex_bt.understanding.rules.idioms import encountered, for_somebody, idiomatic, predicated
+from decomplex_bt.understanding.rules.orders.idioms import encountered, for_somebody, idiomatic, predicated
 
 
 @pytest.fixture(scope="module")

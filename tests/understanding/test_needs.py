@@ -9,8 +9,8 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.likewise import so_does
-from decomplex_bt.understanding.rules.needs import belonging, in_need, needed
+from decomplex_bt.understanding.rules.ellipses.likewise import so_does
+from decomplex_bt.understanding.rules.orders.needs import belonging, in_need, needed
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.rules.plans import is_planned, plans
+from decomplex_bt.understanding.rules.background.plans import is_planned, plans
 
 
 @pytest.fixture(scope="module")

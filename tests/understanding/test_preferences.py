@@ -7,7 +7,7 @@ import pytest
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.preferences import is_wished, preferences
+from decomplex_bt.understanding.rules.cases.preferences import is_wished, preferences
 
 
 @pytest.fixture(scope="module")

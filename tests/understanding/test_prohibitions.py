@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.prohibitions import is_elided, lifts
+from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, lifts
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.remainder import without
-from decomplex_bt.understanding.rules.repairs import repaired
+from decomplex_bt.understanding.rules.speech.repairs import repaired
 
 WORDS = "if it is no , um open the door - sorry . close get I mean and then".split()
 

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.second_cases import second_cases
+from decomplex_bt.understanding.rules.ellipses.second_cases import second_cases
 
 
 @pytest.fixture(scope="module")

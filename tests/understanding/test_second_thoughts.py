@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.second_thoughts import set_off
+from decomplex_bt.understanding.rules.speech.second_thoughts import set_off
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Document, Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.suppositions import supposed
+from decomplex_bt.understanding.rules.cases.suppositions import supposed
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.telegraph import named
+from decomplex_bt.understanding.rules.ellipses.telegraph import named
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.times import times
+from decomplex_bt.understanding.rules.cases.times import times
 
 
 @pytest.fixture(scope="module")

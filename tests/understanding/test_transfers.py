@@ -12,7 +12,7 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.transfers import transfers
+from decomplex_bt.understanding.rules.ellipses.transfers import transfers
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.uses import uses
+from decomplex_bt.understanding.rules.orders.uses import uses
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ from annotated import DOMAIN, PARSER
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.verbless import verbless_cases
+from decomplex_bt.understanding.rules.ellipses.verbless import verbless_cases
 
 
 def observed(text: str) -> Observed:

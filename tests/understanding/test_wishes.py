@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
-from decomplex_bt.understanding.rules.wishes import backgrounds, is_background, is_served
+from decomplex_bt.understanding.rules.orders.wishes import backgrounds, is_background, is_served
 
 
 @pytest.fixture(scope="module")

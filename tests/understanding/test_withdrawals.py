@@ -9,7 +9,7 @@ from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.withdrawals import Withdrawals, withdrawals_of
+from decomplex_bt.understanding.rules.speech.withdrawals import Withdrawals, withdrawals_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 

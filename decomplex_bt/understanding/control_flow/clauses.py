@@ -54,9 +54,9 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
-from decomplex_bt.understanding.rules.concessions import concessions
-from decomplex_bt.understanding.rules.guesses import guesses
-from decomplex_bt.understanding.rules.prohibitions import is_elided, is_forbidden
+from decomplex_bt.understanding.rules.background.guesses import guesses
+from decomplex_bt.understanding.rules.cases.concessions import concessions
+from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_forbidden
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))

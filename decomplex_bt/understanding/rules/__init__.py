@@ -1,1 +1,2 @@
-"""What English settles of an instruction, whatever a model finds likelier; of tasks and of arguments."""
+"""What English settles of an instruction, whatever a model finds likelier; of tasks (`facts`) and of arguments
+(`amendments`), which apply what the folders here know of one kind each."""

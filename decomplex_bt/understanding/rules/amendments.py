@@ -10,16 +10,37 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundAr
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.relatives import found_places
-from decomplex_bt.understanding.rules.accounts import without_accounts
-from decomplex_bt.understanding.rules.alternatives import alternatives
-from decomplex_bt.understanding.rules.asides import asides, means_of, reasons
-from decomplex_bt.understanding.rules.assistance import helping_hands
-from decomplex_bt.understanding.rules.assurances import with_assured
-from decomplex_bt.understanding.rules.bounds import up_to_order
-from decomplex_bt.understanding.rules.causatives import let_on
-from decomplex_bt.understanding.rules.conditions import without_cases
-from decomplex_bt.understanding.rules.contractions import reports
-from decomplex_bt.understanding.rules.corrections import (
+from decomplex_bt.understanding.rules.background.accounts import without_accounts
+from decomplex_bt.understanding.rules.background.guesses import without_guessed
+from decomplex_bt.understanding.rules.background.hearsay import hearsays
+from decomplex_bt.understanding.rules.background.plans import plans
+from decomplex_bt.understanding.rules.background.purposes import purposes
+from decomplex_bt.understanding.rules.background.statements import with_nearer_places, without_places_of_others
+from decomplex_bt.understanding.rules.cases.conditions import without_cases
+from decomplex_bt.understanding.rules.cases.echoes import echoes
+from decomplex_bt.understanding.rules.cases.precautions import precautions
+from decomplex_bt.understanding.rules.cases.questions import with_questions
+from decomplex_bt.understanding.rules.cases.waits import forgone
+from decomplex_bt.understanding.rules.ellipses.alternatives import alternatives
+from decomplex_bt.understanding.rules.ellipses.gapping import with_added, with_gapped
+from decomplex_bt.understanding.rules.ellipses.second_cases import second_cases
+from decomplex_bt.understanding.rules.ellipses.sequels import with_sequels
+from decomplex_bt.understanding.rules.ellipses.unspoken import unspoken
+from decomplex_bt.understanding.rules.ellipses.verbless import verbless_cases
+from decomplex_bt.understanding.rules.orders.assistance import helping_hands
+from decomplex_bt.understanding.rules.orders.assurances import with_assured
+from decomplex_bt.understanding.rules.orders.causatives import let_on
+from decomplex_bt.understanding.rules.orders.fronting import with_fronted
+from decomplex_bt.understanding.rules.orders.handing import accompanied
+from decomplex_bt.understanding.rules.orders.needs import due
+from decomplex_bt.understanding.rules.orders.omissions import omitted
+from decomplex_bt.understanding.rules.orders.pauses import pauses
+from decomplex_bt.understanding.rules.orders.prohibitions import let_be, prohibitions
+from decomplex_bt.understanding.rules.orders.turns import with_turns
+from decomplex_bt.understanding.rules.orders.uses import with_uses
+from decomplex_bt.understanding.rules.orders.wishes import backgrounds, wishers
+from decomplex_bt.understanding.rules.spans.bounds import up_to_order
+from decomplex_bt.understanding.rules.spans.corrections import (
     corrected,
     dated,
     entire,
@@ -36,8 +57,7 @@ from decomplex_bt.understanding.rules.corrections import (
     with_thing_asked_for,
     without_looks,
 )
-from decomplex_bt.understanding.rules.echoes import echoes
-from decomplex_bt.understanding.rules.extents import (
+from decomplex_bt.understanding.rules.spans.extents import (
     with_features,
     with_marks,
     with_passages,
@@ -47,31 +67,11 @@ from decomplex_bt.understanding.rules.extents import (
     with_whole_places,
     without_questions,
 )
-from decomplex_bt.understanding.rules.fronting import with_fronted
-from decomplex_bt.understanding.rules.gapping import with_added, with_gapped
-from decomplex_bt.understanding.rules.guesses import without_guessed
-from decomplex_bt.understanding.rules.handing import accompanied
-from decomplex_bt.understanding.rules.hearsay import hearsays
-from decomplex_bt.understanding.rules.needs import due
-from decomplex_bt.understanding.rules.omissions import omitted
-from decomplex_bt.understanding.rules.pauses import pauses
-from decomplex_bt.understanding.rules.plans import plans
-from decomplex_bt.understanding.rules.precautions import precautions
-from decomplex_bt.understanding.rules.prohibitions import let_be, prohibitions
-from decomplex_bt.understanding.rules.purposes import purposes
-from decomplex_bt.understanding.rules.questions import with_questions
-from decomplex_bt.understanding.rules.relatives import told_apart, with_relative_places, without_excluded
-from decomplex_bt.understanding.rules.second_cases import second_cases
-from decomplex_bt.understanding.rules.sequels import with_sequels
-from decomplex_bt.understanding.rules.statements import with_nearer_places, without_places_of_others
-from decomplex_bt.understanding.rules.task_arguments import Setting, of_task
-from decomplex_bt.understanding.rules.turns import with_turns
-from decomplex_bt.understanding.rules.unspoken import unspoken
-from decomplex_bt.understanding.rules.uses import with_uses
-from decomplex_bt.understanding.rules.verbless import verbless_cases
-from decomplex_bt.understanding.rules.waits import forgone
-from decomplex_bt.understanding.rules.wishes import backgrounds, wishers
-from decomplex_bt.understanding.rules.withdrawals import Withdrawals
+from decomplex_bt.understanding.rules.spans.relatives import told_apart, with_relative_places, without_excluded
+from decomplex_bt.understanding.rules.spans.task_arguments import Setting, of_task
+from decomplex_bt.understanding.rules.speech.asides import asides, means_of, reasons
+from decomplex_bt.understanding.rules.speech.contractions import reports
+from decomplex_bt.understanding.rules.speech.withdrawals import Withdrawals
 
 _PLACES = frozenset(("source", "location"))
 _WHERE_TO = _PLACES | {"goal"}

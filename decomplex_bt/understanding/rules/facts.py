@@ -12,44 +12,16 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import degree_asked
 from decomplex_bt.understanding.references.relatives import found_places
-from decomplex_bt.understanding.rules.accounts import accounts
-from decomplex_bt.understanding.rules.asides import (
-    concession,
-    is_explained,
-    means,
-    musing,
-    reason,
-    tag_question,
-    tagged,
-)
-from decomplex_bt.understanding.rules.assistance import helping_hands
-from decomplex_bt.understanding.rules.assurances import assured_lists, is_assured, is_assured_too
-from decomplex_bt.understanding.rules.calls import is_sent_for
-from decomplex_bt.understanding.rules.causatives import causative_types, without_tasks
-from decomplex_bt.understanding.rules.checks import is_gerund, whole_state
-from decomplex_bt.understanding.rules.concessions import either_way
-from decomplex_bt.understanding.rules.conditions import untold
-from decomplex_bt.understanding.rules.contractions import reports
-from decomplex_bt.understanding.rules.deeds import forms
-from decomplex_bt.understanding.rules.doors import admitted, is_answered
-from decomplex_bt.understanding.rules.echoes import echoes
-from decomplex_bt.understanding.rules.fronting import fronted
-from decomplex_bt.understanding.rules.handing import payee
-from decomplex_bt.understanding.rules.hearsay import is_hearsay
-from decomplex_bt.understanding.rules.idioms import (
-    encountered,
-    for_somebody,
-    idiomatic,
-    is_heard,
-    is_light,
-    prospect_of,
-)
-from decomplex_bt.understanding.rules.loading import loading
-from decomplex_bt.understanding.rules.mishaps import mishaps
-from decomplex_bt.understanding.rules.needs import needed, needs_of
-from decomplex_bt.understanding.rules.omissions import omitted
-from decomplex_bt.understanding.rules.pauses import pauses
-from decomplex_bt.understanding.rules.perfects import (
+from decomplex_bt.understanding.rules.background.accounts import accounts
+from decomplex_bt.understanding.rules.background.hearsay import is_hearsay
+from decomplex_bt.understanding.rules.background.plans import is_planned
+from decomplex_bt.understanding.rules.background.purposes import purposes
+from decomplex_bt.understanding.rules.cases.checks import is_gerund, whole_state
+from decomplex_bt.understanding.rules.cases.concessions import either_way
+from decomplex_bt.understanding.rules.cases.conditions import untold
+from decomplex_bt.understanding.rules.cases.echoes import echoes
+from decomplex_bt.understanding.rules.cases.mishaps import mishaps
+from decomplex_bt.understanding.rules.cases.perfects import (
     are_gone,
     is_asked_done,
     is_denied_of_others,
@@ -58,23 +30,51 @@ from decomplex_bt.understanding.rules.perfects import (
     perfect_participle,
     told_by,
 )
-from decomplex_bt.understanding.rules.plans import is_planned
-from decomplex_bt.understanding.rules.precautions import precautions
-from decomplex_bt.understanding.rules.preferences import is_wished, preferences
-from decomplex_bt.understanding.rules.pro_verbs import pro_verbs
-from decomplex_bt.understanding.rules.prohibitions import is_elided, is_left_alone, let_be
-from decomplex_bt.understanding.rules.purposes import purposes
-from decomplex_bt.understanding.rules.puttings import LAYING, is_put_on, is_put_somewhere, is_the_table
-from decomplex_bt.understanding.rules.questions import is_deliberated, questions
-from decomplex_bt.understanding.rules.reports import orders_behind, within_reports
-from decomplex_bt.understanding.rules.resuming import resumed
-from decomplex_bt.understanding.rules.second_cases import second_cases
-from decomplex_bt.understanding.rules.sequels import sequels
-from decomplex_bt.understanding.rules.telegraph import telegraphed
-from decomplex_bt.understanding.rules.unspoken import unspoken
-from decomplex_bt.understanding.rules.verbless import verbless_cases
-from decomplex_bt.understanding.rules.waits import forgone, postponed
-from decomplex_bt.understanding.rules.wishes import is_background, is_served, is_taken_up
+from decomplex_bt.understanding.rules.cases.precautions import precautions
+from decomplex_bt.understanding.rules.cases.preferences import is_wished, preferences
+from decomplex_bt.understanding.rules.cases.questions import is_deliberated, questions
+from decomplex_bt.understanding.rules.cases.waits import forgone, postponed
+from decomplex_bt.understanding.rules.ellipses.pro_verbs import pro_verbs
+from decomplex_bt.understanding.rules.ellipses.second_cases import second_cases
+from decomplex_bt.understanding.rules.ellipses.sequels import sequels
+from decomplex_bt.understanding.rules.ellipses.telegraph import telegraphed
+from decomplex_bt.understanding.rules.ellipses.unspoken import unspoken
+from decomplex_bt.understanding.rules.ellipses.verbless import verbless_cases
+from decomplex_bt.understanding.rules.orders.assistance import helping_hands
+from decomplex_bt.understanding.rules.orders.assurances import assured_lists, is_assured, is_assured_too
+from decomplex_bt.understanding.rules.orders.calls import is_sent_for
+from decomplex_bt.understanding.rules.orders.causatives import causative_types, without_tasks
+from decomplex_bt.understanding.rules.orders.deeds import forms
+from decomplex_bt.understanding.rules.orders.doors import admitted, is_answered
+from decomplex_bt.understanding.rules.orders.fronting import fronted
+from decomplex_bt.understanding.rules.orders.handing import payee
+from decomplex_bt.understanding.rules.orders.idioms import (
+    encountered,
+    for_somebody,
+    idiomatic,
+    is_heard,
+    is_light,
+    prospect_of,
+)
+from decomplex_bt.understanding.rules.orders.loading import loading
+from decomplex_bt.understanding.rules.orders.needs import needed, needs_of
+from decomplex_bt.understanding.rules.orders.omissions import omitted
+from decomplex_bt.understanding.rules.orders.pauses import pauses
+from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_left_alone, let_be
+from decomplex_bt.understanding.rules.orders.puttings import LAYING, is_put_on, is_put_somewhere, is_the_table
+from decomplex_bt.understanding.rules.orders.reports import orders_behind, within_reports
+from decomplex_bt.understanding.rules.orders.resuming import resumed
+from decomplex_bt.understanding.rules.orders.wishes import is_background, is_served, is_taken_up
+from decomplex_bt.understanding.rules.speech.asides import (
+    concession,
+    is_explained,
+    means,
+    musing,
+    reason,
+    tag_question,
+    tagged,
+)
+from decomplex_bt.understanding.rules.speech.contractions import reports
 from decomplex_bt.understanding.tasks import FoundTask
 
 _HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))

@@ -1,0 +1,1 @@
+"""Background: what is said only so that the rest is understood: accounts, guesses, plans, purposes, hearsay."""

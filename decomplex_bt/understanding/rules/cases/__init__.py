@@ -1,0 +1,1 @@
+"""Cases: what is a check, what of, and when it is asked."""

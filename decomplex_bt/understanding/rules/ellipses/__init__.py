@@ -1,0 +1,1 @@
+"""Ellipses: orders and cases without their verb or their thing."""

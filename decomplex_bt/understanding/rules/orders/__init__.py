@@ -1,0 +1,1 @@
+"""Orders: what is ordered, what is not, and what about."""
