@@ -276,3 +276,10 @@ def test_what_is_added_to_an_otherwise_that_orders_nothing(
 )
 def test_cases_of_written_requests(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
     assert flow(interpreter, text) == wanted
+
+
+def test_a_case_in_a_list_stands_for_the_order_of_the_same_verb(interpreter: Interpreter) -> None:
+    text = (
+        "If the rug is wet, wring it out, shake it and put it on the line, or, if there's no room, put it on the rack."
+    )
+    assert flow(interpreter, text) == [{"if": 1, "then": [2, 3, {"if": 5, "then": [4], "else": [6]}]}]

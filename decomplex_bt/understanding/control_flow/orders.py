@@ -70,6 +70,7 @@ def _await_for_both(
     other, clause = clauses[k - 1 : k + 1]
     is_joined = other.near == ("and",) and other.boundary == "none" and clauses[k - 2].sentence == clause.sentence
     is_set_off = clause.boundary == "," and "but" in (*clause.far, *clause.near)
+    is_set_off = is_set_off and clause.near[-1:] in (("until",), ("before",), ("after",))
     if is_joined and is_set_off and [j for j in range(k) if sides[j] == sides[k]] == [k - 2, k - 1]:
         orders[k] = orders[k].replace("before", "first")
 

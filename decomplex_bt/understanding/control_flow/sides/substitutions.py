@@ -73,13 +73,29 @@ def choose(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_one = order.sentence == check.sentence == other.sentence and sides[k + 1] in (HOLDS, FAILS)
     if not (is_set_off and is_one) or order.is_forbidden:
         return
-    if check.far == ("or",) and sides[k - 1] in ("top", HOLDS, FAILS):
-        sides[k - 1], sides[k] = ">1-" if sides[k + 1] == HOLDS else ">1+", sides[k - 1]
-    elif k > 1 and check.far == ("or",) and order.near == ("and",) and (sides[k - 1], sides[k]) == (">1-", "top"):
-        is_next = roles[k - 2] == "task" and clauses[k - 2].sentence == order.sentence
-        sides[k] = sides[k - 2] if is_next and sides[k - 2] in (HOLDS, FAILS) else "top"
+    if check.far == ("or",):
+        _choose_last(clauses, roles, sides, k)
     elif check.far == ("and",) and sides[k - 1] == f">1{sides[k + 1][2:]}":
         sides[k - 1] = sides[k]
+
+
+def _choose_last(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Has the order ahead of clause `k` alone hang on it, and that stand where the orders before it stand."""
+    order, other = clauses[k - 1], clauses[k + 1]
+    if sides[k - 1] in ("top", HOLDS, FAILS):
+        sides[k - 1], sides[k] = ">1-" if sides[k + 1] == HOLDS else ">1+", sides[k - 1]
+        return
+    listed = [*takewhile(lambda j: roles[j] == "task" and clauses[j].sentence == order.sentence, range(k - 2, -1, -1))]
+    if sides[k - 1] != ">1-" or sides[k] != "top" or not listed:
+        return
+    outer = next((sides[j] for j in listed if sides[j] != ">1-"), "top")
+    is_listed = order.near == ("and",) or (order.verb == other.verb and other.verb != clauses[k - 2].verb)
+    if not is_listed or outer not in ("top", HOLDS, FAILS):
+        return
+    sides[k] = outer
+    if order.verb == other.verb:
+        for j in listed:
+            sides[j] = outer
 
 
 def make_exception_of(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
