@@ -29,7 +29,6 @@ TELL_ANN = ", [tell](4:informing) [Ann](4:recipient)."
         ("If [she](3:object) won't [sing](3:check_state)", "condition", "<1+"),
         ("If [she](3:object) [is](3:check_state)n't", "mention", "<1"),
         ("If [Lea](3:object) [is](3:check_state) [out](3:state)", "mention", "<1"),
-        ("If [it](3:object) won't [open](3:check_state)", "mention", "<1"),
     ],
 )
 def test_how_somebody_replies_is_asked_where_they_are_asked(reply: str, role: str, side: str) -> None:
