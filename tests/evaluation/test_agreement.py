@@ -84,3 +84,17 @@ def test_nothing_agrees_with_nothing(tmp_path: Path, capsys: pytest.CaptureFixtu
         (tmp_path / name).write_text("[]\n", encoding="utf-8")
     assert main(["corpus", "agreement", str(tmp_path / "first.yaml"), str(tmp_path / "second.yaml")]) == 2
     assert "second.yaml: there is no instruction in it" in capsys.readouterr().err
+
+
+def test_three_annotations_are_of_the_same_instructions_and_of_no_voice(ontology, household_folder: Path) -> None:
+    corpus = household_folder / "corpus"
+    files = sorted((corpus / "three_annotations").glob("*.yaml"))
+    sets = [file for file in files if "." not in file.stem]
+    assert len(files) == 3 * len(sets) > 0
+    known = {example.instruction.text for example in read_corpus(corpus, ontology)}
+    for file in sets:
+        first = {example.id: example.instruction.text for example in read_corpus(file, ontology)}
+        assert known.isdisjoint(first.values())
+        for other in ("second", "third"):
+            again = read_corpus(file.with_suffix(f".{other}.yaml"), ontology)
+            assert {example.id: example.instruction.text for example in again} == first

@@ -226,9 +226,10 @@ def test_what_a_thing_does_is_no_mention_of_where_somebody_is(
     [
         ("If the fan is on, switch it off, otherwise leave it, and close the hatch.", [{"if": 1, "then": [2]}, 3]),
         ("If the pup is hungry, feed it, if not just let it sleep, and shut the hatch.", [{"if": 1, "then": [2]}, 3]),
+        # an order goes on
         (
-            "If the pan is clean put it away, if not leave it on the side, and wipe the hob.",
-            [{"if": 1, "then": [2], "else": [3]}, 4],
+            "If the shirt is clean, iron it. If not, soak it, and iron the blue one.",
+            [{"if": 1, "then": [2], "else": [3, 4]}],
         ),
     ],
 )
