@@ -61,3 +61,17 @@ def test_what_goes_wrong_on_the_way_is_in_no_state(interpreter: Interpreter, tex
 
 def test_what_is_hung_back_on_is_put_in_no_state(interpreter: Interpreter) -> None:
     assert interpreter.interpret("Hang it back on if it's loose.").tasks[0].value("state") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("If the power goes off this evening, light a candle.", {"object": "the power", "state": "off"}),
+        ("If the radio's still on next door, turn it off.", {"object": "the radio", "state": "on"}),
+    ],
+)
+def test_what_is_on_or_off_stays_so_ahead_of_a_time_or_a_place(
+    interpreter: Interpreter, text: str, told: dict[str, str]
+) -> None:
+    task = interpreter.interpret(text).task(1)
+    assert {kind: task.value(kind) for kind in told} == told

@@ -354,7 +354,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         yield text, "same"
         return
     is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])
-    if gap.form == "count" or gap.word in ("ones", "some", "any") or is_further:
+    is_named = document.tokens[candidate.head].lower not in QUANTIFIERS  # no "six any" of "any of the plums"
+    if is_named and (gap.form == "count" or gap.word in ("ones", "some", "any") or is_further):
         words = _text(document, range(gap.tokens.start, _last_modifier(document, gap) + 1))
         if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
             words += " of" if gap.word in ("couple", "pair") else ""

@@ -52,6 +52,8 @@ _AIRED = frozenset(
 """What is seen to, put on or fetched for how warm it is around."""
 _OUTSIDE = frozenset("outside out outdoors today tonight tomorrow".split())
 _OF_THINGS = frozenset(("foggy", "pours"))
+_STATES = frozenset("on off in out up down over".split())
+"""Prepositions that alone say how something is."""
 
 
 def done_by_nobody(document: Document, verb: int) -> dict[str, range]:
@@ -152,7 +154,8 @@ def _place(document: Document, state: range) -> range:
         return range(0)  # "if the light is on the kids are home"
     is_way = word.lower == "on" and tokens[chunk[-1]].lower == "way" and tokens[word.head].pos == "VERB"
     is_at = word.lower == "at" and tokens[chunk.start].pos == "NOUN"
-    return range(state.start, chunk.stop) if len(state) == 1 or is_at or is_way else range(0)
+    is_bare = len(state) == 1 and word.lower not in _STATES  # not "if it's still *on* next door"
+    return range(state.start, chunk.stop) if is_bare or is_at or is_way else range(0)
 
 
 def with_whole_state(document: Document, arguments: Sequence[FoundArgument], check: int) -> list[FoundArgument]:
