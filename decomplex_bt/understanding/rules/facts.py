@@ -21,6 +21,7 @@ from decomplex_bt.understanding.rules.cases.concessions import either_way
 from decomplex_bt.understanding.rules.cases.conditions import untold
 from decomplex_bt.understanding.rules.cases.echoes import echoes
 from decomplex_bt.understanding.rules.cases.mishaps import mishaps
+from decomplex_bt.understanding.rules.cases.others import deeds_of_others
 from decomplex_bt.understanding.rules.cases.perfects import (
     are_gone,
     is_asked_done,
@@ -118,6 +119,8 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     )
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others |= purposes(document, types_found) | accounts(document, types_found)
+    others = list(deeds_of_others(document))
+    within_others = within_others.union(*(deed.words for deed in others if not deed.is_awaited))
     within_others = within_others.union(*(sequel.words for sequel in sequels(observed, types_found)))
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):
@@ -141,7 +144,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
         going_on = resumed(observed, task.token) if task.type != "check_state" else None
         if going_on is not None and going_on[0] <= end:
             task = replace(task, token=going_on[0], type=going_on[1])
-        if _asks_got(document, task.token):
+        if _asks_got(document, task.token) or any(deed.verb == task.token for deed in others):
             task = replace(task, type="check_state")
         if (be := prospect_of(document, task.token)) is not None:
             task = replace(task, token=be, type="check_state")
