@@ -101,7 +101,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "instead": ("instead", "rather", "in its place"),
         "still": ("still", "already", "yet"),
         "can": ("can", "could", "able", "manage", "possible", "possibly"),
-        "but": ("but", "except that", "save that", "however", "though", "although", "only"),
+        "but": ("but", "except that", "however", "though", "although", "only"),
         "or": ("or",),
         "and": ("and", "&", "n"),
         "please": ("please", "pls", "plz", "kindly", "could you", "can you", "would you", "will you", "i want you to", "i need you to", "i would like you to", "would you mind if i asked you to", "would you mind if i ask you to", "do you mind if i ask you to", "do you mind if i asked you to", "mind if i ask you to", "mind if i asked you to", "may i ask you to", "could i ask you to", "can i ask you to"),

@@ -24,3 +24,17 @@ from decomplex_bt.understanding.interpreter import Interpreter
 def test_one_at_a_time_is_how_and_no_thing(interpreter: Interpreter, text: str, thing: str, manner: str | None) -> None:
     task = interpreter.interpret(text).tasks[-1]
     assert (task.value("object"), task.value("manner")) == (thing, manner)
+
+
+@pytest.mark.parametrize(
+    ("text", "manners"),
+    [
+        ("Close the hatch. One by one, bring me the cups.", [None, "One by one"]),
+        ("Lock the hatch and, one by one, bring the chairs in.", [None, "one by one"]),
+        ("Lock the hatch and bring the chairs in one by one.", [None, "one by one"]),
+    ],
+)
+def test_one_at_a_time_is_how_its_own_order_is_done(
+    interpreter: Interpreter, text: str, manners: list[str | None]
+) -> None:
+    assert [task.value("manner") for task in interpreter.interpret(text).tasks] == manners

@@ -380,9 +380,9 @@ def is_past_forbidden(observed: Observed, previous: int, split: int, token: int)
     start = next((i for i in range(split, -1, -1) if sentences[i] != sentences[token]), -1) + 1
     denied = [i for i in range(start, split) if tokens[i].lower in NEGATIONS and is_behind_otherwise(observed, i)]
     denied += [i for i in range(start, split) if tokens[i].tag in ("VB", "VBP") and _opens_otherwise(observed, i)]
-    if not denied or previous >= denied[-1]:
+    if not denied or previous >= max(denied):
         return False
-    return all(t.text not in PUNCTUATION and t.tag != "CC" for t in tokens[denied[-1] : split])
+    return all(t.text not in PUNCTUATION and t.tag != "CC" for t in tokens[max(denied) : split])
 
 
 def _opens_otherwise(observed: Observed, verb: int) -> bool:

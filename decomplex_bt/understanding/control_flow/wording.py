@@ -100,9 +100,10 @@ def wording(observed: Observed, task: MarkedTask, first: int, last: int, cues: _
 
 
 def _is_of_stock(tokens: Sequence[Token], task: MarkedTask) -> bool:
-    """Whether a clause asks if there is, or somebody or something has, any of something."""
+    """Whether a clause asks if there is, or somebody or something has, any or enough of something."""
     firsts = {tokens[indices.start].lower for kind, indices in task.arguments if kind == "object" and len(indices)}
-    return task.type == "check_state" and not _SOME_OF.isdisjoint(firsts)
+    is_of_having = task.type == "check_state" and tokens[task.token].lemma in {*BEING, "be", "have", "see", "check"}
+    return is_of_having and not _SOME_OF.isdisjoint(firsts)
 
 
 def _is_of_rest(tokens: Sequence[Token], task: MarkedTask, first: int, last: int) -> bool:

@@ -9,6 +9,7 @@ from itertools import pairwise
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.agreement import meant, other_place, pair_meant
+from decomplex_bt.understanding.references.asked_again import asked_before
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gapped import gapped_pair
@@ -23,7 +24,6 @@ from decomplex_bt.understanding.references.gaps import (
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import SHARES, Candidate, degree_asked, nobody
-from decomplex_bt.understanding.references.repeated import asked_before
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.references.agreement import (
     is_possessed,
     meant,
 )
+from decomplex_bt.understanding.references.asked_again import asked_before, is_of_own_branch
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
 from decomplex_bt.understanding.references.gapped import is_torn
@@ -25,7 +26,6 @@ from decomplex_bt.understanding.references.persons import asks_who_calls, is_no_
 from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
-from decomplex_bt.understanding.references.repeated import asked_before, is_of_own_branch
 from decomplex_bt.understanding.references.roles import (
     ELSEWHERE,
     is_called_in,
@@ -279,7 +279,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     head = context.observed.document.tokens[candidate.head].lemma
     is_sensed = head in _FELT and (gap.type == "goal" or (gap.task.type == "searching" and not gap.word))
     is_handled = gap.task.type in _HANDLING
-    if is_sensed or (gap.type == "object" and is_handled and head in _SKY):
+    if is_sensed or (gap.type == "object" and is_handled and head in _SKY | _FELT):
         return True
     if gap.word not in ELSEWHERE:
         return False

@@ -40,7 +40,7 @@ def _is_found(document: Document, at: int) -> bool:
         return False
     behind = [following.lower for following in tokens[at + 1 : at + 3]] or ["."]
     if lemma in _FINDING:
-        is_to_come = tokens[token.head - 1].lower in _COMING and behind[0] in _AT
+        is_to_come = token.head > 0 and tokens[token.head - 1].lower in _COMING and behind[0] in _AT
         return is_to_come or behind[0] in _ANYWHERE or (behind[0] in MARKS and not _is_in_case(document, token.head))
     is_placed = behind[0] in _PLACED and behind[-1] in _AT
     return lemma in _SEEING and (is_placed or behind[0] in _ANYWHERE)

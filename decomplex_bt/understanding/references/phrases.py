@@ -228,7 +228,7 @@ def is_deed(document: Document, phrase: range) -> bool:
     cup"."""
     said = [document.tokens[i].lower for i in phrase]
     behind = document.tokens[phrase.stop : phrase.stop + 1]
-    if any(token.pos in ("NOUN", "PROPN", "ADJ") or token.lower in _NO_NOUNS for token in behind):
+    if not said or any(token.pos in ("NOUN", "PROPN", "ADJ") or token.lower in _NO_NOUNS for token in behind):
         return False
     before = [token.lower for token in document.tokens[max(0, phrase.start - _NEAR) : phrase.start]]
     giving = next((i for i, word in enumerate(before) if word in _GIVING), None)

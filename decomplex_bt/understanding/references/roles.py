@@ -58,8 +58,9 @@ def is_where_from(context: Context, gap: Gap, candidate: Candidate) -> bool:
     words = {token.lower for token in tokens[verb : gap.tokens.stop + 1]}
     taken, moved = ({c.text.lower() for c in _objects(context, number)} for number in (order, gap.task.id))
     ahead = (c for c in context.pool if c.tokens.stop <= candidate.tokens.start)
-    is_other = any(tokens[c.tokens.start - 1].lower in _AT for c in ahead)
-    is_taken_away = bool(taken & moved) and tokens[candidate.tokens.start - 1].lower in _FROM
+    is_other = any(c.tokens.start and tokens[c.tokens.start - 1].lower in _AT for c in ahead)
+    first = candidate.tokens.start
+    is_taken_away = bool(taken & moved) and first > 0 and tokens[first - 1].lower in _FROM
     return words.isdisjoint(_AGAIN) and is_taken_away and is_other
 
 

@@ -62,6 +62,7 @@ def goal_instead(context: Context, gap: Gap) -> range:
         and c.shape in ("whole", "long")
         and not c.mention
         and context.relation(c.owner, gap.task.id) == "exclusive"
+        and c.tokens.start
         and (tokens[c.tokens.start - 1].lower in ways or (tokens[c.tokens.start - 1].pos == "VERB" and "in" in said))
     ]
     return goals[-1].tokens if goals else range(0)

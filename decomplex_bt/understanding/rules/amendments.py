@@ -17,8 +17,8 @@ from decomplex_bt.understanding.rules.background.plans import plans
 from decomplex_bt.understanding.rules.background.purposes import purposes
 from decomplex_bt.understanding.rules.background.statements import with_nearer_places, without_places_of_others
 from decomplex_bt.understanding.rules.cases.conditions import without_cases
+from decomplex_bt.understanding.rules.cases.deeds_of_others import deeds_of_others
 from decomplex_bt.understanding.rules.cases.echoes import echoes
-from decomplex_bt.understanding.rules.cases.others import deeds_of_others
 from decomplex_bt.understanding.rules.cases.precautions import precautions
 from decomplex_bt.understanding.rules.cases.questions import with_questions
 from decomplex_bt.understanding.rules.cases.waits import forgone
@@ -108,7 +108,7 @@ def _of_tasks(
     document = observed.document
     idle = withdrawals.tokens | asides(document, tasks) | prohibitions(observed, tasks) | backgrounds(document, tasks)
     idle |= due(document) | forgone(document) | hearsays(document) | precautions(document, tasks)
-    idle = idle.union(*(deed.words for deed in deeds_of_others(document) if not deed.is_awaited))
+    idle = idle.union(*(deed.idle for deed in deeds_of_others(document)))
     idle |= wishers(document, tasks) | let_be(document) | let_on(document) | omitted(observed)
     unsaid = (found.tokens for found in alternatives(observed, tasks) if not found.is_verbal)
     idle = idle.union(*found_places(document), *pauses(document), *helping_hands(document), *unsaid)

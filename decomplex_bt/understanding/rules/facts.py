@@ -19,9 +19,9 @@ from decomplex_bt.understanding.rules.background.purposes import purposes
 from decomplex_bt.understanding.rules.cases.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.cases.concessions import either_way
 from decomplex_bt.understanding.rules.cases.conditions import untold
+from decomplex_bt.understanding.rules.cases.deeds_of_others import deeds_of_others
 from decomplex_bt.understanding.rules.cases.echoes import echoes
 from decomplex_bt.understanding.rules.cases.mishaps import mishaps
-from decomplex_bt.understanding.rules.cases.others import deeds_of_others
 from decomplex_bt.understanding.rules.cases.perfects import (
     are_gone,
     is_asked_done,
@@ -120,7 +120,7 @@ def corrected(observed: Observed, tasks: Sequence[FoundTask], types: Collection[
     within_others = within_reports(document, types_found) | precautions(document, types_found)
     within_others |= purposes(document, types_found) | accounts(document, types_found)
     others = list(deeds_of_others(document))
-    within_others = within_others.union(*(deed.words for deed in others if not deed.is_awaited))
+    within_others = within_others.union(*(deed.idle for deed in others))
     within_others = within_others.union(*(sequel.words for sequel in sequels(observed, types_found)))
     within_others = within_others.union(*(question.tokens for question in asked.values()))
     for task, following in zip_longest(tasks, tasks[1:]):

@@ -76,9 +76,9 @@ def _is_of_subject(
     subject = tokens[place.tokens.start].head
     of = [a for a in arguments if a.owner == owner and a.tokens.start > owner]
     things = [a.tokens for a in of if a.type == "object" and not is_pronoun(document, a.tokens)]
-    if not things or not any(a.type in _PLACES for a in of) or subject != place.tokens.start - 1:
-        return False
     stop = place.tokens.stop
+    if not things or not any(a.type in _PLACES for a in of) or subject != place.tokens.start - 1 or stop >= owner:
+        return False
     is_stated = tokens[subject].dep in ("nsubj", "nsubjpass") and tokens[stop].tag in ("VBZ", "VBP", "VBD", "MD")
     nouns = frozenset[str]().union(*(_nouns(document, thing) for thing in things))
     is_apart = stop <= tokens[subject].head < owner and tokens[subject].head not in tasks and stop not in tasks

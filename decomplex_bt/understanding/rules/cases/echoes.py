@@ -37,10 +37,11 @@ class Echo(NamedTuple):
 
 
 def echoes(document: Document, tasks: Mapping[int, str]) -> dict[int, Echo]:
-    """By the verb of telling the case behind it that takes up an earlier one; `tasks`: tokens with types."""
+    """By the verb of telling the case behind it that takes up an earlier one, or that somebody is to be called for when
+    it comes ("shout if *the pan boils over*"); `tasks`: tokens with types."""
     tokens = document.tokens
     found: dict[int, Echo] = {}
-    if document.words.isdisjoint(_OPENING):
+    if document.words.isdisjoint(_OPENING | {"when"}):
         return found
     for i, token in enumerate(tokens[:-2]):
         telling = _telling(document, tasks, i) if token.lower in ("if", "when") else None

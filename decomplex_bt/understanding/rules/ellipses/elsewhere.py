@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import noun_chunks
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
 
@@ -71,9 +72,10 @@ def other_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
             yield Fragment(range(start, place.stop), start, range(0), range(start, place.stop), "searching")
 
 
-def first_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fragment]:
+def first_searches(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """Every place that a search right ahead is to begin with, which is searched: "find my cap. *Start with the attic*";
-    carried by its verb. `tasks`: tokens with types."""
+    carried by its verb; not "with" a thing that the domain knows. `tasks`: tokens with types."""
+    document = observed.document
     tokens, sentences = document.tokens, document.sentences
     for i, token in enumerate(tokens[:-2]):
         is_led = i > 0 and (tokens[i - 1].text in MARKS or tokens[i - 1].lower in ("and", "please"))
@@ -83,7 +85,11 @@ def first_searches(document: Document, tasks: Mapping[int, str]) -> Iterator[Fra
         if search is None or tasks[search] != "searching" or sentences[i] - sentences[search] > 1:
             continue
         place = next((chunk for chunk in noun_chunks(document) if chunk.start == i + 2), None)
-        if place is not None and (place.stop == len(tokens) or tokens[place.stop].text in MARKS):
+        if place is None:
+            continue
+        if tokens[i + 1].lower == "with" and observed.gazetteer.category(tokens[place[-1]].lemma) == "thing":
+            continue
+        if place.stop == len(tokens) or tokens[place.stop].text in MARKS:
             yield Fragment(range(i, place.stop), i, range(0), range(i + 1, place.stop), "searching")
 
 

@@ -24,4 +24,4 @@ def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]
     yield from renewals(observed.document)
     yield from elsewhere(observed.document)
     yield from other_searches(observed.document, tasks)
-    yield from first_searches(observed.document, tasks)
+    yield from first_searches(observed, tasks)

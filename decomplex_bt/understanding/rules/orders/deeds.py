@@ -173,4 +173,4 @@ def _is_laid(document: Document, verb: int, thing: range) -> bool:
 
 def _is_given_deed(document: Document, verb: int) -> bool:
     """Whether what a thing is "given" is a deed: "given *a wipe*"."""
-    return document.tokens[verb].lemma == "give" and is_deed(document, range(verb + 1, verb + 3))
+    return document.tokens[verb].lemma == "give" and is_deed(document, range(verb + 1, min(verb + 3, len(document))))

@@ -6,8 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.document import Document
+from decomplex_bt.understanding.document import MARKS, Document
 
+_AHEAD = MARKS | {"and", "then", "otherwise"}
+"""Behind which the words of an order to come begin."""
 _AT_A_TIME = ["at", "a", "time"]
 _AFTER = (["after", "another"], ["after", "the", "other"])
 
@@ -17,9 +19,12 @@ def with_turns(document: Document, tasks: Mapping[int, str], arguments: Sequence
     out, and as part of no other: "hand me *the foils* one by one"."""
     kept = list(arguments)
     for turn in turns(document):
-        orders = [task for task in tasks if tasks[task] != "check_state"]
+        sentences = document.sentences
+        orders = [i for i in tasks if tasks[i] != "check_state" and sentences[i] == sentences[turn.start]]
         before = max((task for task in orders if task < turn.start), default=None)
-        owner = min((task for task in orders if task > turn.start), default=None) if before is None else before
+        after = min((task for task in orders if task > turn.start), default=None)
+        is_ahead = turn.start == 0 or document.tokens[turn.start - 1].lower in _AHEAD
+        owner = after if before is None or (after is not None and is_ahead) else before
         if owner is not None and not any(a.type == "message" and turn.start in a.tokens for a in kept):
             kept = [cut for a in kept if (cut := _outside(a, turn)) is not None]
             kept.append(FoundArgument("manner", owner, turn, CERTAIN))

@@ -161,7 +161,7 @@ def with_passages(document: Document, tasks: Container[int], arguments: Sequence
     kept = list(arguments)
     for thing in arguments:
         leading = range(0) if thing.type != "object" else _leading(document, thing)
-        if leading and all(i not in tasks for i in leading):
+        if leading and thing in kept and all(i not in tasks for i in leading):
             kept = [a for a in kept if a is thing or a.owner != thing.owner or a.tokens.start not in leading]
             kept[kept.index(thing)] = replace(thing, tokens=range(thing.tokens.start, leading.stop))
     return kept

@@ -1,6 +1,5 @@
 """Remarks: what is said in passing, of which nothing is to be done: that a choice is left ("I'm not fussy"), that
-something is mostly so ("and it usually is", "which it does when it rains"), why ("for it is stiff"), what it is, how
-things are arranged ("the small ones at the front")."""
+something is mostly so ("and it usually is", "which it does when it rains"), why ("for it is stiff"), what it is."""
 
 from __future__ import annotations
 
@@ -29,8 +28,6 @@ _NAMING_AGAIN = frozenset("the my our his her their that those these this".split
 _NOMINAL = frozenset("DET NOUN PROPN ADJ NUM PRON PART ADV".split())
 _LONGEST = 5
 """The most words in brackets that only name a thing again."""
-_ALONG = frozenset(("at", "on", "in", "to", "towards"))
-_SIDES = frozenset("top bottom front back left right side end middle outside inside".split())
 _THINKING = frozenset("suspect think expect bet imagine fear hope guess suppose reckon believe".split())
 _SAYING_SO = frozenset(
     "is are was were do does did has have will would may might can could 's 're 'll happens happen".split()
@@ -83,19 +80,6 @@ def described(said: Said) -> Iterator[int]:
         is_whole = any(token.tag in _FINITE for token in tokens[i + 4 : stop])
         if tokens[i + 2].pos == "ADP" and is_whole and _begins_case(said, i):
             yield from (i, i + 1)  # "if the mug *that is* on the shelf is clean"
-
-
-def arranged(said: Said) -> Iterator[range]:
-    """Every aside that tells on which side some of the things belong, ahead of where all go: "stack the jars*, the
-    small ones at the front,* on the shelf"."""
-    words, tokens = said.words, said.document.tokens
-    for i in (i for i in range(1, len(words) - 4) if words[i] == "," and tokens[i - 1].tag == "NNS"):
-        stop = next((j for j in range(i + 1, len(words)) if words[j] in MARKS | ENDS), len(words))
-        is_some = words[i + 1] == "the" and tokens[i + 2].tag in ("JJ", "VBN") and words[i + 3] == "ones"
-        is_side = words[i + 4] in _ALONG and words[stop - 1] in _SIDES and stop - i <= _LONGEST + 3
-        is_inner = stop + 1 < len(words) and words[stop] == "," and tokens[stop + 1].pos == "ADP"
-        if is_some and is_inner and (is_side or words[i + 4 : stop] in (["first"], ["last"])):
-            yield range(i, stop + 1)
 
 
 def _begins_case(said: Said, at: int) -> bool:

@@ -22,7 +22,7 @@ from decomplex_bt.understanding.rules.speech.edits import (
     is_order_at,
 )
 from decomplex_bt.understanding.rules.speech.introductions import introductions
-from decomplex_bt.understanding.rules.speech.remarks import arranged, bracketed, described, remarks
+from decomplex_bt.understanding.rules.speech.remarks import bracketed, described, remarks
 from decomplex_bt.understanding.rules.speech.replacements import order_before, put_otherwise, puts_right, takes_up
 from decomplex_bt.understanding.rules.speech.restarts import said_over
 
@@ -43,7 +43,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(introductions(said))
     cut.update(i for sound in _hesitations(said) for i in sound)
     cut.update(i for tag in _tags(said) for i in tag)
-    cut.update(i for remark in (*remarks(said), *arranged(said)) for i in remark)
+    cut.update(i for remark in remarks(said) for i in remark)
     cut.update(i for digression in digressions(said) for i in digression)
     cut.update(described(said))
     cut.update(bracketed(said))

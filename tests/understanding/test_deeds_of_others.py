@@ -34,3 +34,15 @@ def test_what_somebody_else_does_is_no_order(
 def test_what_belongs_to_a_deed_of_others_is_nobody_elses(interpreter: Interpreter) -> None:
     task = interpreter.interpret("Before Ben cleans the oven, take out the trays.").task(1)
     assert [(a.type, a.value) for a in task.arguments] == [("object", "the trays")]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("Carry my boots inside before Katya mops the porch if they are dry.", [{"if": 2, "then": [1]}]),
+        ("Lock the hatch before Ben walks the dog and if it's open tell me.", [1, {"if": 2, "then": [3]}]),
+        ("Wait until the cleaner mops the porch and leaves the house, then lock up.", [1, 2]),
+    ],
+)
+def test_what_stands_behind_a_deed_of_others_is_ordered(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
+    assert flow(interpreter, text) == wanted

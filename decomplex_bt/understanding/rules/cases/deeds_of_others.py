@@ -14,6 +14,7 @@ _NAMING = frozenset("DT PRP$ NN NNP JJ JJR POS".split())
 _NAMES = frozenset(("NN", "NNP", "JJR"))
 """How a name may be tagged: "the cleaner"."""
 _DONE_TO = frozenset("DT PRP$ PRP NN NNS NNP".split())
+_CASES = _SINCE | _MEANWHILE | frozenset(("if", "unless", "otherwise"))
 _JOINING = frozenset(("and", "then", "please", "but"))
 _NOT_FINITE = frozenset(("VBP", "VBD", "VBN"))
 _LONGEST = 4
@@ -22,11 +23,11 @@ _LONGEST = 4
 
 @dataclass(frozen=True, slots=True)
 class Deed:
-    """What somebody does: the verb, all words from the one that opens the clause, and whether it is waited for."""
+    """What somebody does: the verb, and the words that tell no task: all from the one that opens the clause, or, where
+    it is waited for, those from a second verb on ("once Lea closes the shop *and turns off the lights*")."""
 
     verb: int
-    words: range
-    is_awaited: bool
+    idle: range
 
 
 def deeds_of_others(document: Document) -> Iterator[Deed]:
@@ -40,14 +41,16 @@ def deeds_of_others(document: Document) -> Iterator[Deed]:
             verb += 1
         is_named = verb > opener.i + 1 and tokens[verb - 1].tag in _NAMES
         if is_named and verb + 1 < len(tokens) and _is_deed(document, verb):
-            yield Deed(verb, range(opener.i, _end(document, verb)), opener.lower in _SINCE)
+            stop = _end(document, verb)
+            second = next((j for j in range(verb + 1, stop) if tokens[j].tag == "VBZ"), stop)
+            yield Deed(verb, range(second if opener.lower in _SINCE else opener.i, stop))
 
 
 def _end(document: Document, verb: int) -> int:
-    """Where the clause of a verb ends: at a mark, or an order, whatever joins that."""
+    """Where the clause of a verb ends: at a mark, an order or a case, whatever joins that."""
     tokens = document.tokens
-    order = next((t.i for t in tokens[verb + 1 :] if _is_order(document, t.i)), None)
-    stop = len(tokens) if order is None else order
+    end = (t.i for t in tokens[verb + 1 :] if t.lower in _CASES or _is_order(document, t.i))
+    stop = next(end, len(tokens))
     while stop > verb + 1 and tokens[stop - 1].lower in _JOINING:
         stop -= 1
     return next((j for j in range(verb, stop) if tokens[j].text in MARKS), stop)
