@@ -284,3 +284,21 @@ def test_a_case_in_a_list_stands_for_the_order_of_the_same_verb(interpreter: Int
         "If the rug is wet, wring it out, shake it and put it on the line, or, if there's no room, put it on the rack."
     )
     assert flow(interpreter, text) == [{"if": 1, "then": [2, 3, {"if": 5, "then": [4], "else": [6]}]}]
+
+
+def test_what_may_turn_up_is_put_elsewhere_besides(interpreter: Interpreter) -> None:
+    text = "Carry the rugs down to the cellar. If you find a sock, put it in the drawer."
+    assert flow(interpreter, text) == [1, {"if": 2, "then": [3]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Light the stove. If the fire smokes, put it out and call me.", "change_state"),
+        ("If the candles are still burning, put them out.", "change_state"),
+        ("Take the crate and put it out.", "placing"),
+        ("The lamp is broken, put it out on the porch.", "placing"),
+    ],
+)
+def test_what_burns_is_put_out(interpreter: Interpreter, text: str, kind: str) -> None:
+    assert next(t.type for t in interpreter.interpret(text).tasks if t.span.of(text) == "put") == kind

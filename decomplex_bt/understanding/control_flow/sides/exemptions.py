@@ -138,7 +138,7 @@ def put_elsewhere(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
     is_led = check.boundary in (".", "!") and check.near == ("if",) and not check.wording.is_negated
     is_led = is_led and sides[k - 1 : k + 2] == [">1-", "top", HOLDS]
     is_led = is_led and (check.task.type == "searching" or _is_of_own_thing(check, order, other))
-    are_put = order.task.type == other.task.type == "placing" and bool(order.receivers) and bool(other.receivers)
+    are_put = {order.task.type, other.task.type} <= MOVING and bool(order.receivers) and bool(other.receivers)
     is_other = bool(check.objects) and not check.names_same(order) and other.has_pronoun and not other.objects
     is_apart = order.receivers.isdisjoint(other.receivers) and "instead" not in (*other.near, *other.behind)
     if is_led and are_put and is_other and is_apart and not order.is_forbidden:

@@ -33,7 +33,7 @@ def is_put_on(observed: Observed, said: Sequence[Token]) -> bool:
     """ "Put on the radio", "put out the candles": with a particle right behind it, to put is to switch; not "put out
     the plates on the table". What is played or switched is put on wherever it is ("put on a film in the kitchen")."""
     clause = said[: next((i for i, token in enumerate(said) if token.lower in _CLAUSE_ENDS), len(said))]
-    if _is_played(observed, clause):
+    if _is_played(observed, clause) or _is_put_out(observed, clause):
         return True
     if any(
         one.lower in ("on", "in", "onto", "into") and two.tag in ("DT", "PRP$") for one, two in pairwise(clause[2:])
@@ -42,6 +42,15 @@ def is_put_on(observed: Observed, said: Sequence[Token]) -> bool:
     if bool(said) and said[0].lower == "out" and _BURNING.isdisjoint(token.lemma for token in clause):
         return False
     return bool(said) and said[0].lower in ("on", "out") and (said[0].tag == "RP" or said[0].dep == "prt")
+
+
+def _is_put_out(observed: Observed, clause: Sequence[Token]) -> bool:
+    """Whether it is put out, and something that burns was spoken of: "if the fire smokes, *put it out*"."""
+    if [token.lower for token in clause[:2]] not in (["it", "out"], ["them", "out"]):
+        return False
+    is_whole = len(clause) == 2 or clause[2].pos in ("ADV", "CCONJ", "PUNCT")
+    before = observed.document.tokens[: clause[0].i]
+    return is_whole and any(token.pos == "NOUN" and token.lemma in _BURNING for token in before)
 
 
 def _is_played(observed: Observed, clause: Sequence[Token]) -> bool:
