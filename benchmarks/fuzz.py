@@ -3,11 +3,11 @@
     python benchmarks/fuzz.py [--inputs 100000] [--seed 0] [--domain DIR] [--no-encoder]
 
 Inputs are drawn from a seed: random Unicode with control characters and halves of surrogate pairs, markup, quotes in
-quotes, punctuation alone, very long words, texts up to and over the limit, and mutated sentences of the corpus. Every
-batch goes through `Interpreter.interpret_batch` and the JSON that `parse` prints, every tenth one through `parse`
-itself. Prints crashes, the slowest input, and the resident memory at the start (after the first tenth, when all caches
-are warm), in the middle and at the end. Exit status 1 after a crash, and where memory grew from the middle to the end
-by more than `MAX_GROWTH`.
+quotes, punctuation alone, very long words, texts up to and over the limit, and sentences of the corpus, mutated or
+broken off. Every batch goes through `Interpreter.interpret_batch` and the JSON that `parse` prints, every tenth one
+through `parse` itself. Prints crashes, the slowest input, and the resident memory at the start (after the first tenth,
+when all caches are warm), in the middle and at the end. Exit status 1 after a crash, and where memory grew from the
+middle to the end by more than `MAX_GROWTH`.
 """
 
 from __future__ import annotations
@@ -132,9 +132,17 @@ def characters(rng: np.random.Generator, sentences: Sequence[str]) -> str:
     return "".join(text)
 
 
+def broken_off(rng: np.random.Generator, sentences: Sequence[str]) -> str:
+    """A sentence that ends, or begins, at some word, without its last mark."""
+    words = sentences[rng.integers(len(sentences))].split()
+    cut = int(rng.integers(1, len(words) + 1))
+    kept = words[:cut] if rng.random() < 0.5 else words[-cut:]
+    return " ".join(kept).rstrip(".,;:!?") or kept[0]
+
+
 KINDS: tuple[tuple[Draw, float], ...] = (
-    (mutated, 0.3), (characters, 0.2), (unicode_text, 0.1), (controls, 0.08), (markup, 0.08), (quotes, 0.08),
-    (punctuation, 0.05), (repeated, 0.05), (long_words, 0.04), (surrogates, 0.01), (huge, 0.01),
+    (mutated, 0.2), (broken_off, 0.1), (characters, 0.2), (unicode_text, 0.1), (controls, 0.08), (markup, 0.08),
+    (quotes, 0.08), (punctuation, 0.05), (repeated, 0.05), (long_words, 0.04), (surrogates, 0.01), (huge, 0.01),
 )  # fmt: skip
 """What is drawn, and how large a share it has."""
 

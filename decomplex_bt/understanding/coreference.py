@@ -108,6 +108,8 @@ class ReferenceModel:
     ) -> tuple[Option, float]:
         """The likeliest filling, none of the `excluded` ones; options with the same words share their probability."""
         options = [o for o in options_of(context, gap) if o.candidate is None or o.text.lower() not in excluded]
+        if not options:
+            return Option(None, "", "", ()), 1.0
         if gap.is_certain:
             options = [option for option in options if option.candidate is not None] or options
         scores = self.scores(options)

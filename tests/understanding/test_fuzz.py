@@ -56,3 +56,18 @@ def test_draws_are_those_of_the_seed(fuzz):
         return [draw(rng, ["Bring me the cup.", "If it is on, turn it off."]) for draw, _ in fuzz.KINDS * 3]
 
     assert drawn(1) == drawn(1) != drawn(2)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Check whether",
+        "Check how",
+        "In the event of",
+        "The carpet should be given",
+        "The flour on the shelf, is it open? If so, put it in",
+        "Open the box. Is the key in it",
+    ],
+)
+def test_what_breaks_off_is_read(text: str) -> None:
+    assert Interpreter.load("household").interpret(text).text == text

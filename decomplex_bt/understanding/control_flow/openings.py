@@ -102,9 +102,7 @@ def asks_open(document: Document, token: int) -> bool:
     word = 1 + (words[1:2] == ["out"])
     is_order = tokens[0].lemma in ASKING_LEMMAS and tokens[0].tag in ("VB", "VBP")
     is_open = words[word : word + 1] != [] and words[word] in _OPEN_QUESTIONS
-    is_how = (
-        words[word : word + 1] == ["how"] and tokens[word + 1 : word + 2] != [] and tokens[word + 1].pos not in _DEGREES
-    )
+    is_how = words[word : word + 1] == ["how"] and word + 1 < len(tokens) and tokens[word + 1].pos not in _DEGREES
     return is_order and (is_open or is_how or words[word : word + 2] in _AMOUNTS)
 
 
