@@ -27,7 +27,7 @@ def stated_orders(
         _go_ahead(clauses, roles, sides, stated, k)
         _prepare(clauses, roles, sides, stated, k)
         _make_ready(clauses, roles, sides, stated, k)
-        _make_ready_all(clauses, roles, sides, stated, k)
+        _make_ready_all(clauses, sides, stated, k)
         _come_between(clauses, roles, sides, stated, k)
         _clear_way(clauses, roles, sides, stated, k)
         _come_first(clauses, roles, sides, stated, k)
@@ -177,9 +177,7 @@ def _make_ready(
         orders[k] = "before"
 
 
-def _make_ready_all(
-    clauses: Sequence[Clause], roles: Sequence[str], sides: Sequence[str], orders: list[str], k: int
-) -> None:
+def _make_ready_all(clauses: Sequence[Clause], sides: Sequence[str], orders: list[str], k: int) -> None:
     """What a sentence of its own has done "first" in a case goes ahead of all orders that stand in both ("if it's hot,
     pour it and bring it. If it's not, *heat it first*")."""
     both = [j for j in range(k) if sides[j].endswith(BOTH)]

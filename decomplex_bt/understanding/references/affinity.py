@@ -62,7 +62,7 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
             of_side["after"].append(candidate)
     pair = gapped_pair(context, gap)
     if pair or gap.word in _TOGETHER:
-        pairs = list(_together(document, of_side["before"]))
+        pairs = list(_together(of_side["before"]))
         pair = pair or pair_meant(context, gap, pairs)
         of_side = {"before": [pair], "after": []} if pair else {**of_side, "before": [*of_side["before"], *pairs]}
     halved = [c for c in of_side["before"] if _is_halved(document, gap, c)] if _is_bare_one(document, gap) else []
@@ -256,7 +256,7 @@ _CERTAIN = frozenset("the this that these those".split())
 _TOGETHER = frozenset("both them they those these either".split())
 
 
-def _together(document: Document, candidates: Sequence[Candidate]) -> Iterator[Candidate]:
+def _together(candidates: Sequence[Candidate]) -> Iterator[Candidate]:
     """Two things that tasks name one after the other, which a plural may mean together."""
     objects = [c for c in candidates if c.type == "object" and not c.mention and c.shape in ("whole", "long")]
     for first, second in pairwise(objects):

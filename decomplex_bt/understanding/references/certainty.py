@@ -297,7 +297,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not candidate.mention and _is_cut_off(context.observed.document, candidate):
         return True
-    if gap.type == "object" and (_is_where(context, gap, candidate) or _is_beside_same(context, gap, candidate)):
+    if gap.type == "object" and (_is_where(gap, candidate) or _is_beside_same(context, gap, candidate)):
         return True
     if gap.type == "object" and len(candidate.tokens) == 1 and _is_adverb(context.observed.document, candidate):
         return True
@@ -349,7 +349,7 @@ def _is_cut_off(document: Document, candidate: Candidate) -> bool:
     return len(behind) > 1 and behind[0].lower == "of" and behind[1].tag not in ("PRP", "WDT", "WP")
 
 
-def _is_where(context: Context, gap: Gap, candidate: Candidate) -> bool:
+def _is_where(gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is named again as where the thing is moved to or from: nothing is put into itself."""
     if gap.task.type not in _HANDLING or not candidate.mention:
         return False

@@ -356,7 +356,7 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     is_further = any(document.tokens[i].lower == "another" for i in gap.tokens[:1])
     is_named = document.tokens[candidate.head].lower not in QUANTIFIERS  # no "six any" of "any of the plums"
     if is_named and (gap.form == "count" or gap.word in ("ones", "some", "any") or is_further):
-        words = _text(document, range(gap.tokens.start, _last_modifier(document, gap) + 1))
+        words = _text(document, range(gap.tokens.start, _last_modifier(gap) + 1))
         if gap.form == "count" and document.tokens[gap.tokens.start].lower == "a":
             words += " of" if gap.word in ("couple", "pair") else ""
         is_plural = False if is_further else True if gap.form == "count" else None
@@ -401,7 +401,7 @@ def numbered_of(document: Document, gap: Gap) -> str:
     return numbers[0] if gap.form == "pronoun" and len(numbers) == 1 and not _FURTHER.isdisjoint(words) else ""
 
 
-def _last_modifier(document: Document, gap: Gap) -> int:
+def _last_modifier(gap: Gap) -> int:
     """The last word of the gap that stays before the noun that is filled in: "two", "a few", "new" of "new ones"."""
     return gap.tokens.stop - 1 - (gap.word in ("one", "ones") and len(gap.tokens) > 1)
 

@@ -60,7 +60,7 @@ def is_unshut(context: Context, gap: Gap, candidate: Candidate) -> bool:
     places = (
         c for c in context.pool if c.tokens.stop <= gap.position and has_inside(context, c) and c.head != candidate.head
     )
-    return any(_is_beside(context, gap, candidate, place) and _is_place(context, gap, place) for place in places)
+    return any(_is_beside(context, gap, candidate, place) and _is_place(place) for place in places)
 
 
 def _is_open_there(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -117,7 +117,7 @@ def _is_beside(context: Context, gap: Gap, candidate: Candidate, device: Candida
     return not device.owner and of[device.head] == of[candidate.head]
 
 
-def _is_place(context: Context, gap: Gap, place: Candidate) -> bool:
+def _is_place(place: Candidate) -> bool:
     return place.type in _TOLD or not place.owner
 
 

@@ -277,7 +277,7 @@ def _with_idioms(observed: Observed, tasks: Sequence[FoundTask], types: Collecti
     told = {**telegraphed(observed, found), **needed(observed, found), **idiomatic(document, {**found, **later})}
     told |= {i: observed.senses[i][0] for i in orders_behind(document, found) if observed.senses[i]}
     told |= {report.verb: "informing" for report in reports(document, found)}
-    told |= causative_types(observed, found)
+    told |= causative_types(observed)
     told |= {i: "informing" for i, *_ in shouts(document) if document.tokens[i].lower == "gimme" and i not in found}
     told |= {**later, **{i: verb.type for i, verb in pro_verbs(observed, found).items()}}
     idioms = {i: type for i, type in told.items() if type in types}

@@ -164,7 +164,8 @@ def search_within(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     are_searches = are_searches and found.task.type == search.task.type == "searching"
     is_next = is_same or search.sentence == found.sentence + 1
     is_next = is_next and not {*search.far, *search.near} - {"first", "please", "still"}
-    is_bare = not (found.places or found.turns or found.near[is_same and found.near[:1] == ("please",) :])
+    pleas = 1 if is_same and found.near[:1] == ("please",) else 0  # "please find my keys, ..."
+    is_bare = not (found.places or found.turns or found.near[pleas:])
     is_plain = search.boundary != "?" and not search.objects and is_bare
     if are_searches and is_next and is_plain and not search.wording.is_negated:
         roles[k - 1 : k + 1] = "condition", "mention"

@@ -136,7 +136,7 @@ def with_done(observed: Observed, arguments: Sequence[FoundArgument], deed: int,
     return list(arguments)
 
 
-def causative_types(observed: Observed, tasks: Collection[int]) -> dict[int, str]:
+def causative_types(observed: Observed) -> dict[int, str]:
     """The tokens of what is to be got done, and of who is to be told to do something, with task types."""
     document = observed.document
     found: dict[int, str] = {}

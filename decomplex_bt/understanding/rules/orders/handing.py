@@ -79,7 +79,7 @@ def served(document: Document, arguments: Sequence[FoundArgument], bringing: int
         (i for i in range(bringing + 2, _clause_end(document, bringing)) if document.tokens[i].lower == "with"), 0
     )
     along = range(led, _with_behind(document, led, stops)) if led else range(0)
-    if not along or not _is_free(document, arguments, along, bringing):
+    if not along or not _is_free(arguments, along, bringing):
         return list(arguments)
     own = [a for a in arguments if (a.owner, a.type) == (bringing, "object") and a.tokens.start in range(bringing, led)]
     rest = [a for a in arguments if a in own or set(along).isdisjoint(a.tokens)]
@@ -102,7 +102,7 @@ def _cut(argument: FoundArgument, stop: int) -> FoundArgument:
     return replace(argument, tokens=range(argument.tokens.start, min(argument.tokens.stop, stop)), confidence=CERTAIN)
 
 
-def _is_free(document: Document, arguments: Sequence[FoundArgument], along: range, bringing: int) -> bool:
+def _is_free(arguments: Sequence[FoundArgument], along: range, bringing: int) -> bool:
     """Whether a "with" and a thing are no other task's, nor anything but how or where something is brought."""
     others = [a for a in arguments if not set(along).isdisjoint(a.tokens)]
     return all(

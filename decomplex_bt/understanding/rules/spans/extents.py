@@ -47,7 +47,7 @@ def with_features(
     stops = {chunk.start: chunk.stop for chunk in noun_chunks(document)}
     for token in document.tokens:
         stop = _feature_end(document, stops, token.i) if token.lower == "with" else 0
-        thing = next((a for a in kept if _has_feature(document, tasks, kept, a, token.i)), None) if stop else None
+        thing = next((a for a in kept if _has_feature(document, kept, a, token.i)), None) if stop else None
         if thing is None or any(i in tasks for i in range(token.i, stop)):
             continue
         whole = range(thing.tokens.start, max(stop, thing.tokens.stop))
@@ -68,9 +68,7 @@ def _feature_end(document: Document, stops: Mapping[int, int], at: int) -> int:
     return stop + 2 if stop and len(words) == 2 and words[0] in _AT_IT and words[1] in _IT else 0
 
 
-def _has_feature(
-    document: Document, tasks: Mapping[int, str], arguments: Sequence[FoundArgument], thing: FoundArgument, at: int
-) -> bool:
+def _has_feature(document: Document, arguments: Sequence[FoundArgument], thing: FoundArgument, at: int) -> bool:
     """Whether the "with" at a token tells which thing is meant, not what something is done with."""
     before = document.tokens[at - 1] if at else None
     if before is None or thing.type not in ("object", "goal"):
