@@ -234,7 +234,8 @@ class Clause:
 
     @property
     def says_reply(self) -> bool:
-        """Whether it says how somebody takes what they are asked to do: "if he refuses", "if she won't do it"."""
+        """Whether it says how somebody takes, or whether they know, what they are asked: "if he refuses", "if she won't
+        do it", "if they don't remember"."""
         is_reply = self.verb in _REPLYING or self.is_unwilling or self.says_answer
         return self.is_check and self.is_of_somebody and not self.is_trailing and is_reply
 

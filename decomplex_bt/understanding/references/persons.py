@@ -1,4 +1,5 @@
-"""Persons: what "he" and "she" cannot be for how it is asked about, be it named by a noun that might be somebody's."""
+"""Persons: what "he", "she" and "they" cannot be for how it is asked about or was called before, and who it is where
+that goes without saying: the one person to be asked something, or anybody who may call."""
 
 from __future__ import annotations
 

@@ -72,8 +72,10 @@ def part(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 
 def guards_own_order(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:
-    """Whether clause `k` asks if the order right ahead is needed, or how the thing of that is which the orders of a
-    case were the first to name, and nothing before asks that, nor is left open."""
+    """Whether clause `k` is a condition of the order right ahead alone, which is not the first of its case: "if he's
+    home, pour the tea and warm it *if it's cold*". It asks whether that order is needed, or in what state a thing is
+    that the orders of the case were the first to name. No condition before may ask of the same state, or leave open
+    what it asks."""
     clause, order = clauses[k], clauses[k - 1]
     if k < 3 or clause.boundary != "none" or clause.near not in (("if",), ("unless",)):
         return False
