@@ -111,9 +111,10 @@ def is_of_other_gender(document: Document, gap: Gap, candidate: Candidate) -> bo
     return _gender(document, candidate) not in ("", group)
 
 
-def is_called_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether "her" cannot mean a candidate because that was called "he" when nobody else had been named: "*the
-    plumber* is here and *he*'s allergic to dogs, so if the terrier is in, take *her* out"."""
+def is_told_of_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "her" cannot mean a candidate because the text goes on with "he" when nobody else had been named, be that
+    in no task: "*the plumber* is here and *he*'s allergic to dogs, so if the terrier is in, take *her* out". What was
+    settled of a pronoun before is for `persons`."""
     group = GROUPS.get(gap.word, "")
     is_open = not candidate.mention and not _gender(context.observed.document, candidate)
     if group not in ("he", "she") or not is_open or kind_of(context, candidate) not in ANIMATE:

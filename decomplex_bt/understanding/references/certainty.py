@@ -7,11 +7,11 @@ from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.absences import is_absent, is_blemish, is_of_other_case, is_used_up
 from decomplex_bt.understanding.references.agreement import (
-    is_called_otherwise,
     is_no_person,
     is_no_single_thing,
     is_of_other_gender,
     is_possessed,
+    is_told_of_otherwise,
     meant,
 )
 from decomplex_bt.understanding.references.asked_again import asked_before, is_of_own_branch
@@ -305,7 +305,7 @@ def _is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_of_other_gender(context.observed.document, gap, candidate) or is_no_person(context, gap, candidate):
         return True
-    if is_called_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
+    if is_told_of_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
     if is_no_somebody(context, gap, candidate):
         return True

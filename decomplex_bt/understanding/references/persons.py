@@ -29,7 +29,7 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_told = group == "they" and gap.type == "recipient" and gap.task.type == "informing"
     if group not in ("he", "she") and not is_told:
         return False
-    if _goes(context, gap, candidate) or _is_called_otherwise(context, gap, candidate):
+    if _goes(context, gap, candidate) or _was_meant_otherwise(context, gap, candidate):
         return True
     tokens = context.observed.document.tokens
     head = tokens[candidate.head]
@@ -73,9 +73,9 @@ def _may_be_told(context: Context, candidate: Candidate) -> bool:
     return head.lemma in WITH_HOURS or any(kind_of(context, c) in ANIMATE for c in context.pool)
 
 
-def _is_called_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
-    """Whether a candidate was called "she" before, and so is neither "he" nor "them": "is *the nurse* here? Ask *her*
-    to look at Ivo and tell *him* ..."."""
+def _was_meant_otherwise(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a "she" that is settled already means a candidate, which then is neither "he" nor "them": "is *the nurse*
+    here? Ask *her* to look at Ivo and tell *him* ...". A "she" that no task has is for `agreement`."""
     called = {"he", "she"}.intersection(context.mentions.get(candidate.text.lower(), ()))
     return bool(called) and GROUPS.get(gap.word) not in called
 
