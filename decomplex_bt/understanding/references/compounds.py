@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import FINITE, MARKS, Document
 
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _FINDING = frozenset(("find", "locate"))
 _SEEING = frozenset(("see", "spot", "notice", "spy"))
 _ANYWHERE = frozenset(("anywhere", "somewhere"))
@@ -27,7 +26,7 @@ def ends_compound(document: Document, at: int) -> bool:
 def _is_spoken_of(document: Document, at: int) -> bool:
     """Whether a comparative is what a verb tells of, which only a noun can be: "the towel *warmer* is on"."""
     behind = document.tokens[at + 1 : at + 2]
-    return document.tokens[at].tag == "JJR" and any(token.tag in _FINITE for token in behind)
+    return document.tokens[at].tag == "JJR" and any(token.tag in FINITE for token in behind)
 
 
 def _is_found(document: Document, at: int) -> bool:

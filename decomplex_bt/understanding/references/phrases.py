@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import FINITE, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.compounds import ends_compound
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
@@ -558,7 +558,7 @@ def _coordinations(document: Document, chunks: Sequence[range]) -> Iterator[rang
 def _begins_clause(document: Document, first: range, last: range) -> bool:
     """Whether the last noun phrase of a row is what something is said of, and the first stands behind a preposition."""
     tokens = document.tokens
-    is_subject = last.stop < len(tokens) and tokens[last.stop].tag in ("VBZ", "VBP", "VBD", "MD")
+    is_subject = last.stop < len(tokens) and tokens[last.stop].tag in FINITE
     return is_subject and first.start > 0 and tokens[first.start - 1].pos == "ADP"
 
 

@@ -6,11 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import FINITE, MARKS, Document
 from decomplex_bt.understanding.references.phrases import is_numbered, noun_chunks
 
 _BELONGING = frozenset("for to from with about of".split())
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _OPENING = MARKS | frozenset("if unless when whether that because since as so once and but".split())
 _TAKING_UP = frozenset("it they he she that".split())
 
@@ -43,5 +42,5 @@ def subjects(document: Document) -> Iterator[Subject]:
         stop = other.stop + is_numbered(document, other)
         behind = [token.lower for token in tokens[stop : stop + 3]]
         is_topic = len(behind) == 3 and behind[0] == "," and behind[2] in _TAKING_UP and tokens[stop + 1].pos == "AUX"
-        if is_topic or (behind and tokens[stop].tag in _FINITE):
+        if is_topic or (behind and tokens[stop].tag in FINITE):
             yield Subject(range(chunk.start, stop), chunk, is_topic)

@@ -7,7 +7,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
-from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import INSTRUMENTS
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_pronoun
@@ -79,7 +79,7 @@ def _is_of_subject(
     stop = place.tokens.stop
     if not things or not any(a.type in _PLACES for a in of) or subject != place.tokens.start - 1 or stop >= owner:
         return False
-    is_stated = tokens[subject].dep in ("nsubj", "nsubjpass") and tokens[stop].tag in ("VBZ", "VBP", "VBD", "MD")
+    is_stated = tokens[subject].dep in ("nsubj", "nsubjpass") and tokens[stop].tag in FINITE
     nouns = frozenset[str]().union(*(_nouns(document, thing) for thing in things))
     is_apart = stop <= tokens[subject].head < owner and tokens[subject].head not in tasks and stop not in tasks
     return is_stated and is_apart and tokens[subject].lemma.lower() not in nouns

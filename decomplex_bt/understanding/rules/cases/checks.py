@@ -9,7 +9,7 @@ from itertools import dropwhile
 from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import WISHING
-from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
 from decomplex_bt.understanding.references.phrases import (
@@ -150,7 +150,7 @@ def _place(document: Document, state: range) -> range:
     chunk = next((chunk for chunk in noun_chunks(document) if chunk.start == state.start + 1), range(0))
     if not chunk or word.dep != "prep" or tokens[chunk[-1]].head != word.i:
         return range(0)
-    if any(token.tag in ("VBZ", "VBP", "VBD", "MD") for token in tokens[chunk.stop : chunk.stop + 1]):
+    if any(token.tag in FINITE for token in tokens[chunk.stop : chunk.stop + 1]):
         return range(0)  # "if the light is on the kids are home"
     is_way = word.lower == "on" and tokens[chunk[-1]].lower == "way" and tokens[word.head].pos == "VERB"
     is_at = word.lower == "at" and tokens[chunk.start].pos == "NOUN"

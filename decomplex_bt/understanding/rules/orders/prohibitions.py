@@ -7,7 +7,7 @@ from collections.abc import Collection
 from itertools import pairwise
 
 from decomplex_bt.understanding.cues import CONDITIONAL, normal_form
-from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.orders.spared import spared
 
@@ -146,7 +146,7 @@ def is_elided(document: Document, at: int) -> bool:
     if case < 0 or sentences[case] != sentences[at]:
         return False
     said = tokens[case + 1 : at]
-    asked = [t for t in said if t.tag in ("VBZ", "VBP", "VBD", "MD") or t.lower in ("'s", "is", "are")]
+    asked = [t for t in said if t.tag in FINITE or t.lower in ("'s", "is", "are")]
     relative = [
         t for t in said[1:] if t.tag in ("WDT", "WP") or t.lower == "that"
     ]  # "if the cups that *are* left don't"

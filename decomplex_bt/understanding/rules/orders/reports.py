@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import FINITE, MARKS, Document
 from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 
 _TELLING = frozenset("tell say text message inform remind ask".split())
@@ -19,7 +19,6 @@ _SUBJECTS = _THEY | {"i", "we", "it", "there"}
 _DEFINITE = frozenset("the this that these those".split())
 _TYPED_IS = frozenset(("its", "theres", "hes", "shes", "theyre"))
 """What is typed for "it's" and the like."""
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONTRACTED = frozenset("'s 're 'm 'll 've 'd \u2019s \u2019re \u2019m \u2019ll \u2019ve \u2019d".split())
 _STATING = frozenset("be have do feel look seem love hate think know hope".split())
 _BEING = frozenset("'s 're 'm \u2019s \u2019re \u2019m is are am".split())
@@ -81,7 +80,7 @@ def orders_behind(document: Document, tasks: Mapping[int, str]) -> Iterator[int]
     for verb in telling:
         stop = _clause_end(document, verb + 1)
         clause = tokens[verb + 1 : stop]
-        finite = [t for t in clause if t.tag in _FINITE or t.lower in _CONTRACTED]
+        finite = [t for t in clause if t.tag in FINITE or t.lower in _CONTRACTED]
         is_state = len(finite) == 1 and finite[0].lower in _BEING and _states(document, range(verb + 1, stop))
         if not is_state or not _is_joint(document, stop) or any(t.tag in ("VB", "TO", "MD") for t in clause):
             continue
@@ -149,7 +148,7 @@ def _is_told_next(document: Document, at: int, stop: int) -> bool:
     if begin.lower == "to":
         return second.tag in ("VB", "VBP")
     behind = document.tokens[at + 3 : stop]
-    is_clause = any(token.tag in _FINITE or token.lower in _CONTRACTED for token in behind)
+    is_clause = any(token.tag in FINITE or token.lower in _CONTRACTED for token in behind)
     return begin.lower in _TOLD_NEXT and is_clause
 
 
@@ -238,21 +237,21 @@ def _is_greeting(document: Document, at: int) -> bool:
     something says: "ask Tom to come down *and say goodbye*", not "... and say that supper is ready"."""
     said = document.tokens[at + 1 : _clause_end(document, at + 1)]
     words = {token.lower for token in said}
-    is_told = any(token.tag in _FINITE - {"VBP"} or token.lower in _CONTRACTED for token in said)
+    is_told = any(token.tag in FINITE - {"VBP"} or token.lower in _CONTRACTED for token in said)
     return document.tokens[at].lower == "say" and not words.isdisjoint(_COURTESIES) and not is_told
 
 
 def _is_theirs(document: Document, at: int) -> bool:
     """Whether a clause tells when those act who are spoken of: "before *he leaves*"."""
     tokens = document.tokens
-    return at + 1 < len(tokens) and tokens[at].lower in _THEY and tokens[at + 1].tag in _FINITE
+    return at + 1 < len(tokens) and tokens[at].lower in _THEY and tokens[at + 1].tag in FINITE
 
 
 def _states(document: Document, clause: range) -> bool:
     """Whether a clause behind a verb of telling states something: neither a question nor a request."""
     words = [document.tokens[i] for i in clause]
     is_asked = any(token.lower in _ASKING for token in words)
-    is_finite = any(token.tag in _FINITE or token.lower in _CONTRACTED for token in words[1:])
+    is_finite = any(token.tag in FINITE or token.lower in _CONTRACTED for token in words[1:])
     return is_finite and not is_asked and not _request(document, clause)
 
 
@@ -276,5 +275,5 @@ def _is_statement(document: Document, at: int) -> bool:
             return False  # "and the door shut"
     while verb < len(tokens) and tokens[verb].tag == "RB":
         verb += 1
-    is_finite = verb < len(tokens) and (tokens[verb].tag in _FINITE or tokens[verb].lower in _CONTRACTED)
+    is_finite = verb < len(tokens) and (tokens[verb].tag in FINITE or tokens[verb].lower in _CONTRACTED)
     return is_finite and not any(token.lemma in _NEEDING for token in tokens[verb : verb + 2])

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from decomplex_bt.understanding.cues import OPPOSITES, normal_form
-from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document
 from decomplex_bt.understanding.rules.cases.concessions import either_way
 
 _TAGS = frozenset("is has have does do did can will would".split())
@@ -23,7 +23,6 @@ _CONCEDING = tuple(
 _FIRST_CONCEDING = frozenset(first for first, *_ in _CONCEDING)
 _LONGEST_CONCEDING = max(map(len, _CONCEDING))
 _PERSONS = frozenset(("he", "she", "i", "we"))
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _CONDITIONS = frozenset(("if", "unless", "when", "whether", "once"))
 _GOING = frozenset("cross go walk pass take use follow climb drive cut skirt circle squeeze".split())
 LONGEST_CASES = 7
@@ -86,7 +85,7 @@ def _is_tagged(document: Document, at: int, *, is_denied: bool) -> bool:
     start = next((i + 1 for i in range(at - 1, -1, -1) if tokens[i].text in MARKS), 0)
     words = [normal_form(token.lower) for token in tokens[start:at]]
     is_statement = len(words) > 1 and words[0] not in _TAGS | _CONDITIONS and not tokens[start].tag.startswith("W")
-    is_finite = any(token.tag in _FINITE or normal_form(token.lower) == "is" for token in tokens[start + 1 : at])
+    is_finite = any(token.tag in FINITE or normal_form(token.lower) == "is" for token in tokens[start + 1 : at])
     return is_statement and is_finite and is_denied != ("not" in words)
 
 
@@ -206,7 +205,7 @@ def reason(document: Document, at: int) -> range | None:
     if not start <= at < stop:
         return None
     said = [token.lower for token in tokens[start:stop]]
-    if sum(token.tag in _FINITE for token in tokens[start:stop]) > 1:
+    if sum(token.tag in FINITE for token in tokens[start:stop]) > 1:
         return None  # "because it's late check that the kids are asleep": where it ends nothing tells
     return range(start, stop) if said[0] in _REASONS and _CONDITIONS.isdisjoint(said) else None
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.document import ENDS
+from decomplex_bt.understanding.document import ENDS, FINITE
 from decomplex_bt.understanding.rules.speech.edits import MARKS, Said, is_order_at
 
 _BECAUSE = frozenset("because cause cos cuz since".split())
@@ -22,7 +22,6 @@ _THINGS = frozenset("it they he she".split())
 _BEING = frozenset("is are 's \u2019s 're \u2019re be should must will 'll \u2019ll ought to probably usually".split())
 _GOING_BY = frozenset("if in otherwise then else".split())
 _DETERMINERS = frozenset("the my our your his her their that this".split())
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 
 
 def digressions(said: Said) -> Iterator[range]:
@@ -104,7 +103,7 @@ def _caused(said: Said) -> Iterator[range]:
         is_somebody = words[start] in _OBJECTS or is_cause
         stop = _end(said, i)
         is_doing = is_somebody and verb < stop and tokens[verb].tag == "VBG"
-        if is_doing and all(token.tag not in _FINITE for token in tokens[i:stop]):
+        if is_doing and all(token.tag not in FINITE for token in tokens[i:stop]):
             yield range(i, stop)
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.document import ENDS
+from decomplex_bt.understanding.document import ENDS, FINITE
 from decomplex_bt.understanding.rules.speech.edits import MARKS, Said
 
 _WANTING = frozenset("want need like love".split())
 _MATTERS = frozenset("thing trouble problem issue point snag fact truth".split())
 _IS = frozenset("is 's \u2019s".split())
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 _OPENING_ORDERS = frozenset("if when unless can could would please just go let".split())
 
 
@@ -76,7 +75,7 @@ def _is_finite(said: Said, i: int) -> bool:
     """Whether a token is a finite verb, be it an "'s" that is taken for a possessive: "the hatch*'s* open"."""
     token, behind = said.document.tokens[i], said.document.tokens[i + 1 : i + 3]
     is_contracted = token.tag == "POS" and [t.pos for t in behind[:1]] in (["ADJ"], ["ADV"], ["VERB"])
-    return token.tag in _FINITE or (is_contracted and not any(t.pos == "NOUN" for t in behind[1:]))
+    return token.tag in FINITE or (is_contracted and not any(t.pos == "NOUN" for t in behind[1:]))
 
 
 def _additions(said: Said) -> Iterator[range]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.document import ENDS
+from decomplex_bt.understanding.document import ENDS, FINITE
 from decomplex_bt.understanding.rules.speech.edits import MARKS, Said
 
 _CHOICES = frozenset(
@@ -34,7 +34,6 @@ _SAYING_SO = frozenset(
 )
 _TIMED = frozenset("if when whenever the every on in after before at as".split())
 """What a remark that something mostly is so may go on with."""
-_FINITE = frozenset(("VBZ", "VBP", "VBD", "MD"))
 
 
 def remarks(said: Said) -> Iterator[range]:
@@ -70,14 +69,14 @@ def described(said: Said) -> Iterator[int]:
     words, tokens = said.words, said.document.tokens
     for i in (i for i in range(1, len(words) - 3) if words[i] == "," and words[i + 1] in ("which", "who")):
         stop = next((j for j in range(i + 2, len(words) - 1) if words[j] in MARKS | ENDS), len(words))
-        is_inner = stop < len(words) and words[stop] == "," and tokens[stop + 1].tag in _FINITE
+        is_inner = stop < len(words) and words[stop] == "," and tokens[stop + 1].tag in FINITE
         if not is_inner or not _begins_case(said, i) or words[i + 2] not in _BEING:
             continue
         is_place = tokens[i + 3].pos == "ADP"
         yield from (*range(i, i + 3), stop) if is_place else range(i, stop + 1)
     for i in (i for i in range(2, len(words) - 4) if words[i] in ("that", "which", "who") and words[i + 1] in _BEING):
         stop = next((j for j in range(i + 2, len(words)) if words[j] in MARKS | ENDS), len(words))
-        is_whole = any(token.tag in _FINITE for token in tokens[i + 4 : stop])
+        is_whole = any(token.tag in FINITE for token in tokens[i + 4 : stop])
         if tokens[i + 2].pos == "ADP" and is_whole and _begins_case(said, i):
             yield from (i, i + 1)  # "if the mug *that is* on the shelf is clean"
 
@@ -123,4 +122,4 @@ def _says_why(said: Said, inner: range) -> bool:
     tokens = [said.document.tokens[i] for i in inner]
     is_led = len(tokens) > 3 and tokens[0].lower == "for" and tokens[1].pos in ("DET", "PRON", "PROPN")
     is_led = is_led and tokens[3].lower != "sake"
-    return is_led and any(token.tag in _FINITE for token in tokens[2:])
+    return is_led and any(token.tag in FINITE for token in tokens[2:])
