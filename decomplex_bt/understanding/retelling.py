@@ -17,6 +17,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
 from decomplex_bt.understanding.references.phrases import (
     ANIMALS,
+    ONES,
     PERSON_NOUNS,
     PLACE_ADVERBS,
     PREPOSITIONS,
@@ -38,7 +39,6 @@ _WHEREABOUTS = frozenset(("location", "source"))
 _WHERE = frozenset("from in on under at behind beside by off near inside above below".split())
 """What tells of a thing where it is: "the one *from* the shelf" is not from where the first one was."""
 _FROM = frozenset(("from", "off", "out"))
-_ONE = frozenset(("one", "ones"))
 _NOMINAL = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM"))
 _INDEFINITE = frozenset(("a", "an", "some"))
 _DETERMINING = _INDEFINITE | {"the"}
@@ -156,7 +156,7 @@ def _tells_which(observed: Observed, kind: range, words: range, *, is_whole: boo
     if not said or any(token.text in MARKS for token in said):
         return False
     is_indefinite = document.tokens[kind.start].lower in _INDEFINITE
-    one = next((i for i, token in enumerate(said) if token.lower in _ONE), None)
+    one = next((i for i, token in enumerate(said) if token.lower in ONES), None)
     if said[0].lower == "the" and one is not None and (one + 1 == len(said) or said[one + 1].pos == "ADP"):
         return is_indefinite or document.tokens[head_of(document, kind)].tag in ("NN", "NNP")
     turns = (cue.first for cue in observed.cues if cue.name in _TURNING and cue.first > words.stop)
@@ -172,7 +172,7 @@ def _with_noun(document: Document, which: _Specified) -> Iterator[Told]:
         i for i in which.kind if i == head or (document.tokens[i].dep == "compound" and document.tokens[i].head == head)
     ]
     for i in which.words:
-        is_one = document.tokens[i].lower in _ONE
+        is_one = document.tokens[i].lower in ONES
         yield from (Told(n, i, i) for n in noun) if is_one else (Told(i),)
 
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
-from decomplex_bt.understanding.references.phrases import ROOM, Candidate
+from decomplex_bt.understanding.references.phrases import ONES, ROOM, Candidate
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _SOME = frozenset("a an any some another".split())
 _PRONOUNS = frozenset("it them they 'em em him her".split())
-_ONES = frozenset(("one", "ones"))
 _SPENT = frozenset("dead flat blown used gone missing broken faulty worn".split())
 _WITHIN = frozenset("battery bulb fuse bait seed cartridge filter refill toner ink candle bag lightbulb".split())
 """What is put into something else, where it is used up."""
@@ -42,7 +41,7 @@ def is_of_other_case(context: Context, gap: Gap, candidate: Candidate) -> bool:
         document.tokens[i].lower in _WRITTEN for a in gap.task.arguments if a.span for i in document.indices(a.span)
     ):
         return False
-    if candidate.mention in _ONES or (
+    if candidate.mention in ONES or (
         candidate.mention and context.relation(candidate.owner, gap.task.id) != "exclusive"
     ):
         return False  # "if there's no clean towel, take *one* from the dryer and hand *it* to him"
@@ -91,4 +90,4 @@ def _is_some(context: Context, candidate: Candidate) -> bool:
     """Whether a candidate is one that need not be there: "a parcel", "a clean one"."""
     tokens, start = context.observed.document.tokens, candidate.tokens.start
     is_room = tokens[candidate.head].lemma in ROOM and start > 0 and tokens[start - 1].lower == "no"
-    return candidate.mention in _ONES or (not candidate.mention and (tokens[start].lower in _SOME or is_room))
+    return candidate.mention in ONES or (not candidate.mention and (tokens[start].lower in _SOME or is_room))

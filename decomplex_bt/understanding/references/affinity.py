@@ -23,7 +23,7 @@ from decomplex_bt.understanding.references.gaps import (
 )
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.phrases import SHARES, Candidate, degree_asked, nobody
+from decomplex_bt.understanding.references.phrases import ONES, SHARES, Candidate, degree_asked, nobody
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,7 +119,7 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         is_told = "another" not in words and _modifier(observed, _named(candidate)) == "colour"
         red = tokens[candidate.head - 1].text if is_told else ""
         worded = [(" ".join(word for word in text.split(" ") if word != red), way) for text, way in worded]
-        worded = [(text, way) for text, way in worded if text.split()[-1] not in _ONES]
+        worded = [(text, way) for text, way in worded if text.split()[-1] not in ONES]
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if gap.word == "it" and gap.form == "pronoun":
         worded = [(_without_open_share(text), way) for text, way in worded]
@@ -189,7 +189,7 @@ def _is_of_same_kind(observed: Observed, gap: Gap, candidate: Candidate) -> bool
     red one" behind "the crib sheet" is a crib sheet; "the small one" behind "the dining table" may be any table."""
     tokens, colours = observed.document.tokens, observed.gazetteer.colours
     words = [tokens[i].lower for i in gap.tokens]
-    told = words[-2] if len(words) in (2, 3) and words[-1] in _ONES else ""
+    told = words[-2] if len(words) in (2, 3) and words[-1] in ONES else ""
     first = tokens[candidate.head - 1]
     is_compound = candidate.head > 0 and first.dep == "compound" and first.lower not in colours
     return gap.form == "one" and is_compound and (told in _SAME_KIND or told in colours)
@@ -249,7 +249,6 @@ _EACH = frozenset(("all", "every", "each"))
 _OPEN_SHARES = frozenset(("any", "some", "enough", "much"))
 _LACKING = frozenset(("no", "few"))
 _OTHER = frozenset(("other", "others", "another"))
-_ONES = frozenset(("one", "ones"))
 _SAME_KIND = frozenset("another other new old spare fresh second third first next last".split())
 """What tells a thing from others of its kind."""
 _CERTAIN = frozenset("the this that these those".split())

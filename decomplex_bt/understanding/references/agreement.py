@@ -15,6 +15,7 @@ from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.persons import asked
 from decomplex_bt.understanding.references.phrases import (
     ANIMALS,
+    ONES,
     PERSON_NOUNS,
     PLACE_ADVERBS,
     PREPOSITIONS,
@@ -54,7 +55,6 @@ _OWNING = {"his": "he", "her": "she", "their": "they"}
 _SINGLING = frozenset("either neither one any each every whichever".split())
 """What tells one of several: "either of the lamps"."""
 _SINGULAR = frozenset("thermos atlas canvas gas lens news iris pancreas compass series".split())
-_ONES = frozenset(("one", "ones"))
 _CALLED_IT = frozenset(
     "baby child kid toddler patient family cleaner driver butcher baker grocer florist chemist pharmacist hairdresser "
     "barber dentist".split()
@@ -267,7 +267,7 @@ def _asks_who(context: Context, gap: Gap) -> bool:
     tokens = context.observed.document.tokens
     states = [context.observed.document.indices(a.span) for a in gap.task.arguments if a.type == "state" and a.span]
     last = [tokens[state[-1]] for state in states]
-    is_named = any(token.pos in ("NOUN", "PROPN", "PRON") and token.lower not in _ONES for token in last)
+    is_named = any(token.pos in ("NOUN", "PROPN", "PRON") and token.lower not in ONES for token in last)
     return gap.task.type == "check_state" and (is_named or not states)
 
 

@@ -23,7 +23,7 @@ from decomplex_bt.understanding.references.identity import identity_of
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
 from decomplex_bt.understanding.references.persons import asks_who_calls, is_no_somebody
-from decomplex_bt.understanding.references.phrases import ANYBODY, PLACE_ADVERBS, Candidate, nobody
+from decomplex_bt.understanding.references.phrases import ANYBODY, ONES, PLACE_ADVERBS, Candidate, nobody
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.relatives import free_places, free_relatives
 from decomplex_bt.understanding.references.roles import (
@@ -79,7 +79,6 @@ _JOINING = frozenset(("and", "but", "or", "then"))
 _LIMITING = frozenset(("not", "only"))
 _HANGING = _LIMITING | {"but", "though", "although", "just"}
 """What hangs a condition on the order ahead: ", but not if ..."."""
-_ONES = frozenset(("one", "ones"))
 _ABSENT = frozenset(("missing", "gone", "lost"))
 
 
@@ -123,7 +122,7 @@ def _last_one(context: Context, gap: Gap) -> range | None:
     """The words of the last thing before a gap that was named as a "one": "the lower one", "the one in the study"."""
     words = [token.lower for token in context.observed.document.tokens]
     ahead = [c.tokens for c in context.pool if c.tokens.stop <= gap.position and c.owner != gap.task.id]
-    ones = [named for named in ahead if words[named.start] == "the" and not _ONES.isdisjoint(words[i] for i in named)]
+    ones = [named for named in ahead if words[named.start] == "the" and not ONES.isdisjoint(words[i] for i in named)]
     return max(ones, key=lambda named: named.start, default=None)
 
 
@@ -393,14 +392,14 @@ def _is_feature(context: Context, gap: Gap, candidate: Candidate) -> bool:
     tokens = document.tokens
     if gap.word in _SOMEBODY or candidate.owner or candidate.mention or start < 2:
         return False
-    is_one = tokens[candidate.head].lower in _ONES or (
+    is_one = tokens[candidate.head].lower in ONES or (
         tokens[start].lower in ("the", "that")
-        and (tokens[start + 1 : start + 2] != () and tokens[start + 1].lower in _ONES)
+        and (tokens[start + 1 : start + 2] != () and tokens[start + 1].lower in ONES)
     )
     of = document.sentences
     is_stated = not any(of[i] == of[start] and i < start for i in context.verbs)
     before = tokens[start - 2]
-    is_told = tokens[start - 1].lower == "with" and (before.lower in _ONES)
+    is_told = tokens[start - 1].lower == "with" and (before.lower in ONES)
     return is_stated and (is_one or is_told)
 
 

@@ -14,6 +14,7 @@ from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
 from decomplex_bt.understanding.references.identity import identities
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import (
+    ONES,
     PERSON_NOUNS,
     Candidate,
     candidates_of,
@@ -27,7 +28,6 @@ GROUPS = {
     "they": "they", "'em": "they", "em": "they", "those": "they", "these": "they", "there": "there",
 }  # fmt: skip
 """Pronouns to the one that stands for all of their kind."""
-_ONES = frozenset(("one", "ones"))
 ANIMATE = frozenset(("person", "animal", "name"))
 """The kinds of who is, or may be, somebody; see `kind_of`."""
 _ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
@@ -130,7 +130,7 @@ def _identified(document: Document, known: Sequence[Candidate]) -> Iterator[Cand
     """What conditions say something is, where the tagger takes it for no noun: "if it's *the oven* turn it off"."""
     places = {candidate.tokens for candidate in known}
     for identity in identities(document):
-        if identity.name not in places and document.tokens[identity.name[-1]].lower not in _ONES:
+        if identity.name not in places and document.tokens[identity.name[-1]].lower not in ONES:
             text = document.span(identity.name.start, identity.name.stop - 1).of(document.text)
             yield Candidate(text, identity.name, identity.name.stop - 1)
 

@@ -12,6 +12,7 @@ from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import (
+    ONES,
     PRONOUNS,
     QUANTIFIERS,
     Candidate,
@@ -194,7 +195,7 @@ def _form(document: Document, tokens: range) -> str | None:
         return "part" if words[-1] in PRONOUNS else None
     if words[:2] == ["one", "of"] and words[-1] != "ones":
         return None
-    if head in ("one", "ones"):  # in "the red mug and the blue one" the words themselves say which noun is meant
+    if head in ONES:  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
     if last.tag == "POS":
         return "own"
@@ -403,7 +404,7 @@ def numbered_of(document: Document, gap: Gap) -> str:
 
 def _last_modifier(gap: Gap) -> int:
     """The last word of the gap that stays before the noun that is filled in: "two", "a few", "new" of "new ones"."""
-    return gap.tokens.stop - 1 - (gap.word in ("one", "ones") and len(gap.tokens) > 1)
+    return gap.tokens.stop - 1 - (gap.word in ONES and len(gap.tokens) > 1)
 
 
 def _text(document: Document, tokens: Sequence[int]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import ANYBODY, PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import ANYBODY, ONES, PERSON_NOUNS
 
 _OPENING = frozenset("if unless when case should".split())
 _POINTING = frozenset("it that this those these they".split())
@@ -19,7 +19,6 @@ _POINTING_AT = frozenset("that this those these the".split())
 _PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _NAMES = frozenset(("NOUN", "PROPN"))
 _NO_NAMES = WEATHER | frozenset("case turn time morning afternoon evening night".split())
-_ONES = frozenset(("one", "ones"))
 _ORDINAL = frozenset("last only first final wrong right".split())
 _DONE_TO = frozenset(("it", "them", "him"))
 """What only verbs have right behind them: no "me" or "her", as in "if it's *the one her* aunt sent"."""
@@ -107,7 +106,7 @@ def _end(document: Document, start: int) -> int:
         stop += 1
     if stop < len(tokens) and tokens[stop].lower in _DONE_TO and stop > start + 2:
         stop -= 1  # "if it's the oven *turn* it off", where the tagger takes the verb for a noun
-    heads = [i for i in range(start + 1, stop) if tokens[i].pos in _NAMES or tokens[i].lower in _ONES]
+    heads = [i for i in range(start + 1, stop) if tokens[i].pos in _NAMES or tokens[i].lower in ONES]
     is_verbal = stop < len(tokens) and tokens[stop + 1 : stop + 2] != () and tokens[stop + 1].lower in _DONE_TO
     is_marked = is_verbal or stop == len(tokens) or tokens[stop].lower in MARKS
     end = heads[-1] + 1 if heads else stop if is_marked else start

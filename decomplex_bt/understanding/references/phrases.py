@@ -53,6 +53,8 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
+ONES = frozenset(("one", "ones"))
+"""What stands for a noun that was named: "the blue *one*"."""
 _WHERE = frozenset("in on at under underneath behind beside near above below inside outside".split())
 """What stands before the place where something is."""
 ROOM = frozenset(("room", "space"))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import ONES
 from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.background.accounts import without_accounts
 from decomplex_bt.understanding.rules.background.guesses import without_guessed
@@ -191,7 +192,7 @@ def _cut_short(argument: FoundArgument, stop: int) -> FoundArgument:
 def _is_named(document: Document, arguments: Sequence[FoundArgument], carrier: int) -> bool:
     """Whether a verbless case already has an argument that names something, and is no mere word of a phrase."""
     last = [document.tokens[a.tokens[-1]] for a in arguments if a.owner == carrier]
-    return any(token.pos in ("NOUN", "PROPN", "NUM") or token.lower in ("one", "ones") for token in last)
+    return any(token.pos in ("NOUN", "PROPN", "NUM") or token.lower in ONES for token in last)
 
 
 def _beside_each_other(observed: Observed, tasks: Tasks, arguments: Sequence[FoundArgument]) -> list[FoundArgument]:

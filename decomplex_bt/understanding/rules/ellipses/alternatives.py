@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PLACE_ADVERBS, PREPOSITIONS, noun_chunks
+from decomplex_bt.understanding.references.phrases import ONES, PERSON_NOUNS, PLACE_ADVERBS, PREPOSITIONS, noun_chunks
 from decomplex_bt.understanding.rules.speech.asides import tag_question
 
 _OPENING = frozenset(("if", "only_if", "unless"))
@@ -20,7 +20,6 @@ _CLOSING = frozenset("please instead then though thanks too also well as altoget
 _ADDING = frozenset(("too", "also", "well"))
 _BEGINNING = frozenset(("DET", "NOUN", "PROPN", "ADJ", "NUM"))
 _NAMING = frozenset(("NOUN", "PROPN"))
-_ONE = frozenset(("one", "ones"))
 _ARTICLES = frozenset("a an some the".split())
 _WHOLE = ("thing", "body", "one", "where", "who", "what")
 _IDLE = frozenset("case course mind time day thank bother worry love".split())
@@ -432,7 +431,7 @@ def _inner(document: Document, ahead: range, body: range, tasks: Mapping[int, st
         else:
             is_noun = is_added and first.pos in _NAMING
             is_named = first.pos in ("DET", "NUM") or first.tag == "PRP$" or is_noun
-            is_start = is_full and first.lower not in _ONE and is_named
+            is_start = is_full and first.lower not in ONES and is_named
         is_start = is_start or (is_turned and is_state and first.lower in PARTICLES and i + 1 == body.stop)
         is_start = is_start or _is_past_lack(document, range(body.start, i))
         if is_start and (words := _bare(document, range(i, body.stop), tasks)) and _is_phrase(document, words, tasks):
@@ -560,7 +559,7 @@ def _is_phrase(document: Document, body: range, tasks: Mapping[int, str]) -> boo
         return not any(word.i in tasks or word.pos in _NO_PARTS for word in words)
     return (
         (is_led or words[0].pos in _BEGINNING or words[0].tag == "PRP$")
-        and any(word.pos in _NAMING or word.lower in _ONE for word in words)
+        and any(word.pos in _NAMING or word.lower in ONES for word in words)
         and not any(word.i in tasks or (word.pos in _NO_PARTS and not _is_of_noun(words, word)) for word in words)
     )
 

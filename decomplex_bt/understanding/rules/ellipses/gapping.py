@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, PREPOSITIONS
+from decomplex_bt.understanding.references.phrases import ONES, PERSON_NOUNS, PREPOSITIONS
 
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state"))
 _PAIRED = ("goal", "recipient", "source", "location", "state")
@@ -103,7 +103,7 @@ def _is_aside(document: Document, phrase: range) -> bool:
     """Whether a phrase between commas tells of the thing ahead of it which one it is: "the cup, *the small one*, and
     ...", "a pen, *whichever is closest*, and ..."."""
     words = document.tokens[phrase.start : phrase.stop]
-    return words[0].lower in _TELLING_APART or words[-1].lower in ("one", "ones")
+    return words[0].lower in _TELLING_APART or words[-1].lower in ONES
 
 
 def _is_thing(observed: Observed, phrase: range, task_type: str) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import ANIMALS, ONES, PERSON_NOUNS
 
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state", "searching", "motion"))
 _LEADS = tuple(
@@ -18,7 +18,6 @@ _LEADS = tuple(
 _BEHIND = MARKS | frozenset("and then please too as finally lastly".split())
 _NAMING = frozenset(("NOUN", "PROPN"))
 _NOMINAL = _NAMING | {"ADJ", "NUM", "DET"}
-_ONE = frozenset(("one", "ones"))
 _OPENING = frozenset("if only_if unless when else fail before after until while so".split())
 _SEEKING = {"searching": "location", "motion": "goal"}
 """What is told anew of an order that goes somewhere."""
@@ -77,12 +76,12 @@ def _named(document: Document, first: int) -> int:
     if first >= len(tokens) or tokens[first].tag not in ("DT", "PRP$"):
         return first
     stop = first + 1
-    while stop < len(tokens) and (tokens[stop].pos in _NOMINAL or tokens[stop].lower in _ONE):
+    while stop < len(tokens) and (tokens[stop].pos in _NOMINAL or tokens[stop].lower in ONES):
         if tokens[stop].tag == "DT":
             break
         stop += 1
     head = tokens[stop - 1]
-    is_named = stop > first + 1 and (head.pos in _NAMING or head.lower in _ONE)
+    is_named = stop > first + 1 and (head.pos in _NAMING or head.lower in ONES)
     return stop if is_named else first
 
 

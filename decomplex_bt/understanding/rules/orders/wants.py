@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.references.phrases import ANIMALS, ONES, PERSON_NOUNS
 from decomplex_bt.understanding.rules.ellipses.fragments import NO_THINGS, STATES, Fragment
 from decomplex_bt.understanding.rules.orders.needs import OPENING
 from decomplex_bt.understanding.rules.orders.uses import uses
@@ -40,7 +40,6 @@ _GOING_ON = frozenset(("and", "also"))
 _INDEFINITE = frozenset("a an some another more something".split())
 _OWN = frozenset("my our his her their its".split())
 _SOMETHING = frozenset(("something", "anything"))
-_ONES = frozenset(("one", "ones"))
 _NOMINAL = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _NAMING = frozenset(("NOUN", "PROPN"))
 _JOINING = frozenset(("and", "of"))
@@ -257,7 +256,7 @@ def _named(document: Document, verb: int) -> range:
             stop += 1
         else:
             break
-    is_named = tokens[stop - 1].pos in _NAMING or (stop > start + 1 and tokens[stop - 1].lower in _ONES)
+    is_named = tokens[stop - 1].pos in _NAMING or (stop > start + 1 and tokens[stop - 1].lower in ONES)
     return range(start, stop) if is_led and is_named else range(0)
 
 
@@ -275,7 +274,7 @@ def _can_be_brought(observed: Observed, thing: range, who: str, *, is_told: bool
     used = {i for use in uses(observed.document) for i in use.words}
     nouns = [tokens[i] for i in thing if tokens[i].pos in _NAMING and i not in used]
     heads = [noun for noun in nouns if noun.i + 1 == thing.stop or tokens[noun.i + 1].pos not in _NAMING]
-    if tokens[thing.start].lower in _SOMETHING or tokens[thing.stop - 1].lower in _ONES:
+    if tokens[thing.start].lower in _SOMETHING or tokens[thing.stop - 1].lower in ONES:
         return who == "i"
     if not heads or any(token.lemma in NOT_BROUGHT or token.lemma.endswith(_ABSTRACT) for token in heads):
         return False

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, takewhile
 
 from decomplex_bt.understanding.document import ENDS, Document, Token
+from decomplex_bt.understanding.references.phrases import ONES
 
 _WISHING = frozenset("like want need love fancy".split())
 _BEFORE_WISHES = frozenset("'d \u2019d would do really just rather could so".split())
@@ -13,7 +14,6 @@ _CASES = frozenset("if unless otherwise or else when once whether then also afte
 _OPENING_CASES = frozenset("if unless is are when should in".split())
 _SPEAKERS = frozenset(("me", "us"))
 _OTHERS = frozenset(("her", "him", "them"))
-_ONES = frozenset(("one", "ones"))
 _ELSE = frozenset("another other no this these".split())
 _MORE = frozenset(("too", "also", "well", "another"))
 _PRONOUNS = frozenset("some one it them that those any".split())
@@ -147,7 +147,7 @@ def _is_same(wished: Sequence[Token], asked: Sequence[Token]) -> bool:
     """Whether what is asked for is a pronoun, "the blue one", or names the same thing with no other adjective."""
     asked = [token for token in asked if token.lower not in _SPEAKERS and token.tag != "RP"]
     last = len(list(takewhile(lambda token: token.pos in ("DET", "ADJ"), asked)))
-    if 0 < last < len(asked) and asked[last].lower in _ONES:  # "the blue one"
+    if 0 < last < len(asked) and asked[last].lower in ONES:  # "the blue one"
         is_same = _ELSE.isdisjoint(token.lower for token in asked[:last])
         return is_same and (last + 1 == len(asked) or asked[last + 1].lower != "of")
     if asked and asked[0].lower in _PRONOUNS and (len(asked) == 1 or asked[1].pos not in _PHRASE):

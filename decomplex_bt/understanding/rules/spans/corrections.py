@@ -12,7 +12,7 @@ from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS, is_pronoun, nobody
+from decomplex_bt.understanding.references.phrases import ONES, PREPOSITIONS, is_pronoun, nobody
 from decomplex_bt.understanding.rules.ellipses.alternatives import other_places
 from decomplex_bt.understanding.rules.speech.asides import whereabouts
 
@@ -201,7 +201,7 @@ def corrected(observed: Observed, arguments: Sequence[FoundArgument], phrase: ra
     before.sort(key=lambda a: a.tokens.stop)
     is_new = bool(before) and sentences[phrase.start] != sentences[before[-1].tokens.start]
     is_led = tokens[phrase.start].pos == "ADP"
-    is_one = tokens[phrase.stop - 1].lower in ("one", "ones")
+    is_one = tokens[phrase.stop - 1].lower in ONES
     if is_one and not is_led and before:
         owner = before[-1].owner
         before = [a for a in before if tokens[a.tokens.start].tag != "PRP"]

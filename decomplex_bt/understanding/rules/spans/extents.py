@@ -8,11 +8,10 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.references.compounds import ends_compound
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.phrases import ONES, PERSON_NOUNS, noun_chunks
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
 """What names a thing besides nouns: "the ones *with the foxes on it*"."""
-_ONES = frozenset(("one", "ones"))
 _MARKING = frozenset(("with", "without", "about"))
 _AT_IT = frozenset("on in inside round around under over".split())
 _IT = frozenset(("it", "them", "'em", "em"))
@@ -95,7 +94,7 @@ def with_marks(document: Document, tasks: Mapping[int, str], arguments: Sequence
         first, last = document.tokens[thing.tokens.start], document.tokens[thing.tokens.stop - 1]
         behind = thing.tokens.stop
         is_cut_off = behind < len(document) and document.tokens[behind].lower in _MARKING and behind + 1 in stops
-        if not (is_cut_off and first.lower == "the" and last.lower in _ONES):
+        if not (is_cut_off and first.lower == "the" and last.lower in ONES):
             continue
         whole = range(thing.tokens.start, stops[behind + 1])
         taken = {i for a in kept if a is not thing for i in a.tokens}

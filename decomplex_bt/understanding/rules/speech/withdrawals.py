@@ -11,6 +11,7 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.phrases import ONES
 from decomplex_bt.understanding.rules.speech.repairs import replaced_orders
 
 _MARKS = tuple(
@@ -58,7 +59,6 @@ _OPENERS = _REVERSING | frozenset(
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
 _LAST = frozenset(("one", "bit"))
-_ONES = frozenset(("one", "ones"))
 _POINTING = frozenset("the that this those these".split())
 _CONDITIONAL = frozenset("if only_if unless when fail so until depending".split())
 _ELSE = frozenset(("otherwise", "else", "alternatively"))
@@ -153,7 +153,7 @@ class _Words:
 
     def denies_one(self, at: int) -> bool:
         """Whether one of several is denied right before here, and another one named: "*not that one*, the long one"."""
-        return self.denial(at) < at and any(word in _ONES for word in self.said[_clause(self.said, at)])
+        return self.denial(at) < at and any(word in ONES for word in self.said[_clause(self.said, at)])
 
     def is_denied(self, at: int) -> bool:
         """Whether a "no" stands right before here, or an "actually" that goes on with nothing else."""
@@ -188,7 +188,7 @@ class _Words:
     def denial(self, at: int) -> int:
         """Where the "not the short one," begins that stands right before here, at the beginning of its clause; `at`
         itself where none does."""
-        if at < 4 or self.said[at - 1] not in MARKS - ENDS or self.said[at - 2] not in _ONES:
+        if at < 4 or self.said[at - 1] not in MARKS - ENDS or self.said[at - 2] not in ONES:
             return at
         start = next((i for i in range(at - 4, max(-1, at - 7), -1) if self.said[i] == "not"), at)
         is_pointed = start < at and self.said[start + 1] in _POINTING
@@ -269,7 +269,7 @@ def _phrase(words: _Words, at: int) -> range:
 def _is_complete(words: _Words, phrase: range) -> bool:
     """Whether a phrase names something by itself: "the white one", "in the kitchen"; neither "sugar" nor "thanks"."""
     first, last = words.tokens[phrase.start], words.tokens[phrase.stop - 1]
-    is_named = last.pos in ("NOUN", "PROPN") or last.lower in ("one", "ones")
+    is_named = last.pos in ("NOUN", "PROPN") or last.lower in ONES
     return first.tag in ("DT", "PRP$", "IN", "CD") and is_named and len(phrase) > 1
 
 
