@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, last_word
-from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.references.phrases import PASSAGES, Candidate
 
 _PERSONAL = frozenset("he him she her they you somebody someone anybody anyone everybody everyone nobody".split())
 _UNCLOSING = frozenset(("open", "unlock", "unzip"))
 _OPEN = frozenset(("open", "unlocked", "ajar"))
-_WAYS_IN = frozenset("door window gate curtain blind shutter hatch lid flap skylight tap".split())
+_COVERS = PASSAGES | {"curtain", "blind", "lid", "skylight", "tap"}
 """What is opened and has no inside of its own."""
 
 
@@ -94,7 +94,7 @@ def _with_an_inside(context: Context, number: int) -> list[Candidate]:
         for c in context.pool
         if (c.owner, c.type) == (number, "object")
         and not c.shape.startswith("in.")
-        and tokens[c.head].lemma not in _WAYS_IN
+        and tokens[c.head].lemma not in _COVERS
         and not (c.shape == "short" and tokens[c.tokens.stop].lower == "of")  # "the boot of the car"
     ]
 

@@ -53,6 +53,8 @@ PRONOUNS = frozenset(
     "it that this one another some any them they 'em em these those ones both him her he she there which two three "
     "four mine his hers yours theirs ours".split()
 )
+PASSAGES = frozenset("door gate hatch window flap shutter".split())
+"""What shuts off a way through, and is no thing on its own."""
 ONES = frozenset(("one", "ones"))
 """What stands for a noun that was named: "the blue *one*"."""
 _WHERE = frozenset("in on at under underneath behind beside near above below inside outside".split())

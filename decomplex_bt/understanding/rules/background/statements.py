@@ -12,9 +12,10 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import INSTRUMENTS
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_pronoun
 
+BELONGING = frozenset(("belong", "belongs"))
+"""What is said of the place that a thing has."""
 _BEING = frozenset(("be", "'s", "\u2019s"))
-_BELONGING = frozenset(("belongs", "belong"))
-_TO_BE = _BELONGING | frozenset("due expected wanted needed awaited required".split())
+_TO_BE = BELONGING | frozenset("due expected wanted needed awaited required".split())
 """What is said of things that are to be somewhere."""
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _NAMING = frozenset(("NN", "NNS", "NNP", "NNPS"))
@@ -91,7 +92,7 @@ def _is_to_be_there(document: Document, tasks: Container[int], source: FoundArgu
     tokens, first = document.tokens, source.tokens.start
     if first == 0 or source.owner < first or tokens[first - 1].lower not in _TO_BE or first - 1 in tasks:
         return False
-    return tokens[first - 1].lower in _BELONGING or (first > 1 and tokens[first - 2].lemma in _BEING)
+    return tokens[first - 1].lower in BELONGING or (first > 1 and tokens[first - 2].lemma in _BEING)
 
 
 def _is_of_mess(document: Document, arguments: Sequence[FoundArgument], place: FoundArgument) -> bool:

@@ -13,6 +13,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import CLEANING
 from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.rules.background.statements import BELONGING
 from decomplex_bt.understanding.rules.ellipses.fragments import STATES, Fragment
 from decomplex_bt.understanding.rules.ellipses.likewise import so_does
 from decomplex_bt.understanding.rules.orders.deeds import WHERE_TO, done_to, forms, joined, type_of, types_of
@@ -43,7 +44,6 @@ _VAGUE = frozenset(("do", "see", "be", "have"))
 _BUT_IF = frozenset((("but", "if"), ("but", "when")))
 _LEAVE_IT = frozenset((("leave", "it"), ("leave", "them"), ("leave", "that")))
 _LEADING_ON = frozenset((":", "-", "\u2013", "\u2014"))
-_BELONGING = frozenset(("belong", "belongs"))
 _SHOULD = frozenset("should must ought has have".split())
 _FOUND_OUT = frozenset(("searching", "check_state"))
 """What is to be *found* or *ready* somewhere is said to be there."""
@@ -131,10 +131,10 @@ def belonging(document: Document) -> Iterator[Fragment]:
     """What is said to belong, or that it should go, somewhere, as an order to put it there: "the mugs *belong* in the
     cupboard"; not of people and animals, nor where the words behind tell what to do about it."""
     tokens = document.tokens
-    if document.words.isdisjoint(_BELONGING | {"go"}):
+    if document.words.isdisjoint(BELONGING | {"go"}):
         return
     for i, token in enumerate(tokens):
-        verb = i if token.lower in _BELONGING else _should_go(document, i)
+        verb = i if token.lower in BELONGING else _should_go(document, i)
         if verb is None or not _is_of_thing(document, i):
             continue
         thing = _subject(document, i)

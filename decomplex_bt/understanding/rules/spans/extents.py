@@ -8,7 +8,7 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.references.compounds import ends_compound
-from decomplex_bt.understanding.references.phrases import ONES, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.phrases import ONES, PASSAGES, PERSON_NOUNS, noun_chunks
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
 """What names a thing besides nouns: "the ones *with the foxes on it*"."""
@@ -26,7 +26,7 @@ _PLACES = frozenset(("location", "source", "goal"))
 _CLAUSE_OPENERS = frozenset(("whether", "if"))
 _SHUTTING = frozenset(("open", "close", "shut"))
 _LOCKING = frozenset("lock unlock bolt unbolt latch unlatch".split())
-_PASSAGES = frozenset("door gate hatch window trapdoor flap shutter grille".split())
+_BOLTED = PASSAGES | {"trapdoor", "grille"}
 """What is locked to nothing else, as a bicycle may be."""
 _SIDES = frozenset("left right side end stop max maximum minimum".split())
 """What tells which one is meant, or how far it is opened."""
@@ -168,7 +168,7 @@ def _leading(document: Document, thing: FoundArgument) -> range:
     """The "to the loft" behind what is opened or shut; empty where there is none."""
     tokens, at = document.tokens, thing.tokens.stop
     verb, last = tokens[thing.owner].lemma, tokens[at - 1]
-    is_shut = verb in _SHUTTING or (verb in _LOCKING and last.lemma in _PASSAGES)
+    is_shut = verb in _SHUTTING or (verb in _LOCKING and last.lemma in _BOLTED)
     if thing.owner > thing.tokens.start or not is_shut or last.tag not in ("NN", "NNS"):
         return range(0)
     if at >= len(tokens) or tokens[at].lower != "to":
