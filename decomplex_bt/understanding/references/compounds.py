@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.document import FINITE, MARKS, Document
 
+AT = frozenset("in on at under underneath behind beside near above below inside".split())
+"""What stands before the place where something is."""
 _FINDING = frozenset(("find", "locate"))
 _SEEING = frozenset(("see", "spot", "notice", "spy"))
 _ANYWHERE = frozenset(("anywhere", "somewhere"))
@@ -12,7 +14,7 @@ _COMING = frozenset("'ll \u2019ll will".split())
 _OPENING = frozenset("if unless when once after before until".split())
 _NEAR = 5
 """Within so many words ahead of its verb a case is opened [tokens]."""
-_AT = frozenset("in on at under underneath behind beside by near above below inside between".split())
+_AT_OR_BY = AT | {"by", "between"}
 
 
 def ends_compound(document: Document, at: int) -> bool:
@@ -39,9 +41,9 @@ def _is_found(document: Document, at: int) -> bool:
         return False
     behind = [following.lower for following in tokens[at + 1 : at + 3]] or ["."]
     if lemma in _FINDING:
-        is_to_come = token.head > 0 and tokens[token.head - 1].lower in _COMING and behind[0] in _AT
+        is_to_come = token.head > 0 and tokens[token.head - 1].lower in _COMING and behind[0] in _AT_OR_BY
         return is_to_come or behind[0] in _ANYWHERE or (behind[0] in MARKS and not _is_in_case(document, token.head))
-    is_placed = behind[0] in _PLACED and behind[-1] in _AT
+    is_placed = behind[0] in _PLACED and behind[-1] in _AT_OR_BY
     return lemma in _SEEING and (is_placed or behind[0] in _ANYWHERE)
 
 

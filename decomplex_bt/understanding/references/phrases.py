@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import FINITE, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.compounds import ends_compound
+from decomplex_bt.understanding.references.compounds import AT, ends_compound
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
 
 PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
@@ -57,8 +57,7 @@ PASSAGES = frozenset("door gate hatch window flap shutter".split())
 """What shuts off a way through, and is no thing on its own."""
 ONES = frozenset(("one", "ones"))
 """What stands for a noun that was named: "the blue *one*"."""
-_WHERE = frozenset("in on at under underneath behind beside near above below inside outside".split())
-"""What stands before the place where something is."""
+_WHERE = AT | {"outside"}
 ROOM = frozenset(("room", "space"))
 """What there may be none of for something to be put."""
 TIME_UNITS = frozenset("second minute hour day week month".split())
