@@ -66,6 +66,8 @@ SHARES = frozenset(("half", "all", "both"))
 """What stands ahead of "the" or "a" for how much of something is meant."""
 _LONGEST_MEASURE = 3
 _DEFINITE = frozenset("the my your his her our their this that".split())
+_SOMEBODY = frozenset("him her them 'em em".split())
+_LEADING_AWAY = frozenset("to from into onto for of off out with toward towards".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy half".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
@@ -417,8 +419,6 @@ def is_placed(document: Document, tokens: range) -> bool:
     return is_person and len(behind) > 1 and behind[0].lower in PREPOSITIONS - _LEADING_AWAY
 
 
-_SOMEBODY = frozenset("him her them 'em em".split())
-_LEADING_AWAY = frozenset("to from into onto for of off out with toward towards".split())
 _EXCEPTING = frozenset(("but", "except", "excepting", "excluding"))
 _HEADS = frozenset("it one ones them they him her he she there mine".split())
 
