@@ -179,7 +179,7 @@ def _is_lacking(clause: Clause, order: Clause) -> bool:
     we're out of it"."""
     is_none = clause.wording.is_negated and clause.verb in _HAVING and not clause.says_too
     is_none = is_none and clause.boundary != "none" and not clause.is_of_person
-    of_what = clause.said_state[2:] if clause.said_state[:2] == ("out", "of") else ("it",)
+    of_what = (clause.said_state[2:] if clause.said_state[:2] == ("out", "of") else ()) or ("it",)
     is_same = of_what[-1] in ("it", "them") or any(of_what[-1].startswith(noun) for noun in order.nouns)
     is_out = clause.wording.is_contrary and clause.said_state[:1] == ("out",) and is_same and not clause.is_of_person
     is_of_some = not _NONE_OF.isdisjoint(clause.thing) or (
