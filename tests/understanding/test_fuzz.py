@@ -67,6 +67,7 @@ def test_draws_are_those_of_the_seed(fuzz):
         "The carpet should be given",
         "The flour on the shelf, is it open? If so, put it in",
         "Open the box. Is the key in it",
+        "Hang the hammer up if you've finished",
         "If Kim is hungry, bring her an apple. If we're out of",
     ],
 )

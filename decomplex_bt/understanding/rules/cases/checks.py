@@ -201,7 +201,7 @@ def with_subject(document: Document, arguments: Sequence[FoundArgument], check: 
         told = {"object": range(check - 1, check)}
         told["state"] = range(check + 1, check + 2) if _is_over(tokens, check) else None
     elif (subject := _pointed_at(tokens, check)) is not None:
-        is_denied = tokens[check + 1].tag == "RB"
+        is_denied = any(token.tag == "RB" for token in tokens[check + 1 : check + 2])
         stop = next((t.i for t in tokens[check + 1 :] if t.text in MARKS), len(tokens))
         told = {"object": subject}
         told["state"] = range(check + 1 + is_denied, stop) if tokens[check].tag != "VBN" else None
