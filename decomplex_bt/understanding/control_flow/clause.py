@@ -134,7 +134,7 @@ class Clause:
     """Whether it asks if something is so "instead": "if a child is there *instead*"."""
     forbids_order: bool = False
     """Whether a "don't" behind it forbids in its case what was ordered: "if she's in there *don't*, ..."."""
-    is_past_forbidden: bool = False
+    is_past_idle: bool = False
     """Whether an "and" behind a comma goes on from an "otherwise" that orders nothing: "otherwise don't wake her, *and
     lock up*", "otherwise leave it, *and lock up*"."""
     is_either_way: bool = False

@@ -24,7 +24,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     is_had_done,
     is_mere_contrast,
     is_on_arrival,
-    is_past_forbidden,
+    is_past_idle,
     is_past_supposition,
     is_past_wait,
     is_waited_for,
@@ -219,7 +219,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         identified=_identified(document, task),
         says_instead=task.type == "check_state" and any(cue == "instead" for cue in (*near, *own)),
         forbids_order=any(is_elided(document, i) for i in range(token + 1, following)),
-        is_past_forbidden=is_past_forbidden(observed, previous, split, token),
+        is_past_idle=is_past_idle(observed, previous, split, token),
         is_either_way=any(previous < words.start < token for words in concessions(document)),
         is_past_guess=any(document.sentences[w.start] == document.sentences[token] - 1 for w in guesses(document)),
         is_mere_contrast=(task.type != "check_state" or is_due_before_others(document, token))

@@ -369,7 +369,7 @@ def is_end(document: Document, cues: Sequence[Cue], i: int) -> bool:
     return ahead is not None and ahead.lemma not in _PUTTING_OFF and ahead.text not in MARKS
 
 
-def is_past_forbidden(observed: Observed, previous: int, split: int, token: int) -> bool:
+def is_past_idle(observed: Observed, previous: int, split: int, token: int) -> bool:
     """Whether an order at `token` is joined by ", and" (the comma is `split`) to what orders nothing right behind an
     "otherwise": a "don't", or a verb that is no task ("otherwise *leave it*"); `previous`: the task before."""
     tokens, sentences = observed.document.tokens, observed.document.sentences

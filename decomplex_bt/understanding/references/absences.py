@@ -65,7 +65,7 @@ def is_used_up(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if candidate.type != "object" or not context.relation(check, gap.task.id).startswith("condition.then"):
         return False
-    task = next(task for task in context.tasks if task.id == check)
+    task = context.by_number[check]
     words = {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
     is_over = context.lemmas[check].split() in (["run", "out"], ["go"], ["die"]) or "gone" in words
     noun = context.observed.document.tokens[candidate.head].lemma

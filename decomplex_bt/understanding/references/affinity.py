@@ -373,7 +373,7 @@ def _answers(context: Context, gap: Gap, options: Sequence[Option]) -> list[Opti
     # the question may stand ahead of what hangs on the answer: "ask him if he's *cold*, and bring a shawl if he is"
     path = context.paths.get(gap.task.id - 1, ())
     asked = gap.task.id - (2 if path and path[-1][0] == gap.task.id else 1)
-    before = next((task for task in context.tasks if task.id == asked), None)
+    before = context.by_number.get(asked)
     if before is None or before.type != "informing" or context.first.get(gap.task.id) != gap.task.id:
         return []
     document = context.observed.document

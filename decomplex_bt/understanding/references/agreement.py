@@ -12,7 +12,6 @@ from decomplex_bt.understanding.references.first_names import MEN, WOMEN
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.persons import asked
 from decomplex_bt.understanding.references.phrases import (
     ANIMALS,
     ONES,
@@ -26,6 +25,7 @@ from decomplex_bt.understanding.references.phrases import (
 from decomplex_bt.understanding.references.places import place_meant
 from decomplex_bt.understanding.references.undoing import done_contrariwise, undone
 from decomplex_bt.understanding.references.unsaid_goals import goal_instead
+from decomplex_bt.understanding.references.unsaid_recipients import asked
 from decomplex_bt.understanding.references.wholes import whole_meant
 
 _FEMALE = frozenset(
@@ -257,7 +257,7 @@ def _is_the_one_of(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_one = document.tokens[candidate.head].tag == "NN" and not _is_of_several(document, candidate)
     if candidate.mention or (candidate.owner, candidate.type) != (order, "object") or not is_one:
         return False
-    sources = (c for c in context.pool if (c.owner, c.type) == (order, "source") and not c.mention)
+    sources = (c for c in context.arguments(order, "source") if not c.mention)
     return any(c.shape in ("whole", "long") and _is_plural(context, c) for c in sources)
 
 
@@ -321,7 +321,7 @@ def _somebody(context: Context, gap: Gap) -> range:
     group = GROUPS.get(gap.word, "")
     if group not in ("he", "she") or gap.task.type not in _HANDLING:
         return range(0)
-    before = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    before = context.by_number.get(gap.task.id - 1)
     if before is None or before.type != "informing":
         return range(0)
     document = context.observed.document
@@ -531,7 +531,7 @@ def _like_it(context: Context, gap: Gap) -> range:
     is_there = any(document.tokens[i].lower in ("there", "it") for words in places for i in words)
     if not is_asked or not is_there or gap.type != "object" or context.types.get(order) != "placing":
         return range(0)
-    things = [c for c in context.pool if (c.owner, c.type) == (order, "object") and not c.mention]
+    things = [c for c in context.arguments(order, "object") if not c.mention]
     things = [c for c in things if c.shape in ("whole", "short") and document.tokens[c.head].tag in ("NN", "NNP")]
     return things[0].tokens if len(things) == 1 else range(0)
 

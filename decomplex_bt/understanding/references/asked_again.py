@@ -76,5 +76,5 @@ def _is_of_place_before(context: Context, gap: Gap, first: int) -> bool:
 
 def _has_object(context: Context, number: int, *, is_living: bool = False) -> bool:
     """Whether a task is about something that was named or, where that is asked, about somebody."""
-    named = (c for c in context.pool if (c.owner, c.type) == (number, "object"))
+    named = context.arguments(number, "object")
     return any(not is_living or kind_of(context, c) in ANIMATE for c in named)

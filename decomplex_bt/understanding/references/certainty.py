@@ -209,7 +209,7 @@ def _done_before(context: Context, gap: Gap) -> int:
         return 0
     earlier = (task.id for task in reversed(context.tasks) if task.id < gap.task.id)
     last = next((n for n in earlier if _is_of_one_act(context.lemmas[n].split()[0], verb)), 0)
-    return last if any((c.owner, c.type) == (last, "object") for c in context.pool) else 0
+    return last if context.arguments(last, "object") else 0
 
 
 def _done_otherwise(context: Context, gap: Gap, verb: str) -> int:
@@ -221,7 +221,7 @@ def _done_otherwise(context: Context, gap: Gap, verb: str) -> int:
     if not path or path[-1][0] != gap.task.id - 1 or not places or context.types.get(order) != gap.task.type:
         return 0
     is_same = context.lemmas[order].split()[0] == verb and context.types.get(gap.task.id - 1) == "check_state"
-    named = any((c.owner, c.type) == (order, "object") and not c.mention for c in context.pool)
+    named = any(not c.mention for c in context.arguments(order, "object"))
     return order if is_same and named else 0
 
 
@@ -237,11 +237,11 @@ def _instrument(context: Context, gap: Gap) -> int:
     document = context.observed.document
     if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in _HANDLING - {"taking"}:
         return 0
-    fetching = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    fetching = context.by_number.get(gap.task.id - 1)
     verb = context.lemmas[gap.task.id].split()[0]
     if fetching is None or fetching.type not in _HANDLING or verb not in CLEANING:
         return 0
-    fetched = {document.tokens[c.head].lemma for c in context.pool if (c.owner, c.type) == (fetching.id, "object")}
+    fetched = {document.tokens[c.head].lemma for c in context.arguments(fetching.id, "object")}
     place = document.indices(fetching.span).start
     others = [
         c for c in context.pool if c.tokens.stop <= place and context.types.get(c.owner) in (None, *_TELLING, "taking")
@@ -360,7 +360,7 @@ def _is_beside_same(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate further on, or in the other branch, is the place that the same pronoun is told to be put to:
     "if *it*'s clean, it goes in the cupboard, otherwise wash *it*"."""
     document, tokens = context.observed.document, context.observed.document.tokens
-    owner = next((task for task in context.tasks if task.id == candidate.owner), None)
+    owner = context.by_number.get(candidate.owner)
     if owner is None or candidate.mention or candidate.type == "object":
         return False
     paths = ((one, other) for one in context.paths.get(owner.id, ()) for other in context.paths.get(gap.task.id, ()))
@@ -419,7 +419,7 @@ def _guarded(context: Context, gap: Gap) -> int:
         or identity_of(context.observed.document, check) is not None
     ):
         return 0  # "see if it is", "... and if it is", "only if it's the plumber"
-    order = next((task for task in context.tasks if task.id == before), None)
+    order = context.by_number.get(before)
     if order is None or order.type in ("check_state", "searching", "informing", "motion"):
         return 0
     verb = context.observed.document.indices(order.span).start
@@ -490,7 +490,7 @@ def _is_of_the_house(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_weather(context: Context, gap: Gap) -> bool:
     """Whether a check without an object is of the weather: nothing named is what "*it* looks like rain" is of."""
     tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
-    first = next((task for task in context.tasks if task.id == context.first.get(gap.task.id)), gap.task)
+    first = context.by_number.get(context.first.get(gap.task.id, 0), gap.task)
     own, asked = (
         {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
         for task in (gap.task, first)
@@ -530,7 +530,7 @@ def _is_beside(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if _is_means(context, gap, candidate):
         return True
-    owner = next((task for task in context.tasks if task.id == candidate.owner), gap.task)
+    owner = context.by_number.get(candidate.owner, gap.task)
     is_absent = any(a.type == "state" and a.value.lower() in _ABSENT for a in owner.arguments)
     is_missed = is_absent and context.relation(owner.id, gap.task.id).startswith("condition.then")
     return is_missed and gap.task.type == "placing" and not _is_of_list(context, gap)
@@ -580,6 +580,7 @@ def _listed(context: Context, gap: Gap) -> int:
     path = context.paths.get(gap.task.id, ())
     if gap.type != "object" or gap.word not in ELSEWHERE - _SOMEBODY or not path or path[-1][1] != "else":
         return 0
-    check = next((task for task in context.tasks if task.id == path[-1][0] < gap.task.id), None)
-    is_lack = check is not None and says_there_is(context.observed.document, check) and _is_of_list(context, gap)
-    return path[-1][0] if is_lack else 0
+    check = context.by_number.get(path[-1][0])
+    if check is None or check.id >= gap.task.id or not says_there_is(context.observed.document, check):
+        return 0
+    return check.id if _is_of_list(context, gap) else 0

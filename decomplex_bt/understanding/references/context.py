@@ -48,6 +48,7 @@ class Context:
     lemmas: dict[int, str] = field(init=False)
     topic: str = field(init=False)
     types: dict[int, str] = field(init=False)
+    by_number: dict[int, Task] = field(init=False)
 
     def __post_init__(self) -> None:
         document = self.observed.document
@@ -64,6 +65,7 @@ class Context:
         self.topic = next((c.text.lower() for c in self.pool if c.type == "object"), "")
         self.lemmas = {task.id: self._lemma(task) for task in self.tasks}
         self.types = {task.id: task.type for task in self.tasks}
+        self.by_number = {task.id: task for task in self.tasks}
 
     @cached_property
     def verbs(self) -> frozenset[int]:
@@ -77,6 +79,10 @@ class Context:
     @cached_property
     def predicates(self) -> list[Candidate]:
         return predicates_of(self.observed, self.tasks)
+
+    def arguments(self, number: int, kind: str) -> list[Candidate]:
+        """What is known of a task's arguments of a type: phrases in text order, then what its gaps are filled with."""
+        return [c for c in self.pool if (c.owner, c.type) == (number, kind)]
 
     def _lemma(self, task: Task) -> str:
         document = self.observed.document

@@ -104,7 +104,7 @@ def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     tokens = context.observed.document.tokens
     if gap.task.type != "check_state":
-        put = next(task.span for task in context.tasks if task.id == candidate.owner)
+        put = context.by_number[candidate.owner].span
         start = context.observed.document.indices(put).start
         is_timed = any(token.lower in _TIMES for token in tokens[max(0, start - _NEAR) : start])
         verb, *particles = context.lemmas[gap.task.id].split()
@@ -126,7 +126,7 @@ def _is_filled_by(context: Context, gap: Gap, place: Candidate, states: set[str]
     fridge*. If *it*'s nearly empty, ..."."""
     document, gazetteer = context.observed.document, context.observed.gazetteer
     tokens = document.tokens
-    things = [c for c in context.pool if (c.owner, c.type) == (place.owner, "object") and not c.mention]
+    things = [c for c in context.arguments(place.owner, "object") if not c.mention]
     is_held = any(tokens[c.head].lemma in VESSELS | _HELD for c in things)
     is_piece = gazetteer.category(tokens[place.head].lemma) == "furniture" and has_inside(context, place)
     is_apart = document.sentences[place.head] != document.sentences[gap.position]
@@ -158,7 +158,7 @@ def is_content(context: Context, gap: Gap, candidate: Candidate) -> bool:
     before = gap.task.id - 1
     if context.types.get(before) not in ("searching", "check_state") or candidate.type not in ("object", "outside"):
         return False
-    places = (c for c in context.pool if (c.owner, c.type) == (before, "location") and not c.mention)
+    places = (c for c in context.arguments(before, "location") if not c.mention)
     is_somewhere = any(_is_container(context, place) for place in places)
     return is_somewhere and not _is_container(context, candidate)
 
@@ -181,7 +181,7 @@ def _has_lock(context: Context, candidate: Candidate) -> bool:
 def _is_one_put(context: Context, place: Candidate) -> bool:
     """Whether a single thing is put at a place, which "it" can mean."""
     tokens = context.observed.document.tokens
-    things = [c for c in context.pool if (c.owner, c.type) == (place.owner, "object") and c.shape in ("whole", "long")]
+    things = [c for c in context.arguments(place.owner, "object") if c.shape in ("whole", "long")]
     return len(things) == 1 and tokens[things[0].head].tag in ("NN", "NNP")
 
 
@@ -194,8 +194,8 @@ def _warms(context: Context, number: int) -> bool:
     """Whether an order makes something warm: by its verb, or as it switches on what can be hot."""
     if _is_heated(context, number):
         return True
-    task = next(task for task in context.tasks if task.id == number)
-    things = [c for c in context.pool if (c.owner, c.type) == (number, "object") and not c.mention]
+    task = context.by_number[number]
+    things = [c for c in context.arguments(number, "object") if not c.mention]
     is_on = any(a.type == "state" and a.value.lower() in _ON for a in task.arguments)
     return task.type == "change_state" and is_on and any(_gets_warm(context, c) for c in things)
 

@@ -37,7 +37,7 @@ def is_torn(context: Context, candidate: Candidate) -> bool:
     the tea and Dad the coffee"."""
     if candidate.shape != "in.across.list":
         return False
-    owner = next((task for task in context.tasks if task.id == candidate.owner), None)
+    owner = context.by_number.get(candidate.owner)
     return owner is not None and len(_several(owner)) > 1
 
 

@@ -63,8 +63,8 @@ def _opened(context: Context, gap: Gap) -> list[Candidate]:
 
 def _is_taken_out(context: Context, number: int) -> bool:
     """Whether something is taken out without a word of what it is in."""
-    is_told = any((c.owner, c.type) == (number, "source") for c in context.pool)
-    task = next(task for task in context.tasks if task.id == number)
+    is_told = bool(context.arguments(number, "source"))
+    task = context.by_number[number]
     document = context.observed.document
     verb = document.indices(task.span).start
     is_out = "out" in context.lemmas[number].split()[1:] or last_word(document, verb) == "out"
@@ -80,7 +80,7 @@ def _found_open(context: Context, gap: Gap) -> list[Candidate]:
 
 def is_said_open(context: Context, number: int) -> bool:
     """Whether a check asks if something is open."""
-    check = next((task for task in context.tasks if task.id == number), None)
+    check = context.by_number.get(number)
     if check is None or check.type != "check_state":
         return False
     return any(a.type == "state" and a.value.lower().split()[-1] in _OPEN for a in check.arguments)
@@ -91,9 +91,8 @@ def _with_an_inside(context: Context, number: int) -> list[Candidate]:
     tokens = context.observed.document.tokens
     return [
         c
-        for c in context.pool
-        if (c.owner, c.type) == (number, "object")
-        and not c.shape.startswith("in.")
+        for c in context.arguments(number, "object")
+        if not c.shape.startswith("in.")
         and tokens[c.head].lemma not in _COVERS
         and not (c.shape == "short" and tokens[c.tokens.stop].lower == "of")  # "the boot of the car"
     ]

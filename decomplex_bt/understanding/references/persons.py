@@ -1,5 +1,4 @@
-"""Persons: what "he", "she" and "they" cannot be for how it is asked about or was called before, and who it is where
-that goes without saying: the one person to be asked something, or anybody who may call."""
+"""Persons: what "he", "she" and "they" cannot be, for how it is asked about or was called before."""
 
 from __future__ import annotations
 
@@ -7,7 +6,7 @@ from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.fitness import VESSELS, WITH_HOURS
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import ANIMALS, ANYBODY, Candidate
+from decomplex_bt.understanding.references.phrases import ANIMALS, Candidate
 
 _OF_THINGS = frozenset(
     "on off open closed shut ajar locked unlocked lit unlit empty full flat broken cracked chipped torn ripped blown "
@@ -15,7 +14,6 @@ _OF_THINGS = frozenset(
 )
 """States that nobody is in."""
 _CALLING = frozenset("ring call phone knock buzz come arrive visit appear".split()) | {"turn up", "show up"}
-_QUESTIONS = frozenset("whether if what when how why which".split())
 _ASKED_FOR = frozenset(("which", "what"))
 
 
@@ -43,7 +41,7 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     if is_told and (context.observed.gazetteer.category(head.lemma) or candidate.type == "location"):
         return True
-    check = next(task for task in context.tasks if task.id == candidate.owner)
+    check = context.by_number[candidate.owner]
     if candidate.type == "object" and not candidate.mention:
         states = {a.value.lower() for a in check.arguments if a.type == "state"}
         is_given = head.text.islower() and gap.task.type != "check_state"
@@ -54,7 +52,7 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_of_choice(context: Context, check: int) -> bool:
     """Whether a check asks which of some things it is: "ask her *which coat* she likes. If *it*'s the duffel, ..."."""
     tokens = context.observed.document.tokens
-    asked = (c for c in context.pool if (c.owner, c.type) == (check, "object"))
+    asked = context.arguments(check, "object")
     return any(tokens[c.tokens.start].lower in _ASKED_FOR or c.text.split()[0].lower() in _ASKED_FOR for c in asked)
 
 
@@ -89,31 +87,7 @@ def asks_who_calls(context: Context, check: Task) -> bool:
     )
 
 
-def asked(context: Context, gap: Gap) -> range:
-    """The words of the one person whom the orders before were about, where it is only said what to ask: "if *the lady*
-    rings, go up to her. If her door is ajar, ask whether she is ill". Open where somebody else was called or gone to
-    right before, or where it is asked who or where somebody is."""
-    document, before = context.observed.document, context.types.get(gap.task.id - 1)
-    is_unsaid = gap.type == "recipient" and not gap.word and context.lemmas[gap.task.id] == "ask"
-    messages = [document.indices(a.span) for a in gap.task.arguments if a.type == "message" and a.span]
-    first = {document.tokens[message.start].lower for message in messages}
-    if not is_unsaid or first.isdisjoint(_QUESTIONS) or before in ("informing", "motion"):
-        return range(0)
-    named = [
-        c
-        for c in context.pool
-        if not c.mention and c.tokens.stop <= gap.position and kind_of(context, c) in ("person", "name")
-    ]
-    told = [c for c in named if c.owner and c.shape in ("whole", "long") and c.type in ("object", "recipient")]
-    is_one = len({c.head for c in named}) == 1 and len(told) == 1
-    if not is_one or document.tokens[told[0].tokens.start].lower in ANYBODY:
-        return range(0)
-    relation = context.relation(told[0].owner, gap.task.id)
-    is_there = relation in ("same", "outer") or relation.startswith("condition.then")
-    return told[0].tokens if is_there else range(0)
-
-
 def _goes(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what goes to somebody in the order that the word stands in."""
-    moved = (c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object"))
+    moved = context.arguments(gap.task.id, "object")
     return gap.type == "recipient" and any(c.text.lower() == candidate.text.lower() for c in moved)

@@ -44,7 +44,7 @@ def _asked(context: Context, gap: Gap) -> range:
     """The place that is asked of, not the one that only tells which it is: "if *the café* next to the station is open,
     take Rita *there*". A thing that is no place stands at it: "if the paint in *the hall* is dry"."""
     path = context.paths.get(gap.task.id, ())
-    check = next((task for task in context.tasks if path and task.id == path[-1][0]), None)
+    check = context.by_number.get(path[-1][0]) if path else None
     if check is None or check.type != "check_state":
         return range(0)
     document = context.observed.document
@@ -70,7 +70,7 @@ def _left(context: Context, gap: Gap) -> range:
     document = context.observed.document
     things = [document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span is not None]
     is_rest = any(document.tokens[thing[-1]].lower in _REMAINING for thing in things)
-    before = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    before = context.by_number.get(gap.task.id - 1)
     if context.lemmas[gap.task.id] != "leave" or not is_rest or before is None:
         return range(0)
     return _source(context, before)

@@ -36,7 +36,7 @@ def is_not_shown(context: Context, gap: Gap, candidate: Candidate) -> bool:
     hot, put *this* in the sink"."""
     if gap.word not in _SHOWN or gap.type != "object" or gap.task.type not in _HANDLING or len(gap.tokens) != 1:
         return False
-    check = next((task for task in context.tasks if task.id == candidate.owner), None)
+    check = context.by_number.get(candidate.owner)
     is_asked = check is not None and check.type == "check_state"
     is_found = is_asked and check is not None and says_there_is(context.observed.document, check)
     return kind_of(context, candidate) in ANIMATE or (is_asked and not is_found)

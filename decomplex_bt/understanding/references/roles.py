@@ -41,7 +41,7 @@ def is_within(context: Context, gap: Gap, candidate: Candidate) -> bool:
 
 def _is_own_object(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what the task of a gap is about, by a word that refers to it."""
-    own = (c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object") and c.mention)
+    own = (c for c in context.arguments(gap.task.id, "object") if c.mention)
     return any(c.text.lower() == candidate.text.lower() for c in own)
 
 
@@ -56,7 +56,7 @@ def is_where_from(context: Context, gap: Gap, candidate: Candidate) -> bool:
     tokens = context.observed.document.tokens
     verb = context.observed.document.indices(gap.task.span).start
     words = {token.lower for token in tokens[verb : gap.tokens.stop + 1]}
-    taken, moved = ({c.text.lower() for c in _objects(context, number)} for number in (order, gap.task.id))
+    taken, moved = ({c.text.lower() for c in context.arguments(number, "object")} for number in (order, gap.task.id))
     ahead = (c for c in context.pool if c.tokens.stop <= candidate.tokens.start)
     is_other = any(c.tokens.start and tokens[c.tokens.start - 1].lower in _AT for c in ahead)
     first = candidate.tokens.start
@@ -70,7 +70,7 @@ def is_where_else(context: Context, gap: Gap, candidate: Candidate) -> bool:
     verb = context.lemmas[gap.task.id].split()[0]
     if gap.word != "there" or gap.type != "goal" or verb not in _LEAVING:
         return False
-    left = {c.text.lower() for c in _objects(context, gap.task.id)}
+    left = {c.text.lower() for c in context.arguments(gap.task.id, "object")}
     elsewhere = {
         c.owner
         for c in context.pool
@@ -82,10 +82,6 @@ def is_where_else(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if candidate.text.lower() in left or kind_of(context, candidate) in ANIMATE:
         return bool(elsewhere)
     return candidate.type == "goal" and not candidate.mention and candidate.owner in elsewhere
-
-
-def _objects(context: Context, number: int) -> list[Candidate]:
-    return [c for c in context.pool if (c.owner, c.type) == (number, "object")]
 
 
 def is_sought(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -130,7 +126,7 @@ def is_immovable(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if gap.task.type == "check_state":
         if not any(a.type == "state" and a.value.lower().split()[-1] in _OF_THINGS for a in gap.task.arguments):
             return False  # "if the office is closed, slip it under the door"
-        behind = next((task for task in context.tasks if task.id == gap.task.id + 1), None)
+        behind = context.by_number.get(gap.task.id + 1)
         is_governed = (gap.task.id, "then") in context.paths.get(gap.task.id + 1, ())
         if behind is None or not is_governed or not _is_of_it(context, behind):
             return False

@@ -68,9 +68,8 @@ def _is_open_there(context: Context, gap: Gap, candidate: Candidate) -> bool:
     open, put *the ring* inside and close *it*"."""
     checks = [check for check, side in context.paths.get(gap.task.id, ()) if side == "then"]
     return any(
-        (c.owner, c.type) == (check, "object") and c.head != candidate.head and is_said_open(context, check)
+        is_said_open(context, check) and any(c.head != candidate.head for c in context.arguments(check, "object"))
         for check in checks
-        for c in context.pool
     )
 
 
@@ -123,7 +122,7 @@ def _is_place(place: Candidate) -> bool:
 
 def _is_switched_by(context: Context, number: int) -> bool:
     """Whether an order switches something on or off."""
-    task = next(task for task in context.tasks if task.id == number)
+    task = context.by_number[number]
     return task.type == "change_state" and any(
         a.type == "state" and a.value.lower() in _ON_OR_OFF for a in task.arguments
     )

@@ -20,7 +20,7 @@ def undone(context: Context, gap: Gap) -> range:
     empty where there is none, or the order before is of the same verb."""
     if gap.type != "object" or gap.word not in ("it", "them") or gap.task.type != "change_state":
         return range(0)
-    check = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    check = context.by_number.get(gap.task.id - 1)
     path = context.paths.get(gap.task.id, ())
     if check is None or check.type != "check_state" or not path or path[-1] != (check.id, "then"):
         return range(0)
@@ -30,7 +30,7 @@ def undone(context: Context, gap: Gap) -> range:
         return range(0)
     document = context.observed.document
     tag = ("NN", "NNP") if gap.word == "it" else ("NNS",)
-    named = [c for c in context.pool if (c.owner, c.type) == (check.id, "object") and not c.mention]
+    named = [c for c in context.arguments(check.id, "object") if not c.mention]
     named = [c for c in named if c.shape in ("whole", "long") and document.tokens[c.head].tag in tag]
     is_thing = len(named) == 1 and kind_of(context, named[0]) not in ANIMATE
     return named[0].tokens if is_thing else range(0)
@@ -42,7 +42,7 @@ def done_contrariwise(context: Context, gap: Gap) -> range:
     if gap.type != "object" or gap.word not in ("it", "them") or gap.task.type != "change_state":
         return range(0)
     done = _set_by(context, gap.task)
-    before = next((task for task in context.tasks if task.id == gap.task.id - 1), None)
+    before = context.by_number.get(gap.task.id - 1)
     asked = set() if before is None else {a.value.lower().split()[-1] for a in before.arguments if a.type == "state"}
     if not done or not asked.isdisjoint(change(done).ends):
         return range(0)
@@ -54,7 +54,7 @@ def done_contrariwise(context: Context, gap: Gap) -> range:
         and context.relation(task.id, gap.task.id) == "exclusive"
         and _is_contrary(_set_by(context, task), done)
     ]
-    objects = (c for c in context.pool if contrary and (c.owner, c.type) == (contrary[-1].id, "object"))
+    objects = context.arguments(contrary[-1].id, "object") if contrary else []
     named = [c for c in objects if _is_of_number(context, gap, c) and kind_of(context, c) not in ANIMATE]
     return named[0].tokens if len(named) == 1 else range(0)
 

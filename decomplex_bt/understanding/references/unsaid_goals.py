@@ -25,15 +25,14 @@ def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     verb, said = context.lemmas[gap.task.id].split()[0], _said(context.observed.document, gap.position)
     is_in = not said.isdisjoint(_INTO)
-    things = [c for c in context.pool if (c.owner, c.type) == (gap.task.id, "object")]
+    things = context.arguments(gap.task.id, "object")
     if candidate.type == "object" and any(_is_alike(c, candidate) for c in things):
         return True
     if verb in _LAYING and not is_in and (has_inside(context, candidate) or candidate.task_type == "placing"):
         return has_inside(context, candidate) or candidate.type == "object"
     if candidate.type == "object" and not _holds(context, candidate):
-        is_out = "out" in context.lemmas[candidate.owner].split()[1:] or any(
-            (c.owner, c.type) == (candidate.owner, "source") for c in context.pool
-        )
+        is_from = bool(context.arguments(candidate.owner, "source"))
+        is_out = is_from or "out" in context.lemmas[candidate.owner].split()[1:]
         is_taken = candidate.task_type in ("taking", "bringing") and is_out and "on" not in said
         is_stirred = not _STIRRED.isdisjoint(context.lemmas.get(candidate.owner, "").split()[:1])
         is_somebody = kind_of(context, candidate) in ("person", "name") and candidate.head == candidate.tokens.stop - 1
@@ -42,7 +41,7 @@ def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return False
     tokens = context.observed.document.tokens
     before = [token.lower for token in tokens[max(0, candidate.tokens.start - 2) : candidate.tokens.start]]
-    taken = {c.head for c in context.pool if (c.owner, c.type) == (candidate.owner, "object")}
+    taken = {c.head for c in context.arguments(candidate.owner, "object")}
     is_same = any(c.head in taken for c in things)
     return before == ["out", "of"] and (is_same or (verb in _LAYING | {"hang"} and not is_in))
 

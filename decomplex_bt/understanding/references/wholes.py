@@ -49,7 +49,7 @@ def is_part(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_of_whole = noun in _PARTS or noun == "battery"
     if not is_carried or not path or not is_of_whole or candidate.mention or _is_fitted(document, gap):
         return False
-    check = next((task for task in context.tasks if task.id == candidate.owner), gap.task)
+    check = context.by_number.get(candidate.owner, gap.task)
     is_asked = candidate.type == "object" and context.first.get(check.id) == path[-1][0]
     states = {word for a in check.arguments if a.type == "state" for word in a.value.lower().split()}
     if not is_asked or check.type != "check_state" or not states.isdisjoint(_APART):
@@ -68,7 +68,7 @@ def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
     something that is on what is cleaned ("if there's *something* on the table, wipe it"). A flaw may be wiped off."""
     document = context.observed.document
     is_taken_up = gap.type == "object" and gap.word in ("it", "them", "one", "ones") and candidate.type == "object"
-    check = next((task for task in context.tasks if task.id == candidate.owner), None)
+    check = context.by_number.get(candidate.owner)
     if not is_taken_up or check is None or check.type != "check_state" or not says_there_is(document, check):
         return False
     if not any(a.type == "location" for a in check.arguments):
@@ -84,7 +84,7 @@ def is_on_whole(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def is_written(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is what is written on or in something, which nobody moves or asks the state of: "whose is
     this bag? If *Ann's name* is in it, put *it* on her hook". It may be peeled off, or put where it is not yet."""
-    check = next((task for task in context.tasks if task.id == candidate.owner), None)
+    check = context.by_number.get(candidate.owner)
     is_taken_up = gap.type == "object" and gap.word in ("it", "them") and candidate.type == "object"
     if not is_taken_up or check is None or check.type != "check_state" or check.id >= gap.task.id:
         return False
@@ -106,7 +106,7 @@ def whole_meant(context: Context, gap: Gap) -> range:
     """What has the flaw that is asked after, of which "the grey one" is another: "if there's a hole in *the blue
     blanket*, bring me *the grey one*"; empty where there is none such."""
     document, path = context.observed.document, context.paths.get(gap.task.id, ())
-    check = next((task for task in context.tasks if path and task.id == path[-1][0]), None)
+    check = context.by_number.get(path[-1][0]) if path else None
     is_another = gap.form == "one" and gap.type == "object" and len(gap.tokens) > 1
     if not is_another or check is None or check.type != "check_state" or not says_there_is(document, check):
         return range(0)
@@ -123,7 +123,7 @@ def is_not_on_it(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_wiped = gap.type == "object" and gap.word == "it" and context.lemmas[gap.task.id].split()[0] in _WIPING
     if not is_wiped or not path or path[-1] != (gap.task.id - 1, "then") or candidate.owner == gap.task.id - 1:
         return False
-    check = next(task for task in context.tasks if task.id == gap.task.id - 1)
+    check = context.by_number[gap.task.id - 1]
     is_found = says_there_is(context.observed.document, check) and any(a.type == "location" for a in check.arguments)
     return is_found and check.type == "check_state"
 

@@ -41,7 +41,7 @@ def disregard(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
     is_past_place = is_past_place and bool(clause.objects) and TURNING.isdisjoint((*clause.far, *clause.near))
     is_at_last = roles[k] == "task" and "either_way" in clause.behind and clause.ends_sentence
     is_at_last = is_at_last and roles[k - 1] == "task" and clause.sentence == clauses[k - 1].sentence
-    if clause.is_either_way or clause.is_past_forbidden or clause.is_past_guess or is_past_place or is_at_last:
+    if clause.is_either_way or clause.is_past_idle or clause.is_past_guess or is_past_place or is_at_last:
         _take_out(clauses, roles, sides, k, sides[first])
 
 

@@ -43,15 +43,13 @@ def verbless_cases(observed: Observed, tasks: Collection[int]) -> Iterator[Fragm
         stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
         if (stop < len(tokens) and not _is_end(document, stop)) or bare_state(observed, first - 1) is not None:
             continue
-        if first == stop:
-            continue
-        if tokens[first].lower == _ASKING and not _is_asked(document, first, stop):
+        if first < stop and tokens[first].lower == _ASKING and not _is_asked(document, first, stop):
             continue
         while first < stop and tokens[first].lower in _UNHEEDED:
             first += 1
-        if first >= stop:
+        if first == stop:
             continue
-        phrase = range(first + (first < stop and tokens[first].lower == _DENYING), stop)
+        phrase = range(first + (tokens[first].lower == _DENYING), stop)
         if _is_comparison(document, phrase):
             yield Fragment(range(first, stop), first, range(0), range(0), state=phrase)
             continue
