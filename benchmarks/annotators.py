@@ -5,7 +5,8 @@
 Each set of `corpus/three_annotations` has its author's annotation and two blind ones by others, who had the guideline
 and the bare texts. Prints, for each set and for all: of pairs of annotators the share that have the same tasks and
 flow, and the same values as well; of pairs of our reading and an annotator the same; and the share of our readings
-that are as most annotators have it (two of three at least), where most agree. Half a minute a set.
+that are as most annotators have it (two of three at least), where most agree. The three pairs of an instruction hang
+together, so their interval is the one that as many draws as there are instructions leave open. Half a minute a set.
 """
 
 from __future__ import annotations
@@ -36,7 +37,10 @@ def main() -> None:
     domain = load_domain("household")
     interpreter = Interpreter.load(domain, encoder=not chosen.no_encoder)
     files = sorted((domain.folder / "corpus" / FOLDER).glob("*.yaml"))
-    names = chosen.sets or [file.stem for file in files if "." not in file.stem]
+    known = [file.stem for file in files if "." not in file.stem]
+    if strange := [name for name in chosen.sets if name not in known]:
+        options.error(f"no set {', '.join(strange)}; there are {', '.join(known)}")
+    names = chosen.sets or known
     total: Counter[str] = Counter()
     for name in names:
         annotated = _annotations(domain, name)
@@ -73,12 +77,15 @@ def _counts(readings: Sequence[Instruction], annotated: Sequence[Sequence[Instru
 def _show(name: str, counts: Counter[str]) -> None:
     print(f"{name} ({counts['instructions']})")
     for row, _ in ROWS:
-        for what, count, of in (
-            ("two annotators", "alike", "pairs"),
-            ("we and one annotator", "as ours", "to us"),
-            ("we and most", "as most", "majorities"),
-        ):
-            print(f"  {row:14} {what:21} {Proportion(counts[f'{row}: {count}'], counts[f'{row}: {of}'])}")
+        for what, count, of in (("two annotators", "alike", "pairs"), ("we and one annotator", "as ours", "to us")):
+            alike, pairs = counts[f"{row}: {count}"], counts[f"{row}: {of}"]
+            print(f"  {row:14} {what:21} {_of_pairs(alike, pairs, counts['instructions'])}")
+        print(f"  {row:14} {'we and most':21} {Proportion(counts[f'{row}: as most'], counts[f'{row}: majorities'])}")
+
+
+def _of_pairs(alike: int, pairs: int, instructions: int) -> str:
+    low, high = Proportion(round(alike / pairs * instructions), instructions).interval or (0.0, 1.0)
+    return f"{alike / pairs:.1%} [{low:.1%}, {high:.1%}] ({alike}/{pairs})"
 
 
 if __name__ == "__main__":
