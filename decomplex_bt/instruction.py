@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,6 +33,11 @@ class Argument:
     value: str
     span: Span | None = None
     confidence: float = 1.0
+
+
+def in_text_order(arguments: Iterable[Argument]) -> tuple[Argument, ...]:
+    """Arguments as a task has them: first those without words of their own, as they come, then the others as read."""
+    return tuple(sorted(arguments, key=lambda a: -1 if a.span is None else a.span.start))
 
 
 @dataclass(frozen=True, slots=True)

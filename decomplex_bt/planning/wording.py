@@ -61,7 +61,7 @@ class Wording:
 
     def is_of_weather(self, task: Task) -> bool:
         """Whether a check is of the weather or the day, which no thing tells."""
-        if task.type != "check_state" or task.value("object") is not None:
+        if task.type != "check_state" or (task.value("object") or "it").lower() != "it":
             return False
         return is_of_weather(self._clause(task))
 

@@ -20,6 +20,7 @@ from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.derivation import arcs_of
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
+from decomplex_bt.understanding.control_flow.settlement import settle
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import (
     Chain,
@@ -84,7 +85,7 @@ class FlowModel:
                 told = stated_orders(clauses, chained, places, orders.labels)
                 arcs = tuple(Arc(*labels) for labels in zip(chained, places, told, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
+                found.append(FoundFlow(settle(flow_of(arcs, chain.wordings), clauses), arcs, clauses, chances))
         return likeliest(found)
 
 

@@ -30,7 +30,8 @@ from decomplex_bt.understanding.manifest import check_encoder, check_language, c
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
 from decomplex_bt.understanding.references.messages import with_messages
-from decomplex_bt.understanding.references.weather import without_weather
+from decomplex_bt.understanding.references.unsaid_recipients import with_speaker
+from decomplex_bt.understanding.references.weather import with_weather
 from decomplex_bt.understanding.remainder import restored, without
 from decomplex_bt.understanding.retelling import retold
 from decomplex_bt.understanding.rules.cases.checks import naming
@@ -38,6 +39,7 @@ from decomplex_bt.understanding.rules.ellipses.likewise import CARRIERS
 from decomplex_bt.understanding.rules.ellipses.pro_verbs import with_doings
 from decomplex_bt.understanding.rules.orders.assurances import with_denied
 from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
+from decomplex_bt.understanding.rules.spans.levels import with_levels
 from decomplex_bt.understanding.rules.spans.relatives import without_stated
 from decomplex_bt.understanding.rules.speech.repairs import repaired
 from decomplex_bt.understanding.rules.speech.second_thoughts import set_off
@@ -218,7 +220,8 @@ class Interpreter:
         tasks = with_denied(document, without_stated(document, tasks), self.domain.kinds)
         tasks = without_outcomes(document, with_effects(document, tasks, self.domain.lexicon), self.domain.lexicon)
         tasks = with_tries(document, tasks, flow, self.domain.lexicon)
-        return with_messages(document, without_weather(tasks, flow), flow)
+        tasks = with_levels(document, with_weather(document, with_speaker(document, tasks), flow))
+        return with_messages(document, tasks, flow)
 
     def _hints(self, observed: Observed, reading: Reading) -> Hints | None:
         if self._stages.references is None:

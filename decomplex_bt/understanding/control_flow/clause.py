@@ -90,6 +90,10 @@ class Clause:
     """Whether it says that nobody is, or does, something."""
     is_of_weather: bool = False
     """Whether it asks about the weather or the day."""
+    asks_presence: bool = False
+    """Whether it asks no more than if somebody is in or something is there: "if she's out", "if there are none"."""
+    is_event: bool = False
+    """Whether it tells of what comes about and is waited for: "once *it's dry*"."""
     is_excepted: bool = False
     """Whether it stands under the "unless" of the clause before it."""
     ways: frozenset[str] = frozenset()

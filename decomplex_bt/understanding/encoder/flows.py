@@ -18,6 +18,7 @@ from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
+from decomplex_bt.understanding.control_flow.settlement import settle
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
 from decomplex_bt.understanding.crf import Crf, Features
@@ -129,7 +130,7 @@ class EncoderFlows:
                 labels = zip(told, place, stated_orders(clauses, told, place, order.labels), strict=True)
                 arcs = tuple(Arc(*each) for each in labels)
                 chances = (way.probability, attachment.probability, order.probability)
-                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
+                found.append(FoundFlow(settle(flow_of(arcs, chain.wordings), clauses), arcs, clauses, chances))
         return likeliest(found)
 
 

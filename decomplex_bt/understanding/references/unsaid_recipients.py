@@ -1,11 +1,20 @@
-"""Unsaid recipients: who is asked where it is only said what, "*ask* whether she is ill"."""
+"""Unsaid recipients: who is asked where it is only said what ("*ask* whether she is ill"), and that what is brought
+besides or instead is for the speaker, too ("bring me the mug. If it's dirty, *bring* a glass")."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
+from decomplex_bt.instruction import Argument, Task
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import ANYBODY
 
+_SPEAKER = frozenset(("me", "us"))
+_BESIDES = frozenset("too also instead well".split())
+_WAYS = frozenset("in out up down over back along round around through inside outside home here away off on".split())
 _QUESTIONS = frozenset("whether if what when how why which".split())
 
 
@@ -31,3 +40,29 @@ def asked(context: Context, gap: Gap) -> range:
     relation = context.relation(told[0].owner, gap.task.id)
     is_there = relation in ("same", "outer") or relation.startswith("condition.then")
     return told[0].tokens if is_there else range(0)
+
+
+def with_speaker(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:
+    """The tasks, those for the speaker too that bring something behind what is brought to "me" or "us", by the same
+    plain verb or "too", "as well" or "instead", and do not say where to."""
+    found: list[Task] = []
+    speaker = ""
+    starts = [document.indices(task.span).start for task in tasks] + [len(document)]
+    for task, start, end in zip(tasks, starts, starts[1:], strict=False):
+        said = {argument.type for argument in task.arguments}
+        if task.type == "bringing" and speaker and not said & {"recipient", "goal"}:
+            stop = next((j for j in range(start, end) if document.tokens[j].text in MARKS), end)
+            words = {token.lower for token in document.tokens[start + 1 : stop]}
+            is_like = document.tokens[start].lemma == "bring" or not _BESIDES.isdisjoint(words)
+            if is_like and _WAYS.isdisjoint(_loose(document, task, start + 1, stop)):
+                task = replace(task, arguments=(Argument("recipient", speaker, None, task.confidence), *task.arguments))
+        found.append(task)
+        received = [value.lower() for value in task.values("recipient")] if task.type == "bringing" else []
+        speaker = next((value for value in received if value in _SPEAKER), "" if received else speaker)
+    return tuple(found)
+
+
+def _loose(document: Document, task: Task, start: int, stop: int) -> set[str]:
+    """The words from `start` to `stop` that are no part of an argument."""
+    within = {j for a in task.arguments if a.span is not None for j in document.indices(a.span)}
+    return {document.tokens[j].lower for j in range(start, stop) if j not in within}
