@@ -9,6 +9,7 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 
 _FAILING = frozenset(("bringing", "taking", "placing", "informing", "following"))
 """What cannot be done where who it is for, or what it is of, is not there."""
+_GOING_ON = frozenset(("then", "after_that"))
 
 
 def settle(flow: Flow, clauses: Sequence[Clause]) -> Flow:
@@ -33,8 +34,9 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
         if isinstance(node, If):
             node = If(node.tasks, _awaiting(node.then, clauses), _awaiting(node.orelse, clauses))
         elif not node.is_repeat and len(node.tasks) == 1 and clauses[node.task - 1].is_event:
+            is_behind = bool(waiting) and _first(waiting[0]) < node.task  # "close it *once it's gone*"
             behind = 0
-            while behind < len(waiting) and _waits(waiting[behind], node.task, clauses):
+            while behind < len(waiting) and _waits(waiting[behind], node.task, clauses, is_behind=is_behind):
                 behind += 1
             if behind:
                 node = If(node.tasks, _awaiting(waiting[:behind], clauses))
@@ -45,11 +47,16 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
     return tuple(found)
 
 
-def _waits(node: Node, event: int, clauses: Sequence[Clause]) -> bool:
-    """Whether what is done next waits for an event: what its sentence orders, but not a case behind an event that
-    stands behind an order itself ("put it away once it's cold, *and if the fan is on, ...*")."""
-    is_other = isinstance(node, If) and node.task > event and clauses[event - 1].boundary == "none" and event > 1
-    return clauses[_first(node) - 1].sentence == clauses[event - 1].sentence and not is_other
+def _waits(node: Node, event: int, clauses: Sequence[Clause], *, is_behind: bool) -> bool:
+    """Whether what is done next waits for an event: what its sentence orders, but past an event that stands behind an
+    order itself only what goes on with that ("put it away once it's cold, *then tell me*", not "*and wash the pan*")."""
+    first = _first(node)
+    clause = clauses[first - 1]
+    if clause.sentence != clauses[event - 1].sentence:
+        return False
+    if first < event or not is_behind:
+        return True
+    return isinstance(node, Do) and (clause.has_pronoun or not _GOING_ON.isdisjoint((*clause.far, *clause.near)))
 
 
 def _first(node: Node) -> int:

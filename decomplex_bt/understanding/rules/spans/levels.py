@@ -22,7 +22,7 @@ def with_levels(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:
     starts = [document.indices(task.span).start for task in tasks]
     ends = [*starts[1:], len(document)]
     return tuple(
-        _with_level(document, task, start, end, said) for task, start, end in zip(tasks, starts, ends, strict=True)
+        _with_level(document, task, start, end, said) for task, start, end in zip(tasks, starts, ends, strict=False)
     )
 
 
@@ -42,7 +42,7 @@ def _with_level(document: Document, task: Task, start: int, end: int, said: Coll
         span = document.span(found.start, found.stop - 1)
         state = Argument("state", span.of(document.text), span, task.confidence)
         return replace(task, arguments=in_text_order((*task.arguments, state)))
-    if told.span is None or document.indices(told.span).start != found.start + 1:
+    if task.type == "check_state" or told.span is None or document.indices(told.span).start != found.start + 1:
         return task
     span = document.span(found.start, document.indices(told.span).stop - 1)  # "turn it *down to two*"
     longer = replace(told, value=span.of(document.text), span=span)
