@@ -253,8 +253,8 @@ PRONOUNS = frozenset("it them one ones him her there that this these those they 
 
 
 def lint(examples: Sequence[Example], ontology: Ontology) -> Iterator[tuple[Example, str]]:
-    """What is legal but deserves a second look: pronouns without a referent but for the "it" of a check, missing required
-    arguments."""
+    """What is legal but deserves a second look: missing required arguments, and pronouns without a referent but for the
+    "it" of a check."""
     defaults = {"bringing": {"recipient"}}
     for example in examples:
         instruction = example.instruction

@@ -156,8 +156,8 @@ def test_an_if_it_right_behind_an_order_is_of_what_that_names(
         ("Sweep the porch, and while you're at it empty the tub, though not if it's half full.", "the tub"),
         # the place where something is put, what it is like outside
         ("Put the towel in the basket, but not if it's full.", "the basket"),
-        ("Close the curtain and turn on the lamp, but not if it's sunny.", None),
-        ("Turn the oven off and open the window, but only if it's warm out.", None),
+        ("Close the curtain and turn on the lamp, but not if it's sunny.", "it"),
+        ("Turn the oven off and open the window, but only if it's warm out.", "it"),
     ],
 )
 def test_what_is_hung_on_an_order_is_of_what_that_names(interpreter: Interpreter, text: str, value: str | None) -> None:

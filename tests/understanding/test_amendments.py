@@ -289,7 +289,7 @@ def test_who_somebody_walks_along_with_is_followed() -> None:
         ("If no lamps are on downstairs, come back up.", 1, "object", "lamps"),
         ("If no one is in the den, turn the fan off.", 1, "object", None),
         ("If none of the chairs is free, bring a stool.", 1, "object", "none of the chairs"),
-        ("Get the cushions, and if it looks like snow, close the shed.", 2, "object", None),
+        ("Get the cushions, and if it looks like snow, close the shed.", 2, "object", "it"),
         ("Check the milk, and if it looks sour, tell me.", 2, "object", "the milk"),
         ("Light the lamp, and if the baby wakes up, come and get me.", 3, "object", "me"),
         ("Get me the paper.", 1, "recipient", "me"),
@@ -347,19 +347,20 @@ def test_what_there_is_is_no_state() -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "state"),
     [
-        "Go to the icebox and see if there is any tea left. If there is, bring me a glass.",
-        "If there's any rice left over, put it in the fridge.",
-        "is there any juice left? if so bring me a glass",
-        "if there arent any pizzas left get me the noodles",
+        ("Go to the icebox and see if there is any tea left. If there is, bring me a glass.", "left"),
+        ("If there's any rice left over, put it in the fridge.", "left over"),
+        ("is there any juice left? if so bring me a glass", "left"),
+        ("if there arent any pizzas left get me the noodles", "left"),
+        ("If there's any cake left in the tin, bring me a slice.", None),  # it is said where
+        ("If you left the lamp on, turn it off.", "on"),
     ],
 )
-def test_that_something_is_left_is_no_state_of_it_and_nothing_is_missing(text: str) -> None:
+def test_that_something_is_left_is_a_state_of_it_and_nothing_is_missing(text: str, state: str | None) -> None:
     instruction = Interpreter.load().interpret(text)
     checks = [task for task in instruction.tasks if task.type == "check_state"]
-    assert checks
-    assert not any(task.value("state") for task in checks)
+    assert checks[0].value("state") == state
     assert not instruction.missing
 
 

@@ -136,7 +136,10 @@ def test_who_is_told_is_not_whom_it_is_about(interpreter: Interpreter) -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("If Kim is asleep, leave the lantern on. Once he's awake, turn it off.", [{"if": 1, "then": [2]}, 3, 4]),
+        (
+            "If Kim is asleep, leave the lantern on. Once he's awake, turn it off.",
+            [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
+        ),
         (
             "Take the first jar to the attic, or to the shed if the attic is full.",
             [{"if": 3, "then": [2], "else": [1]}],
@@ -151,7 +154,7 @@ def test_when_and_what_is_begun(interpreter: Interpreter, text: str, expected: A
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("Switch the lantern on for the children and off again once they've left.", [1, 3, 2]),
+        ("Switch the lantern on for the children and off again once they've left.", [1, {"if": 3, "then": [2]}]),
         ("Turn the radio on for Gran, and off again after she's gone to bed.", [1, 3, 2]),
         ("Turn the heater on now and off when I leave.", [1, {"if": 3, "then": [2]}]),
         ("Turn the pump off for now and back on when Lea comes home.", [1, {"if": 3, "then": [2]}]),

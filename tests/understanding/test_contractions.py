@@ -31,7 +31,7 @@ def test_lemme_have_is_a_request(interpreter: Interpreter) -> None:
     [
         ("if leo's gonna be late call me", "leo", "gonna be late"),
         ("if the rice is going to burn turn the stove off", "the rice", "going to burn"),
-        ("if it's gonna be cold tonight close the skylight", None, "gonna be cold"),
+        ("if it's gonna be cold tonight close the skylight", "it", "gonna be cold"),
     ],
 )
 def test_what_is_gonna_be_so_is_a_state(interpreter: Interpreter, text: str, thing: str | None, state: str) -> None:

@@ -20,7 +20,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ),
         (
             "Get me my watch from the bathroom. If it's not there, it might be in the kitchen.",
-            [{"if": [1, 2], "else": [3]}],
+            [{"if": 2, "then": [1], "else": [3]}],
             "in the kitchen",
         ),
         (
@@ -30,7 +30,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ),
         (
             "Get the map. If it's not in the car, it must be on the shelf.",
-            [{"if": [1, 2], "else": [3]}],
+            [{"if": 2, "then": [1], "else": [3]}],
             "on the shelf",
         ),
     ],

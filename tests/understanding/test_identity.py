@@ -53,7 +53,7 @@ def test_a_definite_phrase_behind_a_condition_tells_who_or_what_it_is(
         ("If it was only the wind, shut the door.", {"object": "the wind"}),
         ("if that hum is the fridge tell me", {"object": "that hum", "state": "the fridge"}),
         ("Somebody rang. If it is the nurse, let her in.", {"object": "Somebody", "state": "the nurse"}),
-        ("If it is Sunday, tell me.", {"state": "Sunday"}),
+        ("If it is Sunday, tell me.", {"object": "it", "state": "Sunday"}),
         ("Taste the soup, and if it is hot, tell me.", {"object": "the soup", "state": "hot"}),
     ],
 )

@@ -103,4 +103,4 @@ def test_another_place_is_used(interpreter: Interpreter) -> None:
     ],
 )
 def test_what_is_waited_for_keeps_no_other_order(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text) == [2, 1, 3]
+    assert flow(interpreter, text) == [{"if": 2, "then": [1]}, 3]

@@ -22,14 +22,22 @@ def test_what_is_seen_to_first_is_asked_ahead_of_the_fetching(interpreter: Inter
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "expected"),
     [
-        "Get the lantern from the shed. If the battery's flat, charge it. If you can't find it, borrow Kim's.",
-        "Bring my cape from the attic. If it's wet, hang it up to dry. If it's not there, look in the car.",
+        (
+            "Get the lantern from the shed. If the battery's flat, charge it. If you can't find it, borrow Kim's.",
+            {"if": [1, 4], "then": [{"if": 2, "then": [3]}], "else": [5]},
+        ),
+        (
+            "Bring my cape from the attic. If it's wet, hang it up to dry. If it's not there, look in the car.",
+            {"if": 4, "then": [1, {"if": 2, "then": [3]}], "else": [5]},
+        ),
     ],
 )
-def test_what_was_fetched_is_looked_over_only_where_it_was_found(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text) == [{"if": [1, 4], "then": [{"if": 2, "then": [3]}], "else": [5]}]
+def test_what_was_fetched_is_looked_over_only_where_it_was_found(
+    interpreter: Interpreter, text: str, expected: Any
+) -> None:
+    assert flow(interpreter, text) == [expected]
 
 
 def test_what_is_not_so_is_no_failure_to_find(interpreter: Interpreter) -> None:
@@ -45,7 +53,7 @@ def test_what_is_not_so_is_no_failure_to_find(interpreter: Interpreter) -> None:
     ],
 )
 def test_none_where_one_was_to_be_got_is_asked_only_then(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": [2, 3], "else": [4]}]}]
+    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [2], "else": [4]}]}]
 
 
 @pytest.mark.parametrize(

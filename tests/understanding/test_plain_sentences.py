@@ -83,7 +83,11 @@ _FRAMES: list[tuple[str, Any, list[str | None]]] = [
         [{"if": 2, "then": [1], "else": [{"if": 4, "then": [3]}]}],
         ["the {device}", None, "the oven", None],
     ),
-    ("I need my {thing}. If it isn't {place}, ask {person}.", [{"if": [1, 2], "else": [3]}], ["my {thing}"] * 2),
+    (
+        "I need my {thing}. If it isn't {place}, ask {person}.",
+        [{"if": 2, "then": [1], "else": [3]}],
+        ["my {thing}"] * 2,
+    ),
     ("If you don't know where the {thing} is, ask {person}.", [{"if": 1, "else": [2]}], ["the {thing}"]),
     ("Wash the {thing} if it's dirty, else leave it.", [{"if": 2, "then": [1]}], ["the {thing}"] * 2),
     ("Close the {opening} if it's cold, otherwise leave it.", [{"if": 2, "then": [1]}], ["the {opening}"]),
@@ -126,7 +130,7 @@ _FRAMES: list[tuple[str, Any, list[str | None]]] = [
     ("Close the {opening} if it's open. If you can't, call me.", [{"if": 2, "then": [{"if": 1, "else": [3]}]}], []),
     (
         "If {person} is thirsty, bring her a beer, and if there isn't any, bring her water.",
-        [{"if": 1, "then": [{"if": [2, 3], "else": [4]}]}],
+        [{"if": 1, "then": [{"if": 3, "then": [2], "else": [4]}]}],
         [],
     ),
     (

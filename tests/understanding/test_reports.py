@@ -89,7 +89,7 @@ def test_an_order_behind_what_is_told_is_none_of_it(interpreter: Interpreter, te
     [
         ("Read to Kim if she can't sleep.", [{"if": 2, "else": [1]}]),
         ("Sing to Kim if she's upset.", [{"if": 2, "then": [1]}]),
-        ("Announce supper once the lamps are lit.", [2, 1]),
+        ("Announce supper once the lamps are lit.", [{"if": 2, "then": [1]}]),
         ("Tell me if she's upset.", [1]),
         ("Ask Kim if she's upset.", [1]),
     ],

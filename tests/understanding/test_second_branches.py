@@ -126,11 +126,11 @@ def test_what_comes_before_an_order_said_again_goes_ahead_of_it(
     [
         (
             "Bring me a soda. If there is no soda, bring me a tea. If there is no tea either, bring me water.",
-            [{"if": 2, "then": [1], "else": [{"if": [3, 4], "else": [5]}]}],
+            [{"if": 2, "then": [1], "else": [{"if": 4, "then": [3], "else": [5]}]}],
         ),
         (
             "Bring me milk. If there is no milk, bring me oat milk. If there is no oat milk either, bring me cream.",
-            [{"if": [1, 2], "else": [{"if": [3, 4], "else": [5]}]}],
+            [{"if": 2, "then": [1], "else": [{"if": 4, "then": [3], "else": [5]}]}],
         ),
     ],
 )

@@ -17,12 +17,16 @@ from decomplex_bt.understanding.interpreter import Interpreter
         "If Kim is hungry, bring her a plum, and if we don't have any, bring her toast.",
         "If Kim's cold, fetch her a shawl. If there's none, bring her a coat.",
         "If the guests want crisps, bring them some, and if there aren't any, bring nuts.",
-        "If Kim is hungry, bring her an apple. If we're out of apples, bring her toast.",
         "If Kim is hungry, bring her an apple, and if there are none left, tell her.",
     ],
 )
 def test_what_is_to_be_fetched_in_a_case_may_be_lacking(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": [2, 3], "else": [4]}]}]
+    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [2], "else": [4]}]}]
+
+
+def test_what_has_run_out_is_asked_ahead(interpreter: Interpreter) -> None:
+    text = "If Kim is hungry, bring her an apple. If we're out of apples, bring her toast."
+    assert flow(interpreter, text) == [{"if": 1, "then": [{"if": 3, "then": [4], "else": [2]}]}]
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,7 @@ def test_what_nobody_brings_is_no_task(interpreter: Interpreter, text: str) -> N
 
 def test_something_else_may_do_for_what_is_wanted(interpreter: Interpreter) -> None:
     found = interpreter.interpret("I need a spoon. If there's none, a fork will do.")
-    assert found.flow.to_json() == [{"if": [1, 2], "else": [3]}]
+    assert found.flow.to_json() == [{"if": 2, "then": [1], "else": [3]}]
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,7 @@ def test_what_is_done_where_it_is_not_found_leaves_the_want_standing(interpreter
     [
         ("I fancy a cup of coffee. If we have no milk, just bring me a tea.", [{"if": 2, "then": [1], "else": [3]}]),
         ("I could do with a plum. If we have no plums, bring me a fig.", [{"if": 2, "then": [1], "else": [3]}]),
-        ("I need a saw. If we don't have one, fetch me the axe.", [{"if": [1, 2], "else": [3]}]),
+        ("I need a saw. If we don't have one, fetch me the axe.", [{"if": 2, "then": [1], "else": [3]}]),
         ("I fancy a plum if there are any.", [{"if": 2, "then": [1]}]),
         ("I could murder a tea if the kettle's on.", [{"if": 2, "then": [1]}]),
         # no order of its own

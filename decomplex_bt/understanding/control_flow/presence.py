@@ -16,10 +16,11 @@ _AROUND = frozenset(
     "back nearby".split()
 )
 """What says that somebody or something is at hand, or is not."""
+_ANY = frozenset("any one some none enough".split())
 _MISSING = frozenset("missing gone absent".split())
 _NO_THINGS = frozenset("answer reply response luck sign joy success use help room space".split())
 """What there may be none of without anything being missing."""
-_EVENTS = frozenset(("once", "as soon as", "soon as", "so soon as", "the moment", "the minute", "the instant"))
+_EVENTS = frozenset(("when", "once", "as soon as", "soon as", "so soon as", "the moment", "the minute", "the instant"))
 _OWN = frozenset(("you", "u", "ya", "ye"))
 
 
@@ -39,6 +40,8 @@ def asks_presence(document: Document, task: MarkedTask, *, is_negated: bool) -> 
         is_existing = token.lower == "theres" or (task.token > 0 and document.tokens[task.token - 1].lower == "there")
         is_bare = is_negated and set(said) <= {"object"}  # "they should be in the hall; if they *aren't*, ..."
         return bool(state) or "location" in said or is_existing or is_bare
+    if token.lemma == "have":  # "if we don't have *any*"
+        return is_negated and any(word.lower in _ANY for word in said.get("object", ())[:1])
     if token.lemma in _LEAVING and token.tag in ("VBN", "VBD"):
         return True  # "if he has left", "none left"
     if token.lower in _MISSING:

@@ -48,8 +48,8 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
 
 
 def _waits(node: Node, event: int, clauses: Sequence[Clause], *, is_behind: bool) -> bool:
-    """Whether what is done next waits for an event: what its sentence orders, but past an event that stands behind an
-    order itself only what goes on with that ("put it away once it's cold, *then tell me*", not "*and wash the pan*")."""
+    """Whether what is done next waits for an event: what its sentence orders, but past an event that `is_behind` an
+    order only what goes on with that ("put it away once it's cold, *then tell me*", not "*and wash the pan*")."""
     first = _first(node)
     clause = clauses[first - 1]
     if clause.sentence != clauses[event - 1].sentence:

@@ -20,6 +20,7 @@ from decomplex_bt.understanding.control_flow.sides import (
 )
 
 _RULES = (
+    mentions.take_place,
     mentions.repeat,
     mentions.repeat_in_other_case,
     mentions.answer,

@@ -29,6 +29,13 @@ from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, g
 from decomplex_bt.understanding.cues import are_apart
 
 
+def take_place(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An order that a mention behind it was found to be of stands where that was asked, no longer in its case."""
+    order = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if roles[k] == "mention" and order is not None and roles[order] == "condition" and sides[order].startswith(">1"):
+        sides[order], sides[k] = sides[k], "<1"
+
+
 def repeat(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is said again is the last order that says the same, never one of another type or another thing."""
     if roles[k] != "again":
