@@ -52,9 +52,11 @@ class Varied:
 
 @dataclass(frozen=True, slots=True)
 class FoundFlow:
-    """A control flow with the labels it was built from and the probabilities of roles, attachments and orders."""
+    """A control flow with the labels it was built from and the probabilities of roles, attachments and orders; `drawn`:
+    as the labels alone draw it, not settled."""
 
     flow: Flow
+    drawn: Flow = Flow()
     arcs: tuple[Arc, ...] = ()
     clauses: tuple[Clause, ...] = ()
     probabilities: tuple[float, float, float] = (1.0, 1.0, 1.0)
@@ -85,7 +87,8 @@ class FlowModel:
                 told = stated_orders(clauses, chained, places, orders.labels)
                 arcs = tuple(Arc(*labels) for labels in zip(chained, places, told, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                found.append(FoundFlow(settle(flow_of(arcs, chain.wordings), clauses), arcs, clauses, chances))
+                drawn = flow_of(arcs, chain.wordings)
+                found.append(FoundFlow(settle(drawn, clauses), drawn, arcs, clauses, chances))
         return likeliest(found)
 
 
@@ -105,7 +108,7 @@ def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
     """Of flows found in several ways the likeliest way to each, best first, at most `MAX_FLOWS`."""
     best: dict[Flow, FoundFlow] = {}
     for flow in sorted(found, key=lambda flow: -prod(flow.probabilities)):
-        best.setdefault(flow.flow, flow)
+        best.setdefault(flow.drawn, flow)
     return tuple(best.values())[:MAX_FLOWS]
 
 

@@ -247,7 +247,7 @@ def _features(observed: Observed, tasks: Sequence[MarkedTask], flow: FoundFlow, 
     uncued = sum(i not in counts.cued and not observed.question[i] and i in counts.checks for i in conditions)
     opposite = any(arc.attachment.endswith("-") for arc in flow.arcs) or any("fail" in c.far for c in flow.clauses)
     stranded = any(cue.name in ("else", "fail") for cue in observed.cues) and not opposite and not conditions
-    branching = [(node, place) for node, place in flow.flow.walk() if isinstance(node, If)]
+    branching = [(node, place) for node, place in flow.drawn.walk() if isinstance(node, If)]
     return (
         float(len(tasks)),
         float(counts.uncovered),

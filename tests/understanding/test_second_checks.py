@@ -141,7 +141,7 @@ def test_who_is_not_there_was_not_found(interpreter: Interpreter, text: str) -> 
     ],
 )
 def test_what_an_order_is_for_is_waited_for_in_any_case(interpreter: Interpreter, text: str) -> None:
-    assert flow(interpreter, text)[1:] == [3, 4]
+    assert flow(interpreter, text)[1:] == [{"if": 3, "then": [4]}]
 
 
 def test_a_check_that_leaves_the_state_open_is_one_with_the_next(interpreter: Interpreter) -> None:

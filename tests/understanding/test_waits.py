@@ -57,7 +57,10 @@ def test_what_is_left_is_where_one_is_not_to_go_from(interpreter: Interpreter) -
         ("If the lift is busy, wait a minute. Then take the box up.", [1, 2]),
         ("If the study is dark, wait. Turn on the lamp.", [{"if": 1, "then": [2]}]),
         ("If Kim is home, great. Then give her the letter.", [{"if": 1, "then": [2]}]),
-        ("If the stove isn't hot, turn it on. When it's hot, put the beans on it.", [{"if": 1, "else": [2]}, 3, 4]),
+        (
+            "If the stove isn't hot, turn it on. When it's hot, put the beans on it.",
+            [{"if": 1, "else": [2]}, {"if": 3, "then": [4]}],
+        ),
     ],
 )
 def test_what_follows_a_wait_is_done_in_both_cases(interpreter: Interpreter, text: str, expected: Any) -> None:

@@ -33,6 +33,8 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
         node = waiting.pop(0)
         if isinstance(node, If):
             node = If(node.tasks, _awaiting(node.then, clauses), _awaiting(node.orelse, clauses))
+            while _goes_on(node, waiting, clauses):
+                node = If(node.tasks, (*node.then, waiting.pop(0)))
         elif not node.is_repeat and len(node.tasks) == 1 and clauses[node.task - 1].is_event:
             is_behind = bool(waiting) and _first(waiting[0]) < node.task  # "close it *once it's gone*"
             behind = 0
@@ -45,6 +47,13 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
                 node = If(node.tasks, (found.pop(),))  # "close the window *once it's gone*"
         found.append(node)
     return tuple(found)
+
+
+def _goes_on(event: If, waiting: Sequence[Node], clauses: Sequence[Clause]) -> bool:
+    """Whether the sentence that an event opens goes on with the next of what is `waiting` ("when it's hot, bring it,
+    *and if you find a ladle, bring that too*")."""
+    is_leading = clauses[event.task - 1].is_event and not event.orelse and _first(event) == event.task
+    return is_leading and bool(waiting) and _waits(waiting[0], event.task, clauses, is_behind=False)
 
 
 def _waits(node: Node, event: int, clauses: Sequence[Clause], *, is_behind: bool) -> bool:

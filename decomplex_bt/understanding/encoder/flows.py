@@ -130,7 +130,8 @@ class EncoderFlows:
                 labels = zip(told, place, stated_orders(clauses, told, place, order.labels), strict=True)
                 arcs = tuple(Arc(*each) for each in labels)
                 chances = (way.probability, attachment.probability, order.probability)
-                found.append(FoundFlow(settle(flow_of(arcs, chain.wordings), clauses), arcs, clauses, chances))
+                drawn = flow_of(arcs, chain.wordings)
+                found.append(FoundFlow(settle(drawn, clauses), drawn, arcs, clauses, chances))
         return likeliest(found)
 
 
