@@ -47,6 +47,8 @@ class States:
         verb = task.span.of(self.instruction.text).lower()
         is_said = words is not None or state is None or state in verb or verb in state
         label = f"be {state or words}{'' if is_said else f' (so {verb!r} is read)'}: being {values}"
+        if words is not None and words.lower().split()[:1] in (["up"], ["down"]):
+            label = f"be {words}: how far something is turned, raised or lowered"  # for want of what opens and closes
         label += " is not modelled for {}"
         objects, inner = self.objects.find(task, has_state, label, rooms=rooms)
         return tuple(one for referent in objects for one in self._each_in(referent, places)), inner

@@ -46,10 +46,10 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
             given.add("state")
         if task.type == "check_state":
             clause = clause_around(observed.document.text, task.span, verbs)
-            is_presence = asks_presence(clause) or _asks_who(observed, task)
+            is_presence, is_named = asks_presence(clause), _asks_who(observed, task)
             is_said = is_of_nobody(clause) or (is_of_anything(clause) and "location" in given)
             given |= {"object"} if is_said else {"state"} if is_presence else set()
-            if is_of_weather(clause):
+            if is_of_weather(clause) or is_named:
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
@@ -76,6 +76,8 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     """Whether its words mean something else, and nothing in the instruction says what: "put it on the table"."""
     if argument.span is None or argument.value != argument.span.of(observed.document.text):
         return False
+    if task.type == "check_state" and argument.value.lower() == "there" and task.value("object") is not None:
+        return False  # "give it to Ann. If she isn't there, ..."
     gap = gap_of(observed.document, task, argument)
     if gap is None or gap.word in _NAMING or not _LEAVING_OUT.isdisjoint(argument.value.lower().split()):
         return False
@@ -97,6 +99,7 @@ def _asks_who(observed: Observed, task: Task) -> bool:
     """Whether a check asks who or what it is, of which "it" names nothing: "if it's the plumber"."""
     document, verb = observed.document, observed.document.indices(task.span).start
     said = [document.indices(argument.span) for argument in task.arguments if argument.span is not None]
+    said = [words for words in said if document.tokens[words.start].lower != "it"]
     word = document.tokens[verb]
     is_it = verb > 0 and word.lemma in ("be", "'s") and document.tokens[verb - 1].lower == "it"
     return (is_it or word.lower == "its") and [words.start for words in said] == [verb + 1]

@@ -105,7 +105,7 @@ def varied(crf: Crf, items: Sequence[Features]) -> list[Varied]:
 
 
 def likeliest(found: Sequence[FoundFlow]) -> tuple[FoundFlow, ...]:
-    """Of flows found in several ways the likeliest way to each, best first, at most `MAX_FLOWS`."""
+    """Of flows drawn in several ways the likeliest way to each, best first, at most `MAX_FLOWS`."""
     best: dict[Flow, FoundFlow] = {}
     for flow in sorted(found, key=lambda flow: -prod(flow.probabilities)):
         best.setdefault(flow.drawn, flow)

@@ -29,6 +29,7 @@ from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.manifest import check_encoder, check_language, check_models
 from decomplex_bt.understanding.readings import Reading, ReadingModel, load_stages, readings_of
 from decomplex_bt.understanding.references.effects import with_effects, with_tries, without_outcomes
+from decomplex_bt.understanding.references.errands import with_things_asked
 from decomplex_bt.understanding.references.messages import with_messages
 from decomplex_bt.understanding.references.unsaid_recipients import with_speaker
 from decomplex_bt.understanding.references.weather import with_weather
@@ -199,9 +200,10 @@ class Interpreter:
         ranked = self._readings.ranked(readings_of(observed, self._stages, self.domain.ontology))
         reading, belief = ranked[0][0], belief_of(ranked)
         tasks = self._references.resolve(
-            observed, self._tasks_of(document, reading, belief), reading.flow, self._hints(observed, reading)
+            observed, self._tasks_of(document, reading, belief), reading.drawn, self._hints(observed, reading)
         )
-        tasks = self._settled(document, with_doings(observed, tasks), reading.flow)
+        tasks = self._settled(document, with_doings(observed, tasks), reading.drawn)
+        tasks = with_things_asked(document.text, tasks, reading.drawn, reading.flow)
         certainty = self._calibration.of("flow", belief.flow)
         return Instruction(
             text=document.text,

@@ -41,11 +41,13 @@ FEATURES = (
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One way to read an instruction. `features` in the order of `FEATURES`."""
+    """One way to read an instruction; `drawn` and `flow` are those of its `FoundFlow`. `features` in the order of
+    `FEATURES`."""
 
     tasks: tuple[FoundTask, ...]
     arguments: tuple[FoundArgument, ...]
     flow: Flow
+    drawn: Flow
     features: tuple[float, ...]
 
 
@@ -187,7 +189,7 @@ def _read(
     for flow in stages.flows.alternatives(observed, marked):
         logs = [math.log(max(p, 1e-12)) for p in (found.probability, arguments.probability, *flow.probabilities)]
         features = (*logs, *_features(observed, marked, flow, counts))
-        yield Reading(found.tasks, arguments.arguments, flow.flow, features)
+        yield Reading(found.tasks, arguments.arguments, flow.flow, flow.drawn, features)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,8 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Shut the hatch once the goat is out, then feed the hens.", [{"if": 2, "then": [1, 3]}]),
         ("Shut the hatch once the goat is out and feed the hens.", [{"if": 2, "then": [1]}, 3]),
         # what the listener has done is no event, and nobody waits for "until" and "after" otherwise than in order
+        ("Tell me when the broth is ready, then feel the radiator and bring me a spoon.", [1, 2, 3]),
+        ("Ring once, and if Kim opens, give her the letter, and then come home.", [1, {"if": 2, "then": [3]}, 4]),
         ("Once you've washed the jug, dry it.", [1, 2]),
         ("Don't open the hatch until the goat is out.", [2, 1]),
         ("After the guests have gone, mop the hall.", [1, 2]),
@@ -37,6 +39,8 @@ def test_an_event_that_is_waited_for_is_a_condition(interpreter: Interpreter, te
         ("Tell Kim the taxi is here, and if she's not at home, ring her.", {"if": 2, "then": [1], "else": [3]}),
         ("Fetch me a quince. If there are none left, fetch me a plum.", {"if": 2, "then": [1], "else": [3]}),
         ("Get the mop from the shed. If it's gone, get the broom.", {"if": 2, "then": [3], "else": [1]}),
+        ("Give Kim her post. If she's gone out, put it on her desk.", {"if": 2, "then": [3], "else": [1]}),
+        ("Take the letter to Kim. If she's in the garden, leave it here.", {"if": 2, "then": [3], "else": [1]}),
         ("Bring me a quince. None left? Bring me a plum.", {"if": 2, "then": [1], "else": [3]}),
     ],
 )
@@ -57,6 +61,23 @@ def test_how_an_order_went_is_asked_of_it(interpreter: Interpreter, text: str, e
 
 
 @pytest.mark.parametrize(
+    ("text", "thing", "place"),
+    [
+        ("Bring me the pens. If there are none, bring me the pencil.", "the pens", None),
+        ("Pass Kim the salt. If there's none, pass her the pepper.", "the salt", None),
+        ("Give the kids their sweets. If there are none left, give them crisps.", "their sweets", None),
+        ("Give Kim the book. If she isn't there, put it on the shelf.", "Kim", "there"),
+    ],
+)
+def test_what_is_asked_ahead_is_of_what_the_order_needs(
+    interpreter: Interpreter, text: str, thing: str, place: str | None
+) -> None:
+    found = interpreter.interpret(text)
+    assert (found.task(2).value("object"), found.task(2).value("location")) == (thing, place)
+    assert not found.missing
+
+
+@pytest.mark.parametrize(
     ("text", "state"),
     [
         ("Turn the wireless down.", "down"),
@@ -64,6 +85,9 @@ def test_how_an_order_went_is_asked_of_it(interpreter: Interpreter, text: str, e
         ("Crank the boiler up a notch.", "up a notch"),
         ("Turn the boiler down to fifty.", "down to fifty"),
         ("Pull the shutters up.", "up"),
+        ("Turn the wireless so Kim wakes up.", None),
+        ("Turn out your pockets.", None),
+        ("Knock the wall down.", None),
         ("Roll the rug up.", None),
         ("Warm the broth up.", None),
     ],
@@ -81,6 +105,7 @@ def test_a_level_is_a_state(interpreter: Interpreter, text: str, state: str | No
         ("Bring me the ladle. If it's raining, bring the chairs in.", None),
         ("Bring Kim the ladle. If it's dirty, bring the spoon to the cook.", "to the cook"),
         ("If the ladle is dirty, wash it and bring the spoon.", None),
+        ("Bring me the ladle. If Kim is cold, bring a blanket.", None),
     ],
 )
 def test_what_is_brought_besides_is_for_the_speaker(interpreter: Interpreter, text: str, recipient: str | None) -> None:

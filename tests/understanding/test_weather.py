@@ -35,3 +35,17 @@ def test_what_is_in_the_sky_is_not_moved(interpreter: Interpreter) -> None:
 def test_the_weather_is_nothings_without_its_apostrophe(interpreter: Interpreter) -> None:
     assert interpreter.interpret("fetch me my wellies if its pouring").tasks[1].value("object") is None
     assert interpreter.interpret("wash the jug if its dirty").tasks[1].value("object") == "the jug"
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Turn the lamp on, but leave it if nobody is in the kitchen.", None),
+        ("Is it dark? Turn the lamp on. If it's already on, leave it.", "the lamp"),
+        ("Is it raining? Bring the washing in. If it's wet, hang it up.", "the washing"),
+        ("If it's below zero, salt the steps.", "it"),
+    ],
+)
+def test_what_no_weather_is_told_of_keeps_its_own_thing(interpreter: Interpreter, text: str, thing: str | None) -> None:
+    checks = [task for task in interpreter.interpret(text).tasks if task.type == "check_state"]
+    assert checks[-1].value("object") == thing

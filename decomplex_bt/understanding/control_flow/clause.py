@@ -90,8 +90,9 @@ class Clause:
     """Whether it says that nobody is, or does, something."""
     is_of_weather: bool = False
     """Whether it asks about the weather or the day."""
-    asks_presence: bool = False
-    """Whether it asks no more than if somebody is in or something is there: "if she's out", "if there are none"."""
+    presence: str = ""
+    """If it asks no more than whether somebody or something is at hand, "there" ("if she's in", "if there are none") or
+    "away" ("if she's out"), its negation aside; else ""."""
     is_event: bool = False
     """Whether it tells of what comes about and is waited for: "once *it's dry*"."""
     is_excepted: bool = False

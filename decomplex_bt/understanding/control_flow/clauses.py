@@ -38,7 +38,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     tells_where,
     turns,
 )
-from decomplex_bt.understanding.control_flow.presence import asks_presence, is_event
+from decomplex_bt.understanding.control_flow.presence import is_event, presence_asked
 from decomplex_bt.understanding.control_flow.skips import skipped
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION, Stretch
 from decomplex_bt.understanding.control_flow.wording import (
@@ -249,7 +249,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
         is_reminder=[t.lower for t in document.tokens[max(0, token - 2) : token]] == ["forget", "to"],
         is_past_wait=is_past_wait(document, previous, token),
         is_past_supposition=task.type == "check_state" and is_past_supposition(document, token),
-        asks_presence=asks_presence(
+        presence=presence_asked(
             document, task, is_negated="not" in near or bool(negations(observed, token, first, own_last))
         ),
         is_event=is_event(document, ahead, task),

@@ -1,53 +1,72 @@
-"""Presence: which clauses ask whether somebody is in or something is there, and what waits for an event."""
+"""Presence: which clauses ask whether somebody is in or something is there, and which tell of an event."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
 from decomplex_bt.understanding.control_flow.wording import BEING
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue
-from decomplex_bt.understanding.document import ENDS, Document
+from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, Cue
+from decomplex_bt.understanding.document import MARKS, Document, Token
+
+Presence = Literal["", "there", "away"]
+"""What a check asks of somebody or something, its negation aside: if they are at hand or gone; "" for all else."""
 
 _BE = BEING | {"be", "is", "are", "was", "were", "isnt", "arent", "its", "theres"}
-_LEAVING = frozenset("leave go vanish disappear".split())
-_AROUND = frozenset(
-    "in out there here home away around about available gone missing left absent present inside upstairs downstairs "
-    "back nearby".split()
+_AWAY = frozenset("out away gone missing absent".split())
+_THERE = frozenset(
+    "in home here there around about available back present left inside upstairs downstairs nearby".split()
 )
-"""What says that somebody or something is at hand, or is not."""
+_BESIDES = frozenset("yet already still all at it now even any over".split())
+"""What may stand beside these and tells nothing else: "already gone", "at home", "in it"."""
+_LEAVING = frozenset("leave go vanish disappear".split())
 _ANY = frozenset("any one some none enough".split())
-_MISSING = frozenset("missing gone absent".split())
-_NO_THINGS = frozenset("answer reply response luck sign joy success use help room space".split())
+_NO_ABSENCE = frozenset("answer reply response luck sign joy success use help room space".split())
 """What there may be none of without anything being missing."""
 _EVENTS = frozenset(("when", "once", "as soon as", "soon as", "so soon as", "the moment", "the minute", "the instant"))
-_OWN = frozenset(("you", "u", "ya", "ye"))
+_OPENING = GOVERNING | {"after", "until", "before", "while"}
+_LISTENER = frozenset(("you", "u", "ya", "ye"))
 
 
-def asks_presence(document: Document, task: MarkedTask, *, is_negated: bool) -> bool:
-    """Whether a check asks no more than if somebody or something is there, at home or left: "if she isn't in", "if
-    there are none left", "should it be gone"; without a verb only what denies it ("not there?", "no pens?")."""
+def presence_asked(document: Document, task: MarkedTask, *, is_negated: bool) -> Presence:
+    """What a check asks that asks no more than if somebody or something is at hand ("if she isn't in", "if there are
+    none left") or is not ("should it be gone"); somewhere else is away ("if she's in the garden"). Without a verb only
+    what denies it ("not there?", "no pens?")."""
     if task.type != "check_state":
-        return False
+        return ""
     token = document.tokens[task.token]
     said = {kind: [document.tokens[j] for j in indices] for kind, indices in task.arguments if len(indices)}
-    if any(word.lemma in _NO_THINGS for word in said.get("object", ())):
-        return False
-    state = [word.lower for word in said.get("state", ())]
-    if state and _AROUND.isdisjoint(state):
-        return False
+    if any(word.lemma in _NO_ABSENCE for word in said.get("object", ())):
+        return ""
+    is_existing = token.lower == "theres" or (task.token > 0 and document.tokens[task.token - 1].lower == "there")
     if token.lower in _BE or token.lemma in _BE:
-        is_existing = token.lower == "theres" or (task.token > 0 and document.tokens[task.token - 1].lower == "there")
-        is_bare = is_negated and set(said) <= {"object"}  # "they should be in the hall; if they *aren't*, ..."
-        return bool(state) or "location" in said or is_existing or is_bare
+        if "state" in said:
+            return _told(said["state"])
+        if is_existing:
+            return "there"
+        if "location" in said:
+            is_of_way = any(word.lower in _AWAY for word in said["location"])  # "out of bed"
+            elsewhere: Presence = "" if is_of_way else "there" if is_negated else "away"
+            return _told(said["location"]) or elsewhere
+        return "there" if is_negated and set(said) <= {"object"} else ""  # "they should be there; if they *aren't*"
+    if "state" in said:
+        return _told(said["state"]) if token.lemma in _LEAVING else ""  # "if he's gone *out*"
     if token.lemma == "have":  # "if we don't have *any*"
-        return is_negated and any(word.lower in _ANY for word in said.get("object", ())[:1])
-    if token.lemma in _LEAVING and token.tag in ("VBN", "VBD"):
-        return True  # "if he has left", "none left"
-    if token.lower in _MISSING:
-        return True
-    is_named = token.tag.startswith("NN") or token.lower in _AROUND
-    return is_negated and is_named and not state
+        return "there" if is_negated and any(word.lower in _ANY for word in said.get("object", ())[:1]) else ""
+    if token.lower == "left" and (is_negated or is_existing):
+        return "there"  # "none left", not "if he has left"
+    if token.lower in _AWAY or (token.lemma in _LEAVING and token.tag in ("VBN", "VBD")):
+        return "away"
+    return "there" if is_negated and (token.tag in ("NN", "NNS", "NNP") or token.lower in _THERE) else ""
+
+
+def _told(words: Sequence[Token]) -> Presence:
+    """What a state or a place of one of these words tells, with nothing else in it: "gone out", "at home"."""
+    lower = {word.lower for word in words} - _BESIDES
+    if not lower & (_AWAY | _THERE) or not lower <= _AWAY | _THERE:
+        return ""
+    return "away" if lower & _AWAY else "there"
 
 
 def is_event(document: Document, cues: Sequence[Cue], task: MarkedTask) -> bool:
@@ -56,10 +75,11 @@ def is_event(document: Document, cues: Sequence[Cue], task: MarkedTask) -> bool:
     tokens = document.tokens
     if task.type != "check_state" or (tokens[task.token].tag == "VB" and tokens[task.token].lemma in ASKING_LEMMAS):
         return False
-    for cue in cues:
-        between = tokens[cue.last + 1 : task.token]
-        if not between or " ".join(t.lower for t in tokens[cue.first : cue.last + 1]) not in _EVENTS:
-            continue
-        is_own = any(token.lower in _OWN or token.text in ENDS for token in between)
-        return not is_own and between[0].tag != "CC" and any(token.tag[0] in "NPDEC" for token in between)
-    return False
+    ahead = [cue for cue in cues if cue.name in _OPENING and cue.last < task.token]
+    opening = max(ahead, key=lambda cue: cue.last, default=None)
+    if opening is None:
+        return False
+    words = " ".join(token.lower for token in tokens[opening.first : opening.last + 1])
+    between = tokens[opening.last + 1 : task.token]
+    is_whole = all(token.text not in MARKS and token.lower not in _LISTENER for token in between)
+    return words in _EVENTS and is_whole and (not between or between[0].tag != "CC")

@@ -9,6 +9,8 @@ from decomplex_bt.understanding.control_flow.clause import Clause
 
 _FAILING = frozenset(("bringing", "taking", "placing", "informing", "following"))
 """What cannot be done where who it is for, or what it is of, is not there."""
+_POINTING = frozenset(("there", "here", "home"))
+_SOME = frozenset("none any one some enough".split())
 _GOING_ON = frozenset(("then", "after_that"))
 
 
@@ -21,7 +23,7 @@ def settle(flow: Flow, clauses: Sequence[Clause]) -> Flow:
     """
     if any(clause.is_event for clause in clauses):
         flow = Flow(_awaiting(flow.nodes, clauses))
-    if any(clause.asks_presence for clause in clauses):
+    if any(clause.presence for clause in clauses):
         flow = Flow(_asking_ahead(flow.nodes, clauses))
     return flow
 
@@ -32,9 +34,11 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
     while waiting:
         node = waiting.pop(0)
         if isinstance(node, If):
-            node = If(node.tasks, _awaiting(node.then, clauses), _awaiting(node.orelse, clauses))
-            while _goes_on(node, waiting, clauses):
-                node = If(node.tasks, (*node.then, waiting.pop(0)))
+            then = node.then
+            if clauses[node.task - 1].is_event and not node.orelse and _first(node) == node.task:
+                while waiting and _waits(waiting[0], node.task, clauses, is_behind=False):
+                    then = (*then, waiting.pop(0))  # "when it's hot, bring it, *and if you find a ladle, ...*"
+            node = If(node.tasks, _awaiting(then, clauses), _awaiting(node.orelse, clauses))
         elif not node.is_repeat and len(node.tasks) == 1 and clauses[node.task - 1].is_event:
             is_behind = bool(waiting) and _first(waiting[0]) < node.task  # "close it *once it's gone*"
             behind = 0
@@ -47,13 +51,6 @@ def _awaiting(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Node, .
                 node = If(node.tasks, (found.pop(),))  # "close the window *once it's gone*"
         found.append(node)
     return tuple(found)
-
-
-def _goes_on(event: If, waiting: Sequence[Node], clauses: Sequence[Clause]) -> bool:
-    """Whether the sentence that an event opens goes on with the next of what is `waiting` ("when it's hot, bring it,
-    *and if you find a ladle, bring that too*")."""
-    is_leading = clauses[event.task - 1].is_event and not event.orelse and _first(event) == event.task
-    return is_leading and bool(waiting) and _waits(waiting[0], event.task, clauses, is_behind=False)
 
 
 def _waits(node: Node, event: int, clauses: Sequence[Clause], *, is_behind: bool) -> bool:
@@ -88,19 +85,29 @@ def _asking_ahead(nodes: Sequence[Node], clauses: Sequence[Clause]) -> tuple[Nod
 def _asked_ahead(node: If, clauses: Sequence[Clause]) -> If:
     """A condition on how an order went as one on what it needs, where its next mention asks for that."""
     order, *mentions = node.tasks
-    if not mentions:
-        return node
-    asked, kind = mentions[0], clauses[order - 1].task.type
-    clause = clauses[asked - 1]
-    is_kept = kind in _FAILING or (kind == "change_state" and clause.wording.is_of_rest)
-    is_reply = bool(clauses[order - 1].question) and clause.says_only_whether  # "ask her if she's in. If she isn't"
-    if not is_kept or not clause.asks_presence or "unless" in clause.near or is_reply:
-        return node
     dependents = [_first(branch) for branch in (*node.then, *node.orelse)]
-    behind = [number for number in dependents if number > asked]
+    if not mentions or not _is_needed(clauses[mentions[0] - 1], clauses[order - 1]):
+        return node
+    asked = clauses[mentions[0] - 1]
+    behind = min((number for number in dependents if number > mentions[0]), default=0)
     if not behind:
         return node
-    is_met = any(_first(branch) == min(behind) for branch in node.then)
-    done, rest = (Do((order,)), *node.then), node.orelse
+    is_met = any(_first(branch) == behind for branch in node.then)
+    said, other = (node.then, node.orelse) if is_met else (node.orelse, node.then)
     # what stands right behind a case hangs on it as it is stated
-    return If(tuple(mentions), *((done, rest) if is_met != clause.wording.is_negated else (rest, done)))
+    then, orelse = (other, said) if asked.wording.is_negated else (said, other)
+    done = Do((order,))
+    return If(tuple(mentions), *(((done, *then), orelse) if asked.presence == "there" else (then, (done, *orelse))))
+
+
+def _is_needed(clause: Clause, order: Clause) -> bool:
+    """Whether a clause asks for no more than the presence of whom or what an order needs; not for the answer to what it
+    asks somebody ("ask her if she's in. If she isn't, ...")."""
+    kind = order.task.type
+    is_kept = kind in _FAILING or (kind == "change_state" and clause.wording.is_of_rest)
+    if not is_kept or not clause.presence or "unless" in clause.near or (order.question and clause.says_only_whether):
+        return False
+    if clause.is_of_nobody:
+        return bool(order.receivers) and clause.places <= _POINTING
+    is_of_same = not order.nouns.isdisjoint(clause.objects) or (order.has_pronoun and not order.objects)
+    return is_of_same or _SOME.issuperset(clause.objects)

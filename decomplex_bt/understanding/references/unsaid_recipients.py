@@ -14,7 +14,9 @@ from decomplex_bt.understanding.references.phrases import ANYBODY
 
 _SPEAKER = frozenset(("me", "us"))
 _BESIDES = frozenset("too also instead well".split())
-_WAYS = frozenset("in out up down over back along round around through inside outside home here away off on".split())
+_WAYS = frozenset(
+    "in out up down over back along round around through inside outside home here away off on together".split()
+)
 _QUESTIONS = frozenset("whether if what when how why which".split())
 
 
@@ -57,9 +59,17 @@ def with_speaker(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:
             if is_like and _WAYS.isdisjoint(_loose(document, task, start + 1, stop)):
                 task = replace(task, arguments=(Argument("recipient", speaker, None, task.confidence), *task.arguments))
         found.append(task)
+        if task.type in ("informing", "motion", "following") or _is_of_other(task):
+            speaker = ""  # "go to Gran and bring a biscuit"
         received = [value.lower() for value in task.values("recipient")] if task.type == "bringing" else []
         speaker = next((value for value in received if value in _SPEAKER), "" if received else speaker)
     return tuple(found)
+
+
+def _is_of_other(task: Task) -> bool:
+    """Whether a check is of somebody by name, or of "him" or "her": "if *Tom* is cold"."""
+    what = task.value("object") or ""
+    return task.type == "check_state" and (what[:1].isupper() or what.lower() in ("he", "she"))
 
 
 def _loose(document: Document, task: Task, start: int, stop: int) -> set[str]:

@@ -9,15 +9,15 @@ from dataclasses import replace
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Task, in_text_order
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import Document
 
-_NEAR = 4
-"""Within so many words ahead of a check, or right behind it in a question, stands its "it"."""
+_BESIDE = 2
+"""Within so many words ahead of its verb stands an "it" that the parse hangs elsewhere: "if *it* still is"."""
 
 
 def with_weather(document: Document, tasks: Sequence[Task], flow: Flow) -> tuple[Task, ...]:
-    """The tasks, those checks of which nothing but an "it" is said to be so with that as their object; in the mentions
-    of such a check it is no other thing."""
+    """The tasks, those checks of which nothing but an "it" is said to be so with that as their object; in mentions of
+    such a check that say no more it is no other thing."""
     said = {j for task in tasks for a in task.arguments if a.span is not None for j in document.indices(a.span)}
     tasks = tuple(_with_it(document, task, said) for task in tasks)
     named = {task.id: task for task in tasks}
@@ -34,18 +34,12 @@ def _with_it(document: Document, task: Task, said: Collection[int]) -> Task:
     if task.type != "check_state" or task.value("object") is not None:
         return task
     check, tokens = document.indices(task.span).start, document.tokens
-    found: int | None = None
-    for j in range(check - 1, max(-1, check - 1 - _NEAR), -1):
-        if tokens[j].text in MARKS:
-            break
-        if tokens[j].lower == "it":
-            found = j
-            break
-    if found is None and check + 1 < len(tokens) and tokens[check + 1].lower == "it":
-        found = check + 1
-    if found is None or found in said:
+    subjects = [j for j in document.children[check] if tokens[j].dep in ("nsubj", "nsubjpass", "expl")]
+    beside = [*range(check - 1, max(-1, check - 1 - _BESIDE), -1), *range(check + 1, min(len(tokens), check + 2))]
+    its = [j for j in subjects or beside if tokens[j].lower == "it" and j not in said]
+    if not its or any(tokens[j].pos == "VERB" for j in range(its[0] + 1, check)):
         return task
-    span = document.span(found, found)
+    span = document.span(its[0], its[0])
     it = Argument("object", span.of(document.text), span, task.confidence)
     return replace(task, arguments=in_text_order((*task.arguments, it)))
 
@@ -56,10 +50,12 @@ def _is_of_weather(task: Task) -> bool:
 
 
 def _naming_nothing(document: Document, task: Task) -> Task:
-    """A mention whose "it", if it has one, stands for itself."""
+    """A mention whose "it", if it says no more than that, stands for itself."""
+    if any(a.type != "object" and a.span is not None for a in task.arguments):
+        return task
     arguments = (
         replace(a, value=a.span.of(document.text))
-        if a.type == "object" and a.span is not None and a.span.of(document.text).lower() == "it"
+        if a.span is not None and a.span.of(document.text).lower() == "it"
         else a
         for a in task.arguments
     )

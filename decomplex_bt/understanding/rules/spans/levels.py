@@ -9,10 +9,20 @@ from dataclasses import replace
 from decomplex_bt.instruction import Argument, Task, in_text_order
 from decomplex_bt.understanding.document import MARKS, Document
 
-_TURNING = frozenset("turn crank bump nudge knock kick notch whack pull draw let".split())
-"""What is done to a knob, a volume or a blind, so that "up" and "down" say where it ends."""
+_TURNING = frozenset("turn crank nudge notch whack".split())
+"""What is done to a knob or a volume, so that "up" and "down" say where it ends."""
+_SHIFTING = frozenset("bump kick knock".split())
+"""The same, where it is said how far: "bump it *up a notch*"."""
+_PULLING = frozenset("pull let draw".split())
+_PULLED = frozenset(
+    "blind blinds curtain curtains shutter shutters shade shades grille screen awning door it them".split()
+)
 _EXTINGUISHING = frozenset(("put", "turn"))
+_BURNING = frozenset(
+    "light lights lamp lamps lantern lanterns candle candles fire fires torch cigarette stove flame it them".split()
+)
 _DEGREES = (("a", "little"), ("a", "bit"), ("a", "notch"), ("a", "touch"), ("a", "tad"))
+_OTHER_CLAUSES = frozenset("so while because until till when if unless before after".split())
 _BEHIND_LEFT = frozenset("in on at for over inside from under of to by and or then if".split())
 
 
@@ -27,7 +37,7 @@ def with_levels(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:
 
 
 def _with_level(document: Document, task: Task, start: int, end: int, said: Collection[int]) -> Task:
-    words = _own_words(document, start, end)
+    words = _own_words(document, start, end, is_order=task.type == "change_state")
     if task.type == "check_state":
         is_placed = any(a.type == "location" and a.span is not None for a in task.arguments)
         found = None if is_placed else _rest(document, words, said)  # "left in the tin" says where
@@ -49,17 +59,22 @@ def _with_level(document: Document, task: Task, start: int, end: int, said: Coll
     return replace(task, arguments=tuple(longer if a is told else a for a in task.arguments))
 
 
-def _own_words(document: Document, start: int, end: int) -> range:
-    """The words behind a verb up to the next mark or verb."""
-    stop = next((j for j in range(start + 1, end) if document.tokens[j].text in MARKS), end)
-    return range(start + 1, stop)
+def _own_words(document: Document, start: int, end: int, *, is_order: bool) -> range:
+    """The words behind a verb up to the next mark or task, of an order up to the next verb or clause."""
+    for j in range(start + 1, end):
+        token = document.tokens[j]
+        is_other = token.pos in ("VERB", "AUX") or token.lower in _OTHER_CLAUSES
+        if token.text in MARKS or (is_order and is_other):
+            return range(start + 1, j)
+    return range(start + 1, end)
 
 
 def _level(document: Document, verb: int, words: range, said: Collection[int]) -> range | None:
     """An "up" or "down" behind a verb of turning, with how far, and the "out" of a light."""
     lemma = document.tokens[verb].lemma
-    wanted = {"up", "down"} if lemma in _TURNING else set()
-    wanted |= {"out"} if lemma in _EXTINGUISHING else set()
+    moved = {document.tokens[j].lower for j in words}
+    wanted = {"up", "down"} if lemma in _TURNING | _SHIFTING or (lemma in _PULLING and moved & _PULLED) else set()
+    wanted |= {"out"} if lemma in _EXTINGUISHING and moved & _BURNING else set()
     for j in words:
         token = document.tokens[j]
         if token.lower not in wanted or j in said:
@@ -67,7 +82,10 @@ def _level(document: Document, verb: int, words: range, said: Collection[int]) -
         if token.tag not in ("RP", "RB", "IN") or _leads_on(document, j, words):
             return None
         behind = tuple(t.lower for t in document.tokens[j + 1 : j + 3])
-        return range(j, j + 3 if behind in _DEGREES and j + 2 in words else j + 1)
+        is_told_how_far = behind in _DEGREES and j + 2 in words
+        if lemma in _SHIFTING and not is_told_how_far and behind[:1] != ("to",):
+            return None
+        return range(j, j + 3 if is_told_how_far else j + 1)
     return None
 
 
