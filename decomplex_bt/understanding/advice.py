@@ -86,6 +86,7 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
     return not is_told
 
 
+_NAMES = frozenset(("NOUN", "PROPN", "PRON", "NUM"))
 _NAMING = frozenset(("machine", "place", "inside"))
 """What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free",
 "go inside"."""
@@ -100,9 +101,10 @@ def _asks_who(observed: Observed, task: Task) -> bool:
     document, verb = observed.document, observed.document.indices(task.span).start
     said = [document.indices(argument.span) for argument in task.arguments if argument.span is not None]
     said = [words for words in said if document.tokens[words.start].lower != "it"]
+    is_named = len(said) == 1 and said[0].start == verb + 1 and document.tokens[said[0].stop - 1].pos in _NAMES
     word = document.tokens[verb]
     is_it = verb > 0 and word.lemma in ("be", "'s") and document.tokens[verb - 1].lower == "it"
-    return (is_it or word.lower == "its") and [words.start for words in said] == [verb + 1]
+    return (is_it or word.lower == "its") and is_named
 
 
 def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:

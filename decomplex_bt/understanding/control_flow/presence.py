@@ -21,6 +21,8 @@ _THERE = frozenset(
 _BESIDES = frozenset("yet already still all at it now even any over".split())
 """What may stand beside these and tells nothing else: "already gone", "at home", "in it"."""
 _LEAVING = frozenset("leave go vanish disappear".split())
+_OUT_OF = frozenset("order bed reach date time action tune shape".split())
+"""What somebody or something that is "out of" it may be at hand all the same."""
 _ANY = frozenset("any one some none enough".split())
 _NO_ABSENCE = frozenset("answer reply response luck sign joy success use help room space".split())
 """What there may be none of without anything being missing."""
@@ -63,7 +65,10 @@ def presence_asked(document: Document, task: MarkedTask, *, is_negated: bool) ->
 
 def _told(words: Sequence[Token]) -> Presence:
     """What a state or a place of one of these words tells, with nothing else in it: "gone out", "at home"."""
-    lower = {word.lower for word in words} - _BESIDES
+    first, *behind = [word.lower for word in words]
+    if first == "out" and behind[:1] == ["of"] and behind[-1] not in _OUT_OF:
+        return "away"  # "if we're out of pens"
+    lower = {first, *behind} - _BESIDES
     if not lower & (_AWAY | _THERE) or not lower <= _AWAY | _THERE:
         return ""
     return "away" if lower & _AWAY else "there"
