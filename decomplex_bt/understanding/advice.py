@@ -87,6 +87,7 @@ def _is_open(observed: Observed, task: Task, argument: Argument) -> bool:
 
 
 _NAMES = frozenset(("NOUN", "PROPN", "PRON", "NUM"))
+"""What ends the words that say who or what "it" is, and not how."""
 _NAMING = frozenset(("machine", "place", "inside"))
 """What may stand for a thing named before, and names one that everybody knows where none was: "if the machine's free",
 "go inside"."""

@@ -53,13 +53,17 @@ class Varied:
 @dataclass(frozen=True, slots=True)
 class FoundFlow:
     """A control flow with the labels it was built from and the probabilities of roles, attachments and orders; `drawn`:
-    as the labels alone draw it, not settled."""
+    as the labels alone draw it."""
 
-    flow: Flow
-    drawn: Flow = Flow()
+    drawn: Flow
     arcs: tuple[Arc, ...] = ()
     clauses: tuple[Clause, ...] = ()
     probabilities: tuple[float, float, float] = (1.0, 1.0, 1.0)
+
+    @property
+    def flow(self) -> Flow:
+        """The flow as it is meant: `drawn`, settled."""
+        return settle(self.drawn, self.clauses)
 
 
 class FlowModel:
@@ -87,8 +91,7 @@ class FlowModel:
                 told = stated_orders(clauses, chained, places, orders.labels)
                 arcs = tuple(Arc(*labels) for labels in zip(chained, places, told, strict=True))
                 chances = (roles.probability, attachments.probability, orders.probability)
-                drawn = flow_of(arcs, chain.wordings)
-                found.append(FoundFlow(settle(drawn, clauses), drawn, arcs, clauses, chances))
+                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
         return likeliest(found)
 
 

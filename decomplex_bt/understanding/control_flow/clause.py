@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from decomplex_bt.understanding.changes import change
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, WISHING
+
+Presence = Literal["", "there", "away"]
+"""What a check asks that asks no more than whether somebody or something is at hand ("if she's in", "if there are
+none") or is not ("if she's out"), its negation aside; "" for all else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,9 +95,7 @@ class Clause:
     """Whether it says that nobody is, or does, something."""
     is_of_weather: bool = False
     """Whether it asks about the weather or the day."""
-    presence: str = ""
-    """If it asks no more than whether somebody or something is at hand, "there" ("if she's in", "if there are none") or
-    "away" ("if she's out"), its negation aside; else ""."""
+    presence: Presence = ""
     is_event: bool = False
     """Whether it tells of what comes about and is waited for: "once *it's dry*"."""
     is_excepted: bool = False

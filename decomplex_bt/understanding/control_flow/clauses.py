@@ -10,6 +10,7 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import AROUND, FINDING_OUT, Clause, MarkedTask
 from decomplex_bt.understanding.control_flow.denials import WILLING, negations
+from decomplex_bt.understanding.control_flow.events import is_event
 from decomplex_bt.understanding.control_flow.openings import (
     ITS,
     OTHERWISE,
@@ -38,7 +39,7 @@ from decomplex_bt.understanding.control_flow.openings import (
     tells_where,
     turns,
 )
-from decomplex_bt.understanding.control_flow.presence import is_event, presence_asked
+from decomplex_bt.understanding.control_flow.presence import presence_asked
 from decomplex_bt.understanding.control_flow.skips import skipped
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION, Stretch
 from decomplex_bt.understanding.control_flow.wording import (

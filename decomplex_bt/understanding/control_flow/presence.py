@@ -1,34 +1,25 @@
-"""Presence: which clauses ask whether somebody is in or something is there, and which tell of an event."""
+"""Presence: which checks ask whether somebody is in or something is there."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
 
-from decomplex_bt.understanding.control_flow.clause import MarkedTask
+from decomplex_bt.understanding.control_flow.clause import AROUND, MarkedTask, Presence
 from decomplex_bt.understanding.control_flow.wording import BEING
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, Cue
-from decomplex_bt.understanding.document import MARKS, Document, Token
-
-Presence = Literal["", "there", "away"]
-"""What a check asks of somebody or something, its negation aside: if they are at hand or gone; "" for all else."""
+from decomplex_bt.understanding.document import Document, Token
 
 _BE = BEING | {"be", "is", "are", "was", "were", "isnt", "arent", "its", "theres"}
 _AWAY = frozenset("out away gone missing absent".split())
-_THERE = frozenset(
-    "in home here there around about available back present left inside upstairs downstairs nearby".split()
-)
+_THERE = AROUND | frozenset("available present left inside upstairs downstairs nearby".split())
 _BESIDES = frozenset("yet already still all at it now even any over".split())
 """What may stand beside these and tells nothing else: "already gone", "at home", "in it"."""
 _LEAVING = frozenset("leave go vanish disappear".split())
 _OUT_OF = frozenset("order bed reach date time action tune shape".split())
 """What somebody or something that is "out of" it may be at hand all the same."""
-_ANY = frozenset("any one some none enough".split())
+SOME = frozenset("any one some none enough".split())
+"""What stands for things that are not named again: "if there are *none*"."""
 _NO_ABSENCE = frozenset("answer reply response luck sign joy success use help room space".split())
 """What there may be none of without anything being missing."""
-_EVENTS = frozenset(("when", "once", "as soon as", "soon as", "so soon as", "the moment", "the minute", "the instant"))
-_OPENING = GOVERNING | {"after", "until", "before", "while"}
-_LISTENER = frozenset(("you", "u", "ya", "ye"))
 
 
 def presence_asked(document: Document, task: MarkedTask, *, is_negated: bool) -> Presence:
@@ -55,7 +46,7 @@ def presence_asked(document: Document, task: MarkedTask, *, is_negated: bool) ->
     if "state" in said:
         return _told(said["state"]) if token.lemma in _LEAVING else ""  # "if he's gone *out*"
     if token.lemma == "have":  # "if we don't have *any*"
-        return "there" if is_negated and any(word.lower in _ANY for word in said.get("object", ())[:1]) else ""
+        return "there" if is_negated and any(word.lower in SOME for word in said.get("object", ())[:1]) else ""
     if token.lower == "left" and (is_negated or is_existing):
         return "there"  # "none left", not "if he has left"
     if token.lower in _AWAY or (token.lemma in _LEAVING and token.tag in ("VBN", "VBD")):
@@ -72,19 +63,3 @@ def _told(words: Sequence[Token]) -> Presence:
     if not lower & (_AWAY | _THERE) or not lower <= _AWAY | _THERE:
         return ""
     return "away" if lower & _AWAY else "there"
-
-
-def is_event(document: Document, cues: Sequence[Cue], task: MarkedTask) -> bool:
-    """Whether a check tells of what comes about of itself or by others and is waited for: "once *it's dry*", "as soon
-    as *Ann is here*"; not what the listener is to have done ("once you're back"), nor until or after when."""
-    tokens = document.tokens
-    if task.type != "check_state" or (tokens[task.token].tag == "VB" and tokens[task.token].lemma in ASKING_LEMMAS):
-        return False
-    ahead = [cue for cue in cues if cue.name in _OPENING and cue.last < task.token]
-    opening = max(ahead, key=lambda cue: cue.last, default=None)
-    if opening is None:
-        return False
-    words = " ".join(token.lower for token in tokens[opening.first : opening.last + 1])
-    between = tokens[opening.last + 1 : task.token]
-    is_whole = all(token.text not in MARKS and token.lower not in _LISTENER for token in between)
-    return words in _EVENTS and is_whole and (not between or between[0].tag != "CC")

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from decomplex_bt.flow import Do, Flow, If, Node
 from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.presence import SOME
 
 _FAILING = frozenset(("bringing", "taking", "placing", "informing", "following"))
 """What cannot be done where who it is for, or what it is of, is not there."""
 _POINTING = frozenset(("there", "here", "home"))
-_SOME = frozenset("none any one some enough".split())
 _GOING_ON = frozenset(("then", "after_that"))
 
 
@@ -110,4 +110,4 @@ def _is_needed(clause: Clause, order: Clause) -> bool:
     if clause.is_of_nobody:
         return bool(order.receivers) and clause.places <= _POINTING
     is_of_same = not order.nouns.isdisjoint(clause.objects) or (order.has_pronoun and not order.objects)
-    return is_of_same or _SOME.issuperset(clause.objects)
+    return is_of_same or SOME.issuperset(clause.objects)

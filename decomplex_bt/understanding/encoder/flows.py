@@ -18,7 +18,6 @@ from decomplex_bt.understanding.control_flow.clauses import clauses_of
 from decomplex_bt.understanding.control_flow.construction import flow_of
 from decomplex_bt.understanding.control_flow.orders import stated_orders
 from decomplex_bt.understanding.control_flow.roles import stated_roles
-from decomplex_bt.understanding.control_flow.settlement import settle
 from decomplex_bt.understanding.control_flow.sides import stated_sides
 from decomplex_bt.understanding.control_flow.structure import Chain, attachment_features, order_features, role_features
 from decomplex_bt.understanding.crf import Crf, Features
@@ -130,8 +129,7 @@ class EncoderFlows:
                 labels = zip(told, place, stated_orders(clauses, told, place, order.labels), strict=True)
                 arcs = tuple(Arc(*each) for each in labels)
                 chances = (way.probability, attachment.probability, order.probability)
-                drawn = flow_of(arcs, chain.wordings)
-                found.append(FoundFlow(settle(drawn, clauses), drawn, arcs, clauses, chances))
+                found.append(FoundFlow(flow_of(arcs, chain.wordings), arcs, clauses, chances))
         return likeliest(found)
 
 

@@ -1,5 +1,5 @@
-"""Unsaid recipients: who is asked where it is only said what ("*ask* whether she is ill"), and that what is brought
-besides or instead is for the speaker, too ("bring me the mug. If it's dirty, *bring* a glass")."""
+"""Unsaid recipients: who is asked ("*ask* whether she is ill") or brought something ("bring me the mug. If it's dirty,
+*bring* a glass") where it is not said."""
 
 from __future__ import annotations
 
