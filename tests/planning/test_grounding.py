@@ -401,6 +401,11 @@ def test_leaving_a_room_is_going_anywhere_else() -> None:
         ),
         ("[Empty](1:change_state) [the box](1:object)", ImpossibleGoalError, "full or empty is not modelled for box"),
         (
+            "[Turn](1:change_state) [the radio](1:object) [up](1:state)",
+            ImpossibleGoalError,
+            "how far something is turned, raised or lowered is not modelled for radio",
+        ),
+        (
             "[Put](1:placing) [the pen](1:object) [in the bowl](1:goal)",
             ImpossibleGoalError,
             "'in the bowl' names neither a surface nor a container",
