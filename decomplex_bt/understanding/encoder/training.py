@@ -81,7 +81,7 @@ def train_encoder(
     _export(network.encoder, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
     weights = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
-    np.savez_compressed(folder / HEADS_FILE, **weights)
+    np.savez_compressed(folder / HEADS_FILE, allow_pickle=False, **weights)
 
 
 class Coder:
