@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from gymnasium.spaces import Dict
+from numpy.typing import NDArray
 
 from decomplex_bt.envs.feasibility import feasible_bindings
 from decomplex_bt.envs.interface import Interaction
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
     Reading = Instruction | Example | None
 
+Places = NDArray[np.int64]
 _LOOKS = 4
 """Looks at the truth that a belief takes in before it believes that what is not there is not there."""
 
@@ -113,19 +115,27 @@ class TreePolicy:
 
 
 class OraclePolicy(TreePolicy):
-    """The tree agent with the whole truth of the start in its belief: what one would reach who need not search."""
+    """The tree agent with the whole truth of the start in its belief, and told where things are that somebody else has
+    moved since: what one would reach who need not search."""
 
     def __init__(self, env: HouseholdEnv, flow: Reading, planner: Planner | None, seed: int) -> None:
         super().__init__(env, flow, planner, seed)
         self._env = env
+        self._moves, self._places = 0, np.empty(0, dtype=np.int64)
+
+    def act(self, observation: Any) -> Any:
+        moves = self._env.inform()["moved_by_others"]
+        if moves != self._moves:
+            self._moves = moves
+            self._take_in(see_moved(self._env, observation, self._places), observation)
+            self._places = self._env.world.place.copy()
+        return super().act(observation)
 
     def reset(self, observation: Any, info: Mapping[str, Any]) -> None:
         super().reset(observation, info)
+        self._moves, self._places = 0, self._env.world.place.copy()
+        self._take_in(see_all(self._env, observation), observation)
         session = self.agent.session
-        for _ in range(_LOOKS):
-            session.belief.update(session.embodiment.perceive(see_all(self._env, observation)))
-        for _ in range(_LOOKS):  # what was seen through walls is out of sight again
-            session.belief.update(session.embodiment.perceive(dict(observation)))
         domain, truth = self._env.domain, self._env.truth()
         for step in _refused(domain, truth):
             session.belief.failed(step, "broken")
@@ -137,6 +147,13 @@ class OraclePolicy(TreePolicy):
             is_open = any(task.seeks_change(referent) and referent not in asked for referent in task.objects)
             if task.type == "change_state" and not is_open:
                 session.bindings = feasible_bindings(task, session.bindings, domain, truth)
+
+    def _take_in(self, truth: Mapping[str, Any], observation: Mapping[str, Any]) -> None:
+        session = self.agent.session
+        for _ in range(_LOOKS):
+            session.belief.update(session.embodiment.perceive(dict(truth)))
+        for _ in range(_LOOKS):  # what was seen through walls is out of sight again
+            session.belief.update(session.embodiment.perceive(dict(observation)))
 
 
 class RandomPolicy:
@@ -203,6 +220,18 @@ def see_all(env: HouseholdEnv, observation: Mapping[str, Any]) -> dict[str, Any]
         # Seen, they would be taken for near enough to speak with.
         floor = int(world.geometry.floor_row[world.room[person]])
         table[person], table[floor, INSPECTED] = observation["entities"][person], 0
+    return {**observation, "entities": table}
+
+
+def see_moved(env: HouseholdEnv, observation: Mapping[str, Any], places: Places) -> dict[str, Any]:
+    """The observation of one who sees, besides, where the things are that are at another place than in `places`, each
+    thing's row of the place it was at; nothing else of them, for what is asked about them is still to be found out."""
+    world, table = env.world, np.array(observation["entities"])
+    moved = np.flatnonzero(world.place != places)
+    moved = moved[(world.place[moved] >= 0) & (world.place[moved] < world.geometry.place_count)]
+    table[moved, VISIBLE] = 1
+    table[moved, X : Y + 1] = world.position[moved]
+    table[moved, PLACE] = world.place[moved]
     return {**observation, "entities": table}
 
 

@@ -6,6 +6,8 @@ import pytest
 import decomplex_bt
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.envs.baselines import see_moved
+from decomplex_bt.envs.sensing import FIRST_STATE, PLACE, VISIBLE
 from decomplex_bt.errors import InputError
 
 DOMAIN = load_domain("household")
@@ -135,6 +137,38 @@ def test_of_two_cups_the_oracle_takes_the_one_that_need_not_be_filled(env):
         observation, _, terminated, truncated, info = env.step(policy.act(observation))
     assert info["feasible"]
     assert info["is_success"], (info, policy.failures)
+
+
+def test_the_oracle_knows_where_things_are_that_others_have_moved(env):
+    umbrella = read_markup("[Bring](1:bringing) [me](1:recipient) [the umbrella](1:object).", DOMAIN.ontology, flow=[1])
+    moved = 0
+    for seed in (5, 8, 13, 26, 39):  # by what it knew of the start alone, it gave up in each
+        observation, info = env.reset(seed=seed, options={"instruction": umbrella, "meddling": 6.0})
+        policy = env.unwrapped.policy("oracle", flow=umbrella)
+        policy.reset(observation, info)
+        is_over = False
+        while not is_over:
+            observation, _, terminated, truncated, info = env.step(policy.act(observation))
+            is_over = terminated or truncated
+        assert info["is_success"] or not info["feasible"], (seed, [str(failure) for failure in policy.failures])
+        moved += info["moved_by_others"]
+    assert moved >= 5
+
+
+def test_what_the_oracle_is_told_of_a_moved_thing_is_its_place_alone(env):
+    observation, _ = env.reset(seed=0, options={"instruction": GO, "placement": {"cup_1": "kitchen_table"}})
+    unwrapped = env.unwrapped
+    row, places = unwrapped.entities.index("cup_1"), unwrapped.world.place.copy()
+    table = unwrapped.entities.index("coffee_table")
+    before = observation["entities"].copy()
+    unwrapped.world.shift(
+        row, table, tuple(unwrapped.world.geometry.footprints[table].reshape(2, 2).mean(axis=0).tolist())
+    )
+    told = see_moved(unwrapped, observation, places)["entities"]
+    assert (told[row, VISIBLE], told[row, PLACE]) == (1, table)
+    assert (told[row, FIRST_STATE:] == before[row, FIRST_STATE:]).all()
+    others = [other for other in range(len(told)) if other != row]
+    assert (told[others] == before[others]).all()
 
 
 def test_idle_gives_up_at_once(env):

@@ -60,9 +60,12 @@ def _is_told(words: list[str], no: int, stop: int) -> bool:
 
 def _is_order(document: Document, i: int) -> bool:
     """Whether a word behind a "no" is a verb: what it denies has no object."""
-    token, following = document.tokens[i], document.tokens[i + 1]
+    token = document.tokens[i]
     if (token.tag in ("VB", "VBP") and token.pos == "VERB") or token.lower in TELLING:
         return True
+    if i + 1 == len(document):
+        return False
+    following = document.tokens[i + 1]
     has_object = following.lower in _OBJECTS or (following.tag in _OF_SOMEBODY and following.lower not in DENYING)
     is_name = token.tag in ("NNP", "NNS") or not token.lower.isalpha()
     return token.tag in _WORDLIKE and has_object and not is_name
