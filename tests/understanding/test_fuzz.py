@@ -37,9 +37,9 @@ def test_hostile_input_is_read_or_refused(fuzz):
     [
         "give me the no just let",
         "Please deal \x85with the chick\x0ce\x8dns a\ts I explained. Go to the c\x8foop along the fence, open the\x86 "
-        "little hatch and take the egg\ts out \u2029o\x8ef the nest boxe\x8fs. Lay the\u200dm in the straw basket. If the "
-        "drinker is frozen, carry i\x1ft into the scullery and fill the spare one instead. I'd like the basket in here, "
-        "so bring it t\x05o the kitchen\x0e, and tell \x8amy\x8f \x0fmother how many there \u2029were.",
+        "little hatch and take the egg\ts out \u2029o\x8ef the nest boxe\x8fs. Lay the\u200dm in the straw basket. If "
+        "the drinker is frozen, carry i\x1ft into the scullery and fill the spare one instead. I'd like the basket in "
+        "here, so bring it t\x05o the kitchen\x0e, and tell \x8amy\x8f \x0fmother how many there \u2029were.",
     ],
 )
 def test_what_once_crashed_is_read(text):
