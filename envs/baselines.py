@@ -224,8 +224,11 @@ def see_all(env: HouseholdEnv, observation: Mapping[str, Any]) -> dict[str, Any]
 
 
 def see_moved(env: HouseholdEnv, observation: Mapping[str, Any], places: Places) -> dict[str, Any]:
-    """The observation of one who sees, besides, where the things are that are at another place than in `places`, each
-    thing's row of the place it was at; nothing else of them, for what is asked about them is still to be found out."""
+    """The observation of one who sees, besides, where the things are that lie at another place than before.
+
+    `places` `(rows,)`: the row of the place that each was at, as `World.place` has it. Nothing else of them is seen:
+    what is asked about them is still to be found out.
+    """
     world, table = env.world, np.array(observation["entities"])
     moved = np.flatnonzero(world.place != places)
     moved = moved[(world.place[moved] >= 0) & (world.place[moved] < world.geometry.place_count)]

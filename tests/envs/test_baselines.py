@@ -150,7 +150,7 @@ def test_the_oracle_knows_where_things_are_that_others_have_moved(env):
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
             is_over = terminated or truncated
-        assert info["is_success"] or not info["feasible"], (seed, [str(failure) for failure in policy.failures])
+        assert info["is_success"], (seed, [str(failure) for failure in policy.failures])
         moved += info["moved_by_others"]
     assert moved >= 5
 

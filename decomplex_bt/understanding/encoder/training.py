@@ -80,8 +80,8 @@ def train_encoder(
     fit(network, samples, _loss, pace, random.Random(seed), progress)
     _export(network.encoder, folder)
     shutil.copyfile(pretrained / "tokenizer.json", folder / PIECES_FILE)
-    weights = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
-    np.savez_compressed(folder / HEADS_FILE, allow_pickle=False, **weights)
+    weights: dict[str, Any] = {name: value.numpy().astype(np.float16) for name, value in network.heads().items()}
+    np.savez_compressed(folder / HEADS_FILE, **weights)
 
 
 class Coder:

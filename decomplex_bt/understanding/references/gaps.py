@@ -380,8 +380,7 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
         yield f"{words} {noun_of(document, candidate, is_plural=is_plural)}", "modified"
         bare = bare_of(document, candidate, is_plural=is_plural)
         yield f"{words} {bare}", "modified.bare"
-        head = noun_of(document, candidate, is_plural=is_plural).split()[-1:]  # none of control characters
-        yield " ".join((words, *head)), "modified.head"
+        yield f"{words} {noun_of(document, candidate, is_plural=is_plural).split()[-1]}", "modified.head"
     elif gap.word == "other" or gap.word == "others":
         yield f"the other {noun_of(document, candidate, is_plural=gap.word == 'others')}", "other"
     if gap.word in ("one", "another", "that", "it") and gap.form in ("one", "pronoun"):

@@ -484,7 +484,7 @@ _IN_IES = frozenset("cookies brownies smoothies hoodies movies pies ties selfies
 
 
 def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
-    if is_plural is False and tag in ("NNS", "NNPS"):
+    if is_plural is False and tag in ("NNS", "NNPS") and len(text) > 1:  # "s", torn off a word, is no plural
         if text.lower() in _IN_IES:
             return text[:-1]
         if text.endswith("xes"):  # "lunchboxes", which the lemmatizer does not know

@@ -22,6 +22,9 @@ from decomplex_bt.understanding.rules.orders.pauses import pauses
 from decomplex_bt.understanding.rules.orders.prohibitions import let_be
 from decomplex_bt.understanding.rules.orders.reports import within_reports
 
+HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
+"""The types of tasks that do something to a thing."""
+
 
 @dataclass(frozen=True, slots=True)
 class Findings:

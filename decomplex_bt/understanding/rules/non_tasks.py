@@ -11,16 +11,15 @@ from decomplex_bt.understanding.rules.background.hearsay import is_hearsay
 from decomplex_bt.understanding.rules.background.plans import is_planned
 from decomplex_bt.understanding.rules.cases.checks import is_gerund, whole_state
 from decomplex_bt.understanding.rules.cases.concessions import either_way
-from decomplex_bt.understanding.rules.cases.got import is_left_of
+from decomplex_bt.understanding.rules.cases.leftovers import is_left_of
 from decomplex_bt.understanding.rules.cases.questions import is_deliberated
-from decomplex_bt.understanding.rules.findings import Findings
+from decomplex_bt.understanding.rules.findings import HANDLING, Findings
 from decomplex_bt.understanding.rules.orders.idioms import is_light
 from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_left_alone
 from decomplex_bt.understanding.rules.orders.wishes import is_background, is_served, is_taken_up
 from decomplex_bt.understanding.rules.speech.asides import concession, is_explained, means, musing, reason, tag_question
 from decomplex_bt.understanding.tasks import FoundTask
 
-_HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))
 _MANNERS = frozenset("all both also actually still always really properly firmly securely definitely fully".split())
 _ASKING = frozenset("check see verify confirm look find".split())
@@ -45,7 +44,7 @@ def is_no_task(
         at in findings.idle
         or _is_name(observed, at)
         or (task.type == "check_state" and _is_beside(document, at))
-        or (task.type in _HANDLING and is_taken_up(document, at, findings.tasks))
+        or (task.type in HANDLING and is_taken_up(document, at, findings.tasks))
         or any(rule(document, at) for rule in _ALONE)
         or any(rule(document, at, findings.tasks) for rule in _AMONG_TASKS)
         or (before is not None and (before.token >= at or any(rule(document, before, task) for rule in _BEHIND)))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from decomplex_bt.understanding.document import Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked
-from decomplex_bt.understanding.rules.cases.got import asks_got
+from decomplex_bt.understanding.rules.cases.leftovers import asks_got
 from decomplex_bt.understanding.rules.cases.perfects import (
     are_gone,
     is_asked_done,
@@ -17,7 +17,7 @@ from decomplex_bt.understanding.rules.cases.perfects import (
     told_by,
 )
 from decomplex_bt.understanding.rules.cases.preferences import is_wished
-from decomplex_bt.understanding.rules.findings import Findings
+from decomplex_bt.understanding.rules.findings import HANDLING, Findings
 from decomplex_bt.understanding.rules.orders.assurances import is_assured, is_assured_too
 from decomplex_bt.understanding.rules.orders.calls import is_sent_for
 from decomplex_bt.understanding.rules.orders.deeds import forms
@@ -29,7 +29,6 @@ from decomplex_bt.understanding.rules.orders.puttings import LAYING, is_put_on, 
 from decomplex_bt.understanding.rules.orders.resuming import resumed
 from decomplex_bt.understanding.tasks import FoundTask
 
-_HANDLING = frozenset(("taking", "placing", "bringing", "change_state"))
 _NEAR_DOWN = 4
 """Within so many words behind "set" stands the "down" by which something is put down [tokens]."""
 _TIDYING = frozenset(("clear", "tidy", "clean", "wash"))
@@ -45,8 +44,10 @@ def retyped(
     following: FoundTask | None,
     types: Collection[str],
 ) -> FoundTask:
-    """A task with the type, and at the word, that the words around it settle; `found`: the tasks
-    ahead of it, `following`: the next one, `types`: those that there are."""
+    """A task with the type, and at the word, that the words around it settle.
+
+    `found`: the tasks kept ahead of it, in text order; `following`: the next one; `types`: those that there are.
+    """
     document = observed.document
     before = found[-1] if found else None
     end = len(document) if following is None else following.token
@@ -61,7 +62,7 @@ def retyped(
     if fact in types and token < end and (before is None or before.token < token):
         task = replace(task, type=fact, token=token)
     lemma = document.tokens[task.token].lemma
-    if task.type in _HANDLING and (task.token in findings.looks or task.token in findings.shouts):
+    if task.type in HANDLING and (task.token in findings.looks or task.token in findings.shouts):
         task = replace(task, type="searching" if task.token in findings.looks else "informing")
     if task.type == "motion" and lemma == "use" and any(one.type == "placing" for one in found):
         task = replace(task, type="placing")
@@ -84,9 +85,9 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
     document = observed.document
     said = document.tokens[task.token + 1 : following]
     lemma = document.tokens[task.token].lemma
-    if task.type in _HANDLING and lemma in _DRAWING and _is_covering(said):
+    if task.type in HANDLING and lemma in _DRAWING and _is_covering(said):
         return "change_state"
-    if task.type in _HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
+    if task.type in HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
         return "placing"
     if task.type == "change_state" and lemma == "put":
         return "placing" if is_put_somewhere(said) else task.type
@@ -100,7 +101,7 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "placing"
     if task.type in ("searching", "informing") and is_heard(document, task.token):
         return "check_state"
-    if task.type in _HANDLING | {"change_state"} and is_sent_for(document, task.token):
+    if task.type in HANDLING | {"change_state"} and is_sent_for(document, task.token):
         return "informing"
     if task.type in ("following", "informing") and lemma == "meet":
         return "searching"
@@ -108,7 +109,7 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "bringing"
     if task.type == "taking" and for_somebody(document, task.token):
         return "bringing"
-    if task.type in _HANDLING and loading(observed, task.token) is not None:
+    if task.type in HANDLING and loading(observed, task.token) is not None:
         return "placing"
     if task.type == "searching" and degree_asked(document, task.token):
         return "check_state"
@@ -116,7 +117,7 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "change_state"
     if task.type != "check_state" and is_done_by_others(document, task.token):
         return "check_state"
-    if task.type in _HANDLING and (is_asked_done(document, task.token) or is_denied_of_others(document, task.token)):
+    if task.type in HANDLING and (is_asked_done(document, task.token) or is_denied_of_others(document, task.token)):
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":
         return "change_state"  # "hoover the stairs and clear up"

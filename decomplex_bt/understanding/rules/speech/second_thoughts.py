@@ -64,7 +64,7 @@ def _is_order(document: Document, i: int) -> bool:
     if (token.tag in ("VB", "VBP") and token.pos == "VERB") or token.lower in TELLING:
         return True
     if i + 1 == len(document):
-        return False
+        return False  # the text breaks off
     following = document.tokens[i + 1]
     has_object = following.lower in _OBJECTS or (following.tag in _OF_SOMEBODY and following.lower not in DENYING)
     is_name = token.tag in ("NNP", "NNS") or not token.lower.isalpha()
