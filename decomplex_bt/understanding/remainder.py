@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 from decomplex_bt.instruction import Argument, Instruction, Span
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.speech.edits import HESITATING
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 COMMA, STOP = -1, -2
 """Marks that the text does not have, among tokens to be told."""

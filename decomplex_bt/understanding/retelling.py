@@ -15,19 +15,13 @@ from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
-from decomplex_bt.understanding.references.phrases import (
-    ANIMALS,
-    ONES,
-    PERSON_NOUNS,
-    PLACE_ADVERBS,
-    PREPOSITIONS,
-    head_of,
-    is_pronoun,
-)
+from decomplex_bt.understanding.references.chunks import head_of
+from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.remainder import COMMA, STOP, Remainder, Told, told
 from decomplex_bt.understanding.rules.ellipses.alternatives import Alternative, alternatives
 from decomplex_bt.understanding.rules.ellipses.likewise import Likewise, likewise, so_does
 from decomplex_bt.understanding.rules.orders.needs import NEEDING
+from decomplex_bt.understanding.vocabulary import ANIMALS, ONES, PERSON_NOUNS, PLACE_ADVERBS, PREPOSITIONS
 
 _OPENING = frozenset(("if", "only_if", "unless"))
 _TURNING = frozenset(("else", "fail"))

@@ -18,9 +18,11 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import Gazetteer
 from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.references.affinity import options_of
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import gap_of, part_of, spellings, unsaid_gaps
-from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, noun_chunks, noun_of
+from decomplex_bt.understanding.references.nouns import noun_of
+from decomplex_bt.understanding.references.phrases import Candidate, candidates_of
 
 GAZETTEER = Gazetteer({}, {}, frozenset())
 

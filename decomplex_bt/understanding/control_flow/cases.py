@@ -8,7 +8,7 @@ from itertools import combinations
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import is_case_beside
-from decomplex_bt.understanding.cues import OPPOSITES, are_alike
+from decomplex_bt.understanding.states import OPPOSITES, are_alike
 
 _MANY = 3
 """From so many cases on even opposites are states among others: "hot", "lukewarm", "cold"."""

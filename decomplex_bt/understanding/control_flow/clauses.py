@@ -54,11 +54,13 @@ from decomplex_bt.understanding.control_flow.wording import (
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.references.identity import identity_of
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, head_of, nobody
+from decomplex_bt.understanding.references.phrases import nobody
 from decomplex_bt.understanding.rules.background.guesses import guesses
 from decomplex_bt.understanding.rules.cases.concessions import concessions
 from decomplex_bt.understanding.rules.orders.prohibitions import is_elided, is_forbidden
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _DENYING = frozenset(("not", "n't", "n\u2019t", "nt"))
 _CONTRACTED = frozenset(("'s", "\u2019s", "'re", "\u2019re"))

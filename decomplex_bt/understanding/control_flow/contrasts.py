@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, LEADING, PRESENT, Clause
-from decomplex_bt.understanding.cues import OPPOSITES, are_alike, are_apart, are_near
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, ROOM
+from decomplex_bt.understanding.states import OPPOSITES, are_alike, are_apart, are_near
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS, ROOM
 
 
 def is_asked_again_after(clause: Clause, first: Clause) -> bool:

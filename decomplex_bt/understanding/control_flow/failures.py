@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import AROUND, CHOOSING, FINDING, Clause
 from decomplex_bt.understanding.control_flow.outcomes import comes_through
-from decomplex_bt.understanding.cues import OPPOSITES
+from decomplex_bt.understanding.states import OPPOSITES
 
 
 def is_absence_of(clause: Clause, before: Clause) -> bool:

@@ -9,8 +9,8 @@ from decomplex_bt.understanding.control_flow.wording import PERSONS
 from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.orders.prohibitions import NEGATIONS, is_behind_otherwise, lifts
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 ITS = frozenset("it them 'em em him her this that these those".split())
 STARTING = frozenset((".", ",", ";", ":", "!", "?", "-", "–", "—", "and", "but", "oh", "though"))

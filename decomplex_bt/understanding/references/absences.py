@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is
-from decomplex_bt.understanding.references.phrases import ONES, ROOM, Candidate
+from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.vocabulary import ONES, ROOM
 
 _ENDED = frozenset(("off", "down", "shut", "closed"))
 _SOME = frozenset("a an any some another".split())

@@ -8,7 +8,8 @@ from itertools import pairwise
 
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.agreement import meant, other_place, pair_meant
+from decomplex_bt.understanding.references.agreement import pair_meant
+from decomplex_bt.understanding.references.antecedents import meant, other_place
 from decomplex_bt.understanding.references.asked_again import asked_before
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
@@ -23,7 +24,8 @@ from decomplex_bt.understanding.references.gaps import (
 )
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
-from decomplex_bt.understanding.references.phrases import ONES, SHARES, Candidate, degree_asked, nobody
+from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
+from decomplex_bt.understanding.vocabulary import ONES, SHARES
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,18 +10,13 @@ from decomplex_bt.flow import Flow, If, Node
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.chunks import is_child
 from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
 from decomplex_bt.understanding.references.identity import identities
 from decomplex_bt.understanding.references.looks import looks, shouts
-from decomplex_bt.understanding.references.phrases import (
-    ONES,
-    PERSON_NOUNS,
-    Candidate,
-    candidates_of,
-    is_child,
-    predicates_of,
-)
+from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, predicates_of
 from decomplex_bt.understanding.references.subjects import Subject, subjects
+from decomplex_bt.understanding.vocabulary import ONES, PERSON_NOUNS
 
 GROUPS = {
     "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",

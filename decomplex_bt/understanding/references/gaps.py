@@ -11,21 +11,10 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import (
-    ONES,
-    PRONOUNS,
-    QUANTIFIERS,
-    Candidate,
-    bare_of,
-    degree_asked,
-    head_of,
-    is_child,
-    is_placed,
-    is_pointing,
-    noun_of,
-    stripped,
-    whole_noun_of,
-)
+from decomplex_bt.understanding.references.chunks import head_of, is_child, stripped
+from decomplex_bt.understanding.references.nouns import bare_of, noun_of, whole_noun_of
+from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, is_placed, is_pointing
+from decomplex_bt.understanding.vocabulary import ONES, PRONOUNS, QUANTIFIERS
 
 REFERRING = PRONOUNS
 PREDICATE = "predicate"

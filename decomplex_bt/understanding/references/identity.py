@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import ANYBODY, ONES, PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import ANYBODY, ONES, PERSON_NOUNS
 
 _OPENING = frozenset("if unless when case should".split())
 _POINTING = frozenset("it that this those these they".split())

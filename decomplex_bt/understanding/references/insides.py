@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, last_word
-from decomplex_bt.understanding.references.phrases import PASSAGES, Candidate
+from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.vocabulary import PASSAGES
 
 _PERSONAL = frozenset("he him she her they you somebody someone anybody anyone everybody everyone nobody".split())
 _UNCLOSING = frozenset(("open", "unlock", "unzip"))

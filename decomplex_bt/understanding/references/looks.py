@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _LOOKS = frozenset(
     "look peek glance gander peep rummage squint nosy nosey nose hunt squiz squizz shufti shufty dekko decko snoop "

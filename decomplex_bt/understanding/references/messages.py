@@ -9,7 +9,7 @@ from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.context import paths_of
-from decomplex_bt.understanding.references.phrases import PRONOUNS
+from decomplex_bt.understanding.vocabulary import PRONOUNS
 
 _TELLING = frozenset(("tell", "let", "inform"))
 _SPEAKING = frozenset("say reply refuse object want agree ask complain mind".split())

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import noun_chunks
 
 _PLACE_IN_ORDER = {
     ("the", "former"): 0,

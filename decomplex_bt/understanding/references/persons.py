@@ -6,7 +6,8 @@ from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.fitness import VESSELS, WITH_HOURS
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import ANIMALS, Candidate
+from decomplex_bt.understanding.references.phrases import Candidate
+from decomplex_bt.understanding.vocabulary import ANIMALS
 
 _OF_THINGS = frozenset(
     "on off open closed shut ajar locked unlocked lit unlit empty full flat broken cracked chipped torn ripped blown "

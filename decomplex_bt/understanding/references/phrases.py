@@ -2,68 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.instruction import Task
-from decomplex_bt.understanding.document import FINITE, MARKS, Document
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.compounds import AT, ends_compound
+from decomplex_bt.understanding.references.chunks import (
+    between,
+    coordinations,
+    cut,
+    head_of,
+    is_child,
+    kin,
+    noun_chunks,
+    stripped,
+    whole_words,
+    with_complements,
+)
+from decomplex_bt.understanding.references.compounds import AT
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
+from decomplex_bt.understanding.vocabulary import POINTING, PREPOSITIONS, PRONOUNS, SHARES, TIME_UNITS, WHOLE
 
-PLACE_ADVERBS = frozenset("upstairs downstairs outside inside".split())
-"""Where something is or goes, in one word."""
-PREPOSITIONS = frozenset(
-    "in on at to from into onto inside under underneath behind beside near nearer by with off out of for over next up "
-    "down through along across around round between after towards toward above below upon w".split()
-)
-POINTING = frozenset(
-    "me us you i my mine we here something anything everything somebody someone anyone anybody everyone everybody "
-    "nobody nothing none here case".split()
-)
-WHOLE = frozenset("something anything everything somebody someone anyone anybody everyone everybody".split())
-"""Words that point to nothing said before but that something said after may refer to."""
-ANIMALS = frozenset(
-    "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
-    "gerbil mouse rat sheep lamb cow donkey goldfish pup bunny pet".split()
-)
-PERSON_NOUNS = frozenset(
-    "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
-    "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
-    "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
-    "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
-    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister "
-    "lad lass lassie mate pal buddy bloke fella fellow chap toddler teenager twin sibling granddad nephew niece "
-    "gentleman janitor receptionist mechanic midwife vicar landlord landlady lodger builder roofer chef waiter "
-    "waitress butler maid nanny babysitter housekeeper handyman milkman mailman salesman watchman policeman "
-    "policewoman postwoman locksmith glazier carpenter decorator surveyor photographer hairdresser barber "
-    "physiotherapist dentist therapist chaplain pastor priest clerk porter pupil organist tailor butcher baker grocer "
-    "florist chemist pharmacist".split()
-)
-"""Nouns for people."""
-ANYBODY = frozenset("anyone anybody someone somebody whoever".split())
-"""Words for people of whom it may then be said that nobody is so."""
 _NOBODY = frozenset(("nobody", "noone"))
 _BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
 _BEFORE_HOW = frozenset("a look peek glance out at me us just exactly".split())
 _AMOUNTS = frozenset(("many", "much"))
 _ARE = frozenset("is are was were 's 're \u2019s \u2019re feels looks".split())
-QUANTIFIERS = frozenset("any some enough more no another".split())
-PRONOUNS = frozenset(
-    "it that this one another some any them they 'em em these those ones both him her he she there which two three "
-    "four mine his hers yours theirs ours".split()
-)
-PASSAGES = frozenset("door gate hatch window flap shutter".split())
-"""What shuts off a way through, and is no thing on its own."""
-ONES = frozenset(("one", "ones"))
-"""What stands for a noun that was named: "the blue *one*"."""
 _WHERE = AT | {"outside"}
-ROOM = frozenset(("room", "space"))
-"""What there may be none of for something to be put."""
-TIME_UNITS = frozenset("second minute hour day week month".split())
-_SO_MANY = (["a", "couple", "of"], ["a", "pair", "of"])
-SHARES = frozenset(("half", "all", "both"))
-"""What stands ahead of "the" or "a" for how much of something is meant."""
+SO_MANY = (["a", "couple", "of"], ["a", "pair", "of"])
 _LONGEST_MEASURE = 3
 _DEFINITE = frozenset("the my your his her our their this that".split())
 _SOMEBODY = frozenset("him her them 'em em".split())
@@ -163,15 +130,15 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
     verbs = frozenset(document.indices(task.span).start for task in tasks)
     left_out = {i for excluded in exclusions(document, verbs) if excluded.is_part for i in excluded.tokens}
-    chunks = [chunk for whole in noun_chunks(document) for chunk in _between(document, whole, verbs)]
+    chunks = [chunk for whole in noun_chunks(document) for chunk in between(document, whole, verbs)]
     for shape, phrases in (
         ("chunk", chunks),
-        ("list", _coordinations(document, chunks)),
-        ("name", (words for name in _names(document) for words in _between(document, name, verbs))),
+        ("list", coordinations(document, chunks)),
+        ("name", (words for name in _names(document) for words in between(document, name, verbs))),
         ("possessor", _possessors(document, chunks)),
-        ("word", _whole_words(document)),
-        ("of", _with_complements(document, chunks)),
-        ("cut", _cut(document, chunks)),
+        ("word", whole_words(document)),
+        ("of", with_complements(document, chunks)),
+        ("cut", cut(document, chunks)),
         ("free", free_relatives(document, verbs)),
         ("free", (words for words, _ in free_places(document))),
     ):
@@ -182,7 +149,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             is_unnamed = document.tokens[phrase.stop - 1].lower in _NO_NOUNS and not is_child(document, phrase)
             if is_unnamed or _is_of_time(document, phrase):
                 continue
-            if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in _SO_MANY:
+            if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in SO_MANY:
                 continue  # "*a couple* of towels"
             if is_deed(document, phrase) or _is_grip(document, phrase):
                 continue
@@ -207,7 +174,7 @@ def _measured(document: Document, phrase: range) -> range:
     """A phrase with the words ahead of it for how much or many of it there is: "*half* a loaf", "*a couple of* towels",
     "*all* the plates"."""
     before = [token.lower for token in document.tokens[max(0, phrase.start - _LONGEST_MEASURE) : phrase.start]]
-    if before[-3:] in _SO_MANY:
+    if before[-3:] in SO_MANY:
         return range(phrase.start - 3, phrase.stop)
     first = document.tokens[phrase.start]
     is_open = first.pos == "DET" or first.tag == "PRP$" or first.lower == "dozen"
@@ -311,105 +278,16 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
     return [found[place] for place in sorted(found)]
 
 
-def noun_chunks(document: Document) -> Iterator[range]:
-    """Base noun phrases by tags: determiners, possessives and modifiers up to the last noun of a run; without times
-    ("pete" of "pete yesterday")."""
-    start: int | None = None
-    for i in range(len(document) + 1):
-        if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
-            token = document.tokens[i]
-            opens = token.pos == "DET" or token.tag == "PRP$"
-            if opens and start is not None:
-                yield from _trimmed(document, range(start, i))
-                start = i
-            start = i if start is None else start
-            continue
-        if start is not None:
-            yield from _trimmed(document, range(start, i))
-        start = None
-
-
 _OUT_OF = ("out", "of")
 _BEING_OR_RUNNING = frozenset("is are 's 're \u2019s \u2019re be been run running was were".split())
 _NEAR = 4
 """Within so many words ahead of a deed stands the "give" that it is given by [tokens]."""
 _GIVING = frozenset(("give", "given", "giving"))
-_CAUSING = frozenset(("get", "have", "let"))
-_BEHIND_LET = frozenset("and but then for before after while until till if unless".split())
 _DEEDS = frozenset(
     "wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy bath bathe vacuum".split()
 )
 _LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
 """How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""
-_TIMES = frozenset("yesterday today tonight tomorrow now later".split())
-
-
-def _is_nominal(document: Document, i: int, is_inside: bool) -> bool:
-    token = document.tokens[i]
-    if token.tag == "POS" and not is_inside:
-        return False  # "where's grandpa"
-    if token.pos in ("DET", "ADJ", "NOUN", "PROPN", "NUM") or token.tag in ("PRP$", "POS"):
-        return True
-    if not is_inside or i + 1 >= len(document):
-        return False
-    following = document.tokens[i + 1]
-    if token.text == "-":  # of a compound: no space to either side
-        return document.tokens[i - 1].end == token.start and token.end == following.start
-    if _is_within_compound(document, i) or ends_compound(document, i):
-        return True
-    return token.tag in ("VBG", "VBN") and following.pos in ("NOUN", "PROPN")
-
-
-def stripped(document: Document, tokens: range) -> range:
-    """The span without leading prepositions and particles ("in the drawer": "the drawer")."""
-    start = tokens.start
-    while start < tokens.stop - 1 and (
-        document.tokens[start].pos in ("ADP", "PART", "SCONJ", "ADV") or document.tokens[start].lower in PREPOSITIONS
-    ):
-        if document.tokens[start].lower in PRONOUNS:
-            break
-        if document.tokens[start].lower == "next" and document.tokens[start + 1].lower != "to":
-            break  # "next door's bin"
-        start += 1
-    return range(start, tokens.stop)
-
-
-def head_of(document: Document, tokens: range) -> int:
-    """The head of a phrase: its last noun before a preposition or clause, else its last token."""
-    head = None
-    for i in tokens:
-        token = document.tokens[i]
-        if (token.pos in ("NOUN", "PROPN", "PRON") and token.tag not in ("PRP$", "WDT")) or token.lower in _HEADS:
-            head = i
-        elif head is None or _is_within_compound(document, i):
-            continue
-        elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") or token.lower in _EXCEPTING:
-            break
-    return tokens.stop - 1 if head is None else _kin(document, head)
-
-
-def _is_within_compound(document: Document, i: int) -> bool:
-    """Whether hyphens tie a word to those on both its sides: the "in" of "mother-in-law"."""
-    tokens = document.tokens
-    return (
-        0 < i < len(tokens) - 1
-        and tokens[i - 1].text == tokens[i + 1].text == "-"
-        and tokens[i - 1].end == tokens[i].start
-        and tokens[i].end == tokens[i + 1].start
-    )
-
-
-def _kin(document: Document, head: int) -> int:
-    """The head of a phrase; of "mother-in-law" the mother."""
-    is_in_law = head > 3 and document.tokens[head].lemma == "law" and _is_within_compound(document, head - 2)
-    return head - 4 if is_in_law else head
-
-
-def is_child(document: Document, tokens: range) -> bool:
-    """Whether a phrase is of somebody's "little one", which names a child."""
-    words = document.tokens[max(tokens.start, tokens.stop - 3) : tokens.stop]
-    is_little = [word.lower for word in words][1:] in (["little", "one"], ["little", "ones"], ["wee", "one"])
-    return is_little and words[0].tag in ("POS", "PRP$")
 
 
 def is_placed(document: Document, tokens: range) -> bool:
@@ -417,10 +295,6 @@ def is_placed(document: Document, tokens: range) -> bool:
     person, *behind = document.tokens[tokens.start : tokens.stop]
     is_person = person.tag == "PRP" and person.lower in _SOMEBODY
     return is_person and len(behind) > 1 and behind[0].lower in PREPOSITIONS - _LEADING_AWAY
-
-
-_EXCEPTING = frozenset(("but", "except", "excepting", "excluding"))
-_HEADS = frozenset("it one ones them they him her he she there mine".split())
 
 
 def is_pronoun(document: Document, tokens: range) -> bool:
@@ -432,78 +306,9 @@ def is_pointing(document: Document, tokens: range) -> bool:
     return len(tokens) == 1 and word in POINTING - WHOLE
 
 
-def noun_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
-    """The head noun of a candidate with its compound ("baking tray"), in the plural or singular; None: as it is."""
-    head = document.tokens[candidate.head]
-    said = candidate.text.split()
-    start = candidate.head
-    while start and _is_in_compound(document, start - 1, candidate.head) and document.tokens[start - 1].text in said:
-        start -= 1
-    compound = [token.text for token in document.tokens[start : candidate.head]]
-    return " ".join([*compound, _inflected(head.text, head.lemma, head.tag, is_plural)])
-
-
-def _is_in_compound(document: Document, i: int, head: int) -> bool:
-    """Whether a word ahead of a noun is part of what it is called: "*oven* glove", which the tagger may take for an
-    adjective."""
-    token = document.tokens[i]
-    is_noun = token.is_noun and token.pos in ("NOUN", "PROPN", "ADJ")
-    return is_noun or (token.dep == "compound" and token.head == head)
-
-
-def whole_noun_of(document: Document, candidate: Candidate) -> str:
-    """As `noun_of`, with its compound also where the candidate is taken up by a pronoun."""
-    start = candidate.head
-    while start and document.tokens[start - 1].dep == "compound" and document.tokens[start - 1].head == candidate.head:
-        start -= 1
-    return document.span(start, candidate.head).of(document.text)
-
-
-def bare_of(document: Document, candidate: Candidate, *, is_plural: bool | None) -> str:
-    """The candidate up to its head without determiner, quantity and possessor."""
-    if candidate.mention or not candidate.tokens.start <= candidate.head < candidate.tokens.stop:
-        return noun_of(document, candidate, is_plural=is_plural)
-    start = candidate.tokens.start
-    if [document.tokens[i].lower for i in candidate.tokens[:3]] in _SO_MANY:
-        start += 3
-    for i in range(start, candidate.head):
-        token = document.tokens[i]
-        if token.pos in ("DET", "NUM") or token.tag in ("PRP$", "POS") or token.lower in QUANTIFIERS:
-            start = i + 1
-    head = document.tokens[candidate.head]
-    words = [document.tokens[i].text for i in range(start, candidate.head)]
-    return " ".join([*words, _inflected(head.text, head.lemma, head.tag, is_plural)])
-
-
-_IN_VES = ("elf", "alf", "olf", "eaf", "oaf", "arf", "nife", "wife", "life")
-"""Ends of nouns that have "ves" in the plural: "shelf", "loaf", "scarf"."""
-
-
-_IN_IES = frozenset("cookies brownies smoothies hoodies movies pies ties selfies".split())
-"""Plurals of nouns in "ie", which the lemmatizer takes for nouns in "y"."""
-
-
-def _inflected(text: str, lemma: str, tag: str, is_plural: bool | None) -> str:
-    if is_plural is False and tag in ("NNS", "NNPS") and len(text) > 1:  # "s", torn off a word, is no plural
-        if text.lower() in _IN_IES:
-            return text[:-1]
-        if text.endswith("xes"):  # "lunchboxes", which the lemmatizer does not know
-            return text[:-2]
-        if lemma == text.lower() and text.endswith("s") and not text.endswith("ss"):
-            return text[:-1]
-        return lemma if text.islower() else text[: len(lemma)]
-    if is_plural and tag == "NN" and (not text.endswith("s") or text.endswith(("ss", "us", "is"))):
-        if text.endswith("y") and text[-2:-1] not in "aeiou":
-            return f"{text[:-1]}ies"
-        if text.endswith(_IN_VES):
-            return f"{text[: text.rindex('f')]}ves"
-        return text + ("es" if text.endswith(("s", "x", "ch", "sh")) else "s")
-    return text
-
-
 def _outside(document: Document, tokens: range, shape: str) -> Candidate:
     text = document.span(tokens.start, tokens.stop - 1).of(document.text)
-    head = head_of(document, tokens) if shape == "of" else _kin(document, tokens.stop - 1)
+    head = head_of(document, tokens) if shape == "of" else kin(document, tokens.stop - 1)
     return Candidate(text, tokens, head, shape=shape)
 
 
@@ -536,95 +341,3 @@ def _possessors(document: Document, chunks: Sequence[range]) -> Iterator[range]:
         for i in chunk:
             if document.tokens[i].tag == "POS" and i > chunk.start:
                 yield range(chunk.start, i)
-
-
-def _whole_words(document: Document) -> Iterator[range]:
-    for token in document.tokens:
-        if token.lower in WHOLE:
-            yield range(token.i, token.i + 1)
-
-
-def _coordinations(document: Document, chunks: Sequence[range]) -> Iterator[range]:
-    """Noun phrases in a row with nothing but commas and "and" between them ("the mop, the bucket and the cloth"); not
-    where a clause of its own begins with the last one ("Tom is in *the garden and Anna* is out")."""
-    start = 0
-    for k in range(1, len(chunks) + 1):
-        if k < len(chunks) and _is_listed(document, range(chunks[k - 1].stop, chunks[k].start)):
-            continue
-        if k - start > 1 and not _begins_clause(document, chunks[start], chunks[k - 1]):
-            yield range(chunks[start].start, chunks[k - 1].stop)
-        if k - start > 2:
-            yield range(chunks[k - 2].start, chunks[k - 1].stop)
-        start = k
-
-
-def _begins_clause(document: Document, first: range, last: range) -> bool:
-    """Whether the last noun phrase of a row is what something is said of, and the first stands behind a preposition."""
-    tokens = document.tokens
-    is_subject = last.stop < len(tokens) and tokens[last.stop].tag in FINITE
-    return is_subject and first.start > 0 and tokens[first.start - 1].pos == "ADP"
-
-
-def _with_complements(document: Document, chunks: Sequence[range]) -> Iterator[range]:
-    """Noun phrases with one that follows after a preposition ("a bottle of stout", "someone from the council")."""
-    heads = [*chunks, *_whole_words(document)]
-    for chunk in heads:
-        after = next((c for c in chunks if c.start == chunk.stop + 1), None)
-        joining = document.tokens[min(chunk.stop, len(document) - 1)]
-        if after is not None and (joining.pos == "ADP" or joining.lower == "to"):
-            yield range(chunk.start, after.stop + is_numbered(document, after))
-
-
-def is_numbered(document: Document, chunk: range) -> bool:
-    """Whether a number behind a noun phrase that something is said of tells which one: "the key to room *three* is"."""
-    tags = [token.tag for token in document.tokens[chunk.stop - 1 : chunk.stop + 2]]
-    return tags[:2] == ["NN", "CD"] and tags[2:] in (["VBZ"], ["VBP"], ["VBD"], ["MD"])
-
-
-def _cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:
-    """Noun phrases without their last word, which may be a verb that was taken for a noun ("the hose reel drips")."""
-    for chunk in chunks:
-        is_compound = len(chunk) > 2 and document.tokens[chunk.stop - 2].pos in ("NOUN", "PROPN")
-        if is_compound and not ends_compound(document, chunk.stop - 1):
-            yield range(chunk.start, chunk.stop - 1)
-
-
-def _is_listed(document: Document, between: range) -> bool:
-    words = [document.tokens[i].lower for i in between]
-    return bool(words) and all(word in (",", "and", "or", "&") for word in words)
-
-
-def _between(document: Document, chunk: range, verbs: Container[int]) -> Iterator[range]:
-    """The parts of a noun phrase between the verbs of tasks that were taken for nouns ("the timer *rings*")."""
-    start = chunk.start
-    for i in (*chunk, chunk.stop):
-        if i == chunk.stop or i in verbs:
-            if i > start:
-                yield from _trimmed(document, range(start, i))
-            start = i + 1
-
-
-def _is_complement(document: Document, verb: int, at: int) -> bool:
-    """Whether a word that is tagged as a noun is what a verb ahead of the phrase has done, or lets be, without which a
-    "let" would say nothing: "get the lawn *mown*", "let the tea *brew*"."""
-    tokens = document.tokens
-    token, behind = tokens[at], tokens[at + 1].lower if at + 1 < len(tokens) else "."
-    if verb < 0 or tokens[verb].lower not in _CAUSING or token.tag not in ("NN", "NNP") or not token.text.islower():
-        return False
-    is_let = tokens[verb].lower == "let" and (behind in MARKS or behind in _BEHIND_LET)
-    return is_let or (token.dep == "ccomp" and token.head == verb)
-
-
-def _trimmed(document: Document, chunk: range) -> Iterator[range]:
-    nouns = [i for i in chunk if document.tokens[i].pos in ("NOUN", "PROPN") or ends_compound(document, i)]
-    first, last = document.tokens[chunk.start], document.tokens[chunk.stop - 1]
-    if len(nouns) > 1 and document.tokens[nouns[-1]].lower == "open":
-        nouns.pop()  # "wants the window open", where the tagger takes it for a noun
-    if is_child(document, chunk):
-        yield chunk
-    elif nouns and nouns[-1] > chunk.start + 1 and _is_complement(document, chunk.start - 1, nouns[-1]):
-        yield range(chunk.start, nouns[-1])
-    elif nouns:
-        yield range(chunk.start, nouns[-1] + 1)
-    elif first.tag == "PRP$" and len(chunk) == 2 and last.tag == "JJ" and last.lower != "own":
-        yield chunk  # "wants her key back", where the tagger takes the noun for an adjective

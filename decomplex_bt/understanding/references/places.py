@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS
+from decomplex_bt.understanding.references.chunks import head_of, stripped
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import head_of, stripped
 
 _BE = frozenset("is are be 's 're \u2019s \u2019re".split())
 _GOING = frozenset(("placing", "bringing", "motion"))

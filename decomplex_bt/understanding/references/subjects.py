@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import FINITE, MARKS, Document
-from decomplex_bt.understanding.references.phrases import is_numbered, noun_chunks
+from decomplex_bt.understanding.references.chunks import is_numbered, noun_chunks
 
 _BELONGING = frozenset("for to from with about of".split())
 _OPENING = MARKS | frozenset("if unless when whether that because since as so once and but".split())

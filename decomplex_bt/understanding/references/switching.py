@@ -7,11 +7,12 @@ from collections.abc import Sequence
 
 from decomplex_bt.instruction import Argument, Span, Task
 from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.references.chunks import stripped
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.fitness import VESSELS
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.insides import has_inside, is_said_open
-from decomplex_bt.understanding.references.phrases import Candidate, stripped
+from decomplex_bt.understanding.references.phrases import Candidate
 
 _SWITCHES = frozenset(
     "adapter aircon alarm amplifier blanket blender boiler breadmaker breaker burner camera car charger clock "

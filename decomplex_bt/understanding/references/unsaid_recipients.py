@@ -10,7 +10,7 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap
-from decomplex_bt.understanding.references.phrases import ANYBODY
+from decomplex_bt.understanding.vocabulary import ANYBODY
 
 _SPEAKER = frozenset(("me", "us"))
 _BESIDES = frozenset("too also instead well".split())

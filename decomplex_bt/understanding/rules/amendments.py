@@ -9,7 +9,6 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument, FoundArguments
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ONES
 from decomplex_bt.understanding.references.relatives import found_places
 from decomplex_bt.understanding.rules.background.accounts import without_accounts
 from decomplex_bt.understanding.rules.background.guesses import without_guessed
@@ -74,6 +73,7 @@ from decomplex_bt.understanding.rules.spans.task_arguments import Setting, of_ta
 from decomplex_bt.understanding.rules.speech.asides import asides, means_of, reasons
 from decomplex_bt.understanding.rules.speech.contractions import reports
 from decomplex_bt.understanding.rules.speech.withdrawals import Withdrawals
+from decomplex_bt.understanding.vocabulary import ONES
 
 _PLACES = frozenset(("source", "location"))
 _WHERE_TO = _PLACES | {"goal"}

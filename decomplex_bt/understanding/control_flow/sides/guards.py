@@ -27,7 +27,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     goes_on,
     hangs_ahead,
 )
-from decomplex_bt.understanding.references.phrases import ROOM
+from decomplex_bt.understanding.vocabulary import ROOM
 
 _HANDLING = frozenset(("taking", "change_state"))
 _SAYING = frozenset(("not", "there", "still"))

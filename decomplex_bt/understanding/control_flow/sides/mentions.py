@@ -26,7 +26,7 @@ from decomplex_bt.understanding.control_flow.roles.replies import (
     tried_in_case,
 )
 from decomplex_bt.understanding.control_flow.sides.labels import FAILS, HOLDS, goes_on
-from decomplex_bt.understanding.cues import are_apart
+from decomplex_bt.understanding.states import are_apart
 
 
 def take_place(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

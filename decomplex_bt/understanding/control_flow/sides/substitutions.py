@@ -18,7 +18,7 @@ from decomplex_bt.understanding.control_flow.sides.labels import (
     VESSELS,
     goes_on,
 )
-from decomplex_bt.understanding.references.phrases import ROOM
+from decomplex_bt.understanding.vocabulary import ROOM
 
 _SOME = frozenset("one ones some two three half few couple rest other others".split())
 _MEASURES = frozenset(("state", "manner"))

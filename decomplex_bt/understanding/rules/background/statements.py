@@ -10,7 +10,8 @@ from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.certainty import INSTRUMENTS
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, is_pronoun
+from decomplex_bt.understanding.references.phrases import is_pronoun
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 BELONGING = frozenset(("belong", "belongs"))
 """What is said of the place that a thing has."""

@@ -11,13 +11,10 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import WISHING
 from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.identity import identity_of, order_behind
-from decomplex_bt.understanding.references.phrases import (
-    PREPOSITIONS,
-    degree_asked,
-    nobody,
-    noun_chunks,
-)
+from decomplex_bt.understanding.references.phrases import degree_asked, nobody
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 _BE = frozenset(("is", "'s", "\u2019s", "was"))
 _NOMINAL = frozenset(("DET", "NOUN", "PROPN", "PRON"))

@@ -10,11 +10,12 @@ from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.cases.certain_cases import CertainCase, certain_cases
 from decomplex_bt.understanding.rules.cases.checks import CALLING, OVER
 from decomplex_bt.understanding.rules.cases.expectations import expectations
 from decomplex_bt.understanding.rules.orders.uses import uses
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _OPENING = frozenset(("if", "unless", "when"))
 _JOINING = frozenset(("and", "but", "or", "so", "only"))

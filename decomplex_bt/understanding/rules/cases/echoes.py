@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _SUBJECTS = frozenset("it he she they we there you i that those these".split())
 _TYPED = frozenset("isnt arent wasnt hasnt havent doesnt dont didnt cant couldnt".split())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import TIME_UNITS
+from decomplex_bt.understanding.vocabulary import TIME_UNITS
 
 _DAYS = frozenset("tonight tomorrow later".split())
 _LEADING = frozenset(("in", "for", "after"))

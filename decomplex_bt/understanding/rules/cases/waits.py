@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.cases.suppositions import participle
 from decomplex_bt.understanding.rules.orders.prohibitions import OMITTING, is_forbidden
 

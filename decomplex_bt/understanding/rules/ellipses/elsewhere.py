@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
 
 _SUBJECTS = frozenset("it they he she".split())

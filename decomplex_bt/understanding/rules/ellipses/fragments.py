@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from decomplex_bt.understanding.cues import OPPOSITES
 from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.states import OPPOSITES
 
 STOPS = frozenset((".", "?", "!", ";", ":", "...", "…"))
 _FILLERS = frozenset("and oh so hey ok okay well but , - then also still".split())

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ONES, PERSON_NOUNS, PREPOSITIONS
+from decomplex_bt.understanding.vocabulary import ONES, PERSON_NOUNS, PREPOSITIONS
 
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state"))
 _PAIRED = ("goal", "recipient", "source", "location", "state")

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PLACE_ADVERBS, PREPOSITIONS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import PLACE_ADVERBS, PREPOSITIONS
 
 _LEADS = (
     ("do", "exactly", "the", "same"),

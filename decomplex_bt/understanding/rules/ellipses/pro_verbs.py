@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.cases.waits import type_of
 
 _SO = frozenset(("so", "it", "that", "this"))

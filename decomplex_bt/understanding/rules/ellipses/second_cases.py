@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.cues import OPPOSITES, SCALES
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
+from decomplex_bt.understanding.states import OPPOSITES, SCALES
 
 _OPENING = frozenset("if unless when whenever once should were".split())
 _CASES = frozenset(("if", "when"))

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ANIMALS, ONES, PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import ANIMALS, ONES, PERSON_NOUNS
 
 _ACTING = frozenset(("placing", "bringing", "taking", "change_state", "searching", "motion"))
 _LEADS = tuple(

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS
 from decomplex_bt.understanding.rules.ellipses.fragments import STOPS, Fragment
 from decomplex_bt.understanding.rules.orders.wants import NOT_BROUGHT
 from decomplex_bt.understanding.rules.speech.edits import is_order_at
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _SEQUENCE = frozenset("first then next finally lastly last".split())
 _LEADING = _SEQUENCE | frozenset("and please so ok okay right also now robot ,".split())

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.bare_states import bare_state
 from decomplex_bt.understanding.cues import ASKING_LEMMAS
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import head_of
+from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
 
 _OPENING = frozenset(("if", "unless"))

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _GIVING = frozenset(("give", "lend", "gimme"))
 _NAMING = frozenset(("DET", "PRON", "ADJ", "NOUN", "PROPN"))

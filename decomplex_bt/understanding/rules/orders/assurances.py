@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from decomplex_bt.domain.kinds import Kinds
 from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.cues import OPPOSITES
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.states import OPPOSITES
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _SURE = frozenset(("sure", "certain"))
 _BE = frozenset(("be", "been", "'s", "is", "are", "'re", "re", "s"))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _CALLING = frozenset("call phone ring telephone".split())
 _ASKING_FOR = _CALLING | {"shout", "yell", "holler"}

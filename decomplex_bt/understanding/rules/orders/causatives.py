@@ -11,9 +11,10 @@ from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.first_names import MEN, WOMEN
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
 from decomplex_bt.understanding.rules.orders.deeds import done_to, joined, types_of
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _CAUSING = frozenset(("get", "have"))
 _BIDDING = _CAUSING | {"let"}

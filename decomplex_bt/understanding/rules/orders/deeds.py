@@ -10,8 +10,9 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.certainty import CLEANING
-from decomplex_bt.understanding.references.phrases import is_deed, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.references.exclusions import CLEANING
+from decomplex_bt.understanding.references.phrases import is_deed
 from decomplex_bt.understanding.rules.orders.puttings import LAYING, is_the_table
 
 WHERE_TO = frozenset("in into on onto under behind by inside next".split())

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _CONTRASTING = tuple(tuple(p.split()) for p in ("however", "though", "on the other hand", "by contrast"))
 _LIMITING = frozenset(("only", "just"))

@@ -7,13 +7,10 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import (
-    ANIMALS,
-    PERSON_NOUNS,
-    is_pronoun,
-    noun_chunks,
-)
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.spans.goals import CLAUSE_ENDS
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}

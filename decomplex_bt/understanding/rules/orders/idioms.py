@@ -6,15 +6,18 @@ from collections.abc import Iterator, Mapping
 from itertools import takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.cues import OPPOSITES, normal_form
+from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.identity import identities, order_behind
 from decomplex_bt.understanding.references.looks import looks
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, degree_asked, is_deed, noun_chunks
+from decomplex_bt.understanding.references.phrases import degree_asked, is_deed
 from decomplex_bt.understanding.rules.cases.suppositions import MAY, supposed
 from decomplex_bt.understanding.rules.cases.waits import AWAITING, BE_OR_HAVE, awaited
 from decomplex_bt.understanding.rules.orders.assistance import helps_somewhere
 from decomplex_bt.understanding.rules.orders.doors import LONGEST_NAMED, PEOPLE, admissions
+from decomplex_bt.understanding.states import OPPOSITES
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _ASKED = frozenset("is are 's has have do does did if whether see to what who where".split())
 _ASKING = frozenset(("check_state", "searching"))

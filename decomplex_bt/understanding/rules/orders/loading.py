@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _LOADING = frozenset("load stuff pack stock cram feed fill line".split())
 _LINING = frozenset(("line",))

@@ -11,12 +11,13 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.certainty import CLEANING
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.references.exclusions import CLEANING
 from decomplex_bt.understanding.rules.background.statements import BELONGING
 from decomplex_bt.understanding.rules.ellipses.fragments import STATES, Fragment
 from decomplex_bt.understanding.rules.ellipses.likewise import so_does
 from decomplex_bt.understanding.rules.orders.deeds import WHERE_TO, done_to, forms, joined, type_of, types_of
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 NEEDING = frozenset("need needs want wants needed wanted".split())
 _COULD_DO_WITH = ("could", "do", "with")

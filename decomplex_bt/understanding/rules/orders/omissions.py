@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from decomplex_bt.understanding.document import MARKS
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _SKIPPING = frozenset(("skip", "omit"))
 _OPENING = MARKS | frozenset("and but then just please so or you can could may".split())

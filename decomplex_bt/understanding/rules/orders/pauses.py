@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import Document
-from decomplex_bt.understanding.references.phrases import TIME_UNITS
+from decomplex_bt.understanding.vocabulary import TIME_UNITS
 
 _GIVING = frozenset(("give", "gimme"))
 _SPANS = TIME_UNITS | frozenset("sec min hr moment mo tick while bit".split())

@@ -8,7 +8,8 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import FINITE, MARKS, Document
-from decomplex_bt.understanding.references.phrases import PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _TELLING = frozenset("tell say text message inform remind ask".split())
 _JOINTS = frozenset(("and", "&"))

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 _NEXT = frozenset(
     "and then finally lastly next after that afterwards also maybe perhaps otherwise failing this or else".split()

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from decomplex_bt.understanding.cues import CONDITIONAL
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
 
 _OTHERS = frozenset("one ones other others rest remainder".split())
 """What stands for those of several things that nothing is to be done with."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _STRANDED = frozenset("with from into onto in on under over".split())
 """Prepositions that may stand behind all that they speak of."""

@@ -8,10 +8,10 @@ from types import MappingProxyType
 
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ANIMALS, ONES, PERSON_NOUNS
 from decomplex_bt.understanding.rules.ellipses.fragments import NO_THINGS, STATES, Fragment
 from decomplex_bt.understanding.rules.orders.needs import OPENING
 from decomplex_bt.understanding.rules.orders.uses import uses
+from decomplex_bt.understanding.vocabulary import ANIMALS, ONES, PERSON_NOUNS
 
 _SPEAKERS = frozenset(("i", "we"))
 _NEEDING = frozenset("need needs want wants".split())

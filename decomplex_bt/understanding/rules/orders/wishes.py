@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, takewhile
 
 from decomplex_bt.understanding.document import ENDS, Document, Token
-from decomplex_bt.understanding.references.phrases import ONES
+from decomplex_bt.understanding.vocabulary import ONES
 
 _WISHING = frozenset("like want need love fancy".split())
 _BEFORE_WISHES = frozenset("'d \u2019d would do really just rather could so".split())

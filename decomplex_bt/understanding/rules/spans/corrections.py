@@ -10,11 +10,13 @@ from itertools import pairwise
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.certainty import CLEANING, INSTRUMENTS
+from decomplex_bt.understanding.references.certainty import INSTRUMENTS
+from decomplex_bt.understanding.references.exclusions import CLEANING
 from decomplex_bt.understanding.references.looks import looks, shouts, sought_by
-from decomplex_bt.understanding.references.phrases import ONES, PREPOSITIONS, is_pronoun, nobody
-from decomplex_bt.understanding.rules.ellipses.alternatives import other_places
+from decomplex_bt.understanding.references.phrases import is_pronoun, nobody
+from decomplex_bt.understanding.rules.ellipses.second_places import other_places
 from decomplex_bt.understanding.rules.speech.asides import whereabouts
+from decomplex_bt.understanding.vocabulary import ONES, PREPOSITIONS
 
 _PLACES = frozenset(("source", "location"))
 _TAKEN_UP = {"object": frozenset("it them one some any that those".split()), "recipient": frozenset(("me", "us"))}

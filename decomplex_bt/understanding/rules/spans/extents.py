@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.compounds import ends_compound
-from decomplex_bt.understanding.references.phrases import ONES, PASSAGES, PERSON_NOUNS, noun_chunks
+from decomplex_bt.understanding.vocabulary import ONES, PASSAGES, PERSON_NOUNS
 
 _NAMED = frozenset("one ones those anything something anyone somebody someone".split())
 """What names a thing besides nouns: "the ones *with the foxes on it*"."""

@@ -8,8 +8,9 @@ from dataclasses import replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
+from decomplex_bt.understanding.references.chunks import head_of, noun_chunks
 from decomplex_bt.understanding.references.fitness import VESSELS
-from decomplex_bt.understanding.references.phrases import ANIMALS, PERSON_NOUNS, head_of, noun_chunks
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
 
 _REFUSE = frozenset("bin dustbin rubbish trash garbage recycling".split())
 _KEEPING = frozenset("keep leave stack store stow stash pile file".split())

@@ -9,7 +9,8 @@ from decomplex_bt.instruction import Argument, Task
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import is_pronoun, noun_chunks
+from decomplex_bt.understanding.references.chunks import noun_chunks
+from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.references.relatives import (
     ADVERBS,
     BE,

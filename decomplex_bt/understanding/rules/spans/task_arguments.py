@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import PREPOSITIONS
 from decomplex_bt.understanding.rules.cases.checks import (
     asked,
     departed,
@@ -49,6 +48,7 @@ from decomplex_bt.understanding.rules.orders.resuming import without_lead
 from decomplex_bt.understanding.rules.orders.rounds import with_rounds
 from decomplex_bt.understanding.rules.spans.bounds import before_orders, is_of_forbidden
 from decomplex_bt.understanding.rules.spans.goals import gone_back, gone_to, put_in, put_inside, put_out
+from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
 _WITHOUT_THINGS = frozenset(("check_state", "informing", "motion"))
 _HANDLED = frozenset(("change_state", "taking", "placing", "following"))

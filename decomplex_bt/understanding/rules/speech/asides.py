@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
-from decomplex_bt.understanding.cues import OPPOSITES, normal_form
+from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document
 from decomplex_bt.understanding.rules.cases.concessions import either_way
+from decomplex_bt.understanding.states import OPPOSITES
 
 _TAGS = frozenset("is has have does do did can will would".split())
 _TAGGED = frozenset("he she it they you there we".split())

@@ -11,8 +11,8 @@ from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.cues import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.phrases import ONES
 from decomplex_bt.understanding.rules.speech.repairs import replaced_orders
+from decomplex_bt.understanding.vocabulary import ONES
 
 _MARKS = tuple(
     tuple(phrase.split())
