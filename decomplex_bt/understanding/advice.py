@@ -11,6 +11,7 @@ from decomplex_bt.instruction import Argument, Missing, Task
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
+from decomplex_bt.understanding.rules.cases.questions import asks_openly
 from decomplex_bt.understanding.rules.cases.times import times
 from decomplex_bt.understanding.rules.ellipses.alternatives import alternatives
 from decomplex_bt.understanding.rules.orders.omissions import of_all
@@ -45,11 +46,12 @@ def missing_arguments(observed: Observed, tasks: Sequence[Task], flow: Flow, dom
         if task.type in ("change_state", "check_state") and _says_state(observed, task):
             given.add("state")
         if task.type == "check_state":
+            verb = observed.document.indices(task.span).start
             clause = clause_around(observed.document.text, task.span, verbs)
             is_presence, is_named = asks_presence(clause), _asks_who(observed, task)
             is_said = is_of_nobody(clause) or (is_of_anything(clause) and "location" in given)
             given |= {"object"} if is_said else {"state"} if is_presence else set()
-            if is_of_weather(clause) or is_named:
+            if is_of_weather(clause) or is_named or asks_openly(observed.document, verb):
                 given |= {"object", "state"}
         place = observed.document.indices(task.span).start
         if observed.gazetteer.ending_type(observed.document, place) == task.type:
@@ -140,6 +142,12 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
     said: set[str] = set()
     for i, token in enumerate(document.tokens):
         word = _REPEATING.get(token.lower)
+        behind = [t.lower for t in document.tokens[i + 1 : i + 3]]
+        if word == "while" and behind[:1] == ["you"]:
+            word = None  # "put the kettle on while you're there"
+        is_retry = token.lower == "try" and (behind[:1] == ["again"] or behind == ["once", "more"])
+        if is_retry and token.start not in starts:
+            yield "'try again' is no task: say what to do again"
         if word == "every time" and not (i + 1 < len(document) and document.tokens[i + 1].lower == "time"):
             word = None
         if word is not None and word not in said and token.start not in starts:

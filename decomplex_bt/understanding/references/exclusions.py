@@ -14,12 +14,13 @@ from decomplex_bt.understanding.references.agreement import (
     is_told_of_otherwise,
 )
 from decomplex_bt.understanding.references.asked_again import is_of_own_branch
+from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
 from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
 from decomplex_bt.understanding.references.gapped import is_torn
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.offers import FILLING, is_measured
-from decomplex_bt.understanding.references.persons import is_no_somebody
+from decomplex_bt.understanding.references.persons import is_lifeless, is_no_somebody
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.roles import (
@@ -90,6 +91,8 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
+    if _is_used_instead(context, gap, candidate) or _is_itself(context, gap, candidate):
+        return True
     is_later = candidate.tokens.start > gap.position and candidate.type == "location"
     if gap.type == "goal" and not gap.word and is_later and candidate.task_type == "check_state":
         return True  # "pour some for Ann, and if there's no sugar *on the table*, ..."
@@ -135,7 +138,7 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_told_of_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
-    if is_no_somebody(context, gap, candidate):
+    if is_no_somebody(context, gap, candidate) or is_lifeless(context, gap, candidate):
         return True
     if is_no_single_thing(context, gap, candidate):
         return True
@@ -156,6 +159,26 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
         return True
     return _is_beside(context, gap, candidate)
+
+
+def _is_used_instead(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is the place that another one is used instead of, for what was to go there: "put the toys in
+    *the tub*, and if the tub is full use the box"."""
+    if (gap.type, gap.word, gap.task.type) != ("object", "", "placing") or context.lemmas[gap.task.id] != "use":
+        return False
+    document = context.observed.document
+    places = [c for c in context.pool if c.type == "goal" and c.owner and c.owner != gap.task.id]
+    return any(document.tokens[candidate.head].lemma == document.tokens[place.head].lemma for place in places)
+
+
+def _is_itself(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what is asked for itself, which is not where it is: "if *the pan* isn't there"."""
+    if gap.word != "there" or gap.task.type != "check_state":
+        return False
+    document = context.observed.document
+    objects = [document.indices(a.span) for a in gap.task.arguments if a.type == "object" and a.span is not None]
+    heads = {document.tokens[head_of(document, words)].lemma for words in objects}
+    return document.tokens[candidate.head].lemma in heads - ONES
 
 
 def _is_part_of_subject(context: Context, gap: Gap, candidate: Candidate) -> bool:

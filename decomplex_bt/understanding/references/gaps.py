@@ -184,6 +184,8 @@ def _form(document: Document, tokens: range) -> str | None:
         return "part" if words[-1] in PRONOUNS else None
     if words[:2] == ["one", "of"] and words[-1] != "ones":
         return None
+    if words[-1:] == ["one"] and _is_numbered(document, tokens):
+        return None
     if head in ONES:  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
     if last.tag == "POS":
@@ -193,6 +195,14 @@ def _form(document: Document, tokens: range) -> str | None:
     if words[-1] in _COUNTS and len(words) == 2 and words[0] == "a":
         return "count"
     return "pronoun" if all(word in _LEADING | PRONOUNS | QUANTIFIERS for word in words) else None
+
+
+def _is_numbered(document: Document, tokens: range) -> bool:
+    """Whether "one" is the number of what a bare noun right ahead of it names: "to *room one*", not "the kitchen one",
+    "a big one"."""
+    *ahead, noun, _ = [document.tokens[i] for i in tokens] if len(tokens) > 1 else [None, None]
+    is_bare = noun is not None and noun.tag in ("NN", "NNP") and noun.head != tokens.stop - 1
+    return is_bare and all(word is not None and word.pos == "ADP" for word in ahead)
 
 
 def _head(document: Document, tokens: range) -> int:

@@ -15,6 +15,10 @@ _OF_THINGS = frozenset(
 )
 """States that nobody is in."""
 _CALLING = frozenset("ring call phone knock buzz come arrive visit appear".split()) | {"turn up", "show up"}
+_WAKING = frozenset("wake waken rouse".split())
+_LIVING = frozenset("awake asleep sleeping hungry thirsty crying tired sleepy ill poorly sick upset".split())
+_PLANTS = frozenset("plant flower rose fern tulip herb tomato".split())
+"""What may be thirsty and is no animal."""
 _ASKED_FOR = frozenset(("which", "what"))
 
 
@@ -48,6 +52,19 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
         is_given = head.text.islower() and gap.task.type != "check_state"
         return is_given and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
     return _is_of_choice(context, candidate.owner)
+
+
+def is_lifeless(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a thing where only somebody can be meant, and is named: nobody wakes *the lights* of the
+    kids' room, or asks if they are hungry."""
+    head = context.observed.document.tokens[candidate.head]
+    is_thing = bool(context.observed.gazetteer.category(head.lemma)) and head.lemma not in ANIMALS | _PLANTS
+    if (GROUPS.get(gap.word), gap.type) != ("they", "object") or not is_thing or kind_of(context, candidate) in ANIMATE:
+        return False
+    states = {a.value.lower() for a in gap.task.arguments if a.type == "state"}
+    is_lived = gap.task.type == "check_state" and not states.isdisjoint(_LIVING)
+    is_woken = context.lemmas[gap.task.id].split()[0] in _WAKING
+    return (is_woken or is_lived) and any(kind_of(context, c) in ANIMATE for c in context.pool if c is not candidate)
 
 
 def _is_of_choice(context: Context, check: int) -> bool:

@@ -22,7 +22,15 @@ from decomplex_bt.understanding.references.chunks import (
 )
 from decomplex_bt.understanding.references.compounds import AT
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
-from decomplex_bt.understanding.vocabulary import POINTING, PREPOSITIONS, PRONOUNS, SHARES, TIME_UNITS, WHOLE
+from decomplex_bt.understanding.vocabulary import (
+    PERSON_NOUNS,
+    POINTING,
+    PREPOSITIONS,
+    PRONOUNS,
+    SHARES,
+    TIME_UNITS,
+    WHOLE,
+)
 
 _NOBODY = frozenset(("nobody", "noone"))
 _BEHIND_NOBODY = frozenset("else is 's \u2019s s has was will would still currently there at all".split())
@@ -336,8 +344,11 @@ def _names(document: Document) -> Iterator[range]:
 
 
 def _possessors(document: Document, chunks: Sequence[range]) -> Iterator[range]:
-    """Whose something is: what stands before "'s" in a noun phrase ("mrs okafor" in "mrs okafor's hearing aid")."""
+    """Whose something is: what stands before "'s" in a noun phrase ("mrs okafor" in "mrs okafor's hearing aid"), and
+    people without it ("the kids" in "the kids room")."""
     for chunk in chunks:
         for i in chunk:
-            if document.tokens[i].tag == "POS" and i > chunk.start:
-                yield range(chunk.start, i)
+            token = document.tokens[i]
+            is_people = token.tag == "NNS" and token.lemma in PERSON_NOUNS and i + 1 in chunk
+            if i > chunk.start and (token.tag == "POS" or (is_people and document.tokens[i + 1].tag in ("NN", "NNS"))):
+                yield range(chunk.start, i + is_people)

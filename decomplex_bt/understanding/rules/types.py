@@ -85,6 +85,8 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
     document = observed.document
     said = document.tokens[task.token + 1 : following]
     lemma = document.tokens[task.token].lemma
+    if task.type != "check_state" and is_done_by_others(document, task.token):
+        return "check_state"
     if task.type in HANDLING and lemma in _DRAWING and _is_covering(said):
         return "change_state"
     if task.type in HANDLING and observed.gazetteer.ending_type(document, task.token) == "placing":
@@ -115,8 +117,6 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "check_state"
     if task.type == "check_state" and is_assured(document, task.token):
         return "change_state"
-    if task.type != "check_state" and is_done_by_others(document, task.token):
-        return "check_state"
     if task.type in HANDLING and (is_asked_done(document, task.token) or is_denied_of_others(document, task.token)):
         return "check_state"
     if task.type == "motion" and lemma in _TIDYING and observed.gazetteer.particle(document, task.token) == "up":

@@ -147,7 +147,7 @@ def obstruct(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], 
     is_same = is_same and not {"first", "before"} & set(after.wording.orders)
     # "if the bin is full, take it out", not "take them out", of which one is not full
     is_carried = after.task.type == "bringing" and clause.wording.state in _FILLED and after.number != "many"
-    is_leading = after.sentence == clause.sentence and clause.boundary != "none"
+    is_leading = after.sentence == clause.sentence and (clause.boundary != "none" or is_used)
     if (
         are_moves
         and not is_carried

@@ -13,6 +13,7 @@ _OBJECTS = frozenset("it them him me us".split())
 _HAVING_TWO_OBJECTS = frozenset("given told asked called named shown paid offered sent".split())
 _SAME_FORMS = frozenset("put cut set shut let hit read run come become spread split shed hurt cost bet quit".split())
 _WHETHER = frozenset(("if", "unless", "whether", "when"))
+_WAITING = frozenset("until till once after".split())
 _OPENING = _WHETHER | frozenset("after once when until till as soon".split())
 _ASKING = frozenset("see check find look verify confirm".split())
 _SPEAKING = frozenset(("you", "i", "we", "to"))
@@ -107,8 +108,8 @@ def _has_done(document: Document, at: int) -> bool:
 
 
 def is_done_by_others(document: Document, at: int) -> bool:
-    """Whether an "if" or the like asks if somebody else has done what the verb says: "if Tim has put it away", "if the
-    cup has been rinsed"."""
+    """Whether an "if" or the like asks if somebody else has done what the verb says, or it is waited for: "if Tim has
+    put it away", "if the cup has been rinsed", "until Tim has put it away"."""
     tokens = document.tokens
     have = at - 1
     while have > 0 and tokens[have].lower in _BETWEEN | {"been"}:
@@ -118,7 +119,9 @@ def is_done_by_others(document: Document, at: int) -> bool:
     if tokens[have].lower not in _HAVE:
         return False
     for j in range(have - 1, -1, -1):
-        if tokens[j].lower in _WHETHER:
+        if tokens[j].lower in _WAITING and tokens[at - 1].lower == "been":
+            return False  # "once the guest has been led in" is an order
+        if tokens[j].lower in _WHETHER | _WAITING:
             if tokens[at - 1].lower == "been" and j and tokens[j - 1].lemma in _ASKING:
                 return False  # "see if they have been washed"
             return have - j > 1 and tokens[have - 1].lower not in _SPEAKING

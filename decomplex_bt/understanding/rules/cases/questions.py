@@ -51,6 +51,14 @@ def questions(document: Document, tasks: Collection[int]) -> Iterator[Question]:
         yield from _question(document, verb, range(start, stop))
 
 
+def asks_openly(document: Document, verb: int) -> bool:
+    """Whether a verb finds out what no yes or no answers: "see *what* the noise is", "find out *whose* turn it is"."""
+    words = [token.lower for token in document.tokens[verb + 1 : verb + 3]]
+    return document.tokens[verb].lemma in _FINDING and not _ASKED.isdisjoint(
+        words[:1] if words[:1] != ["out"] else words[1:]
+    )
+
+
 def is_deliberated(document: Document, at: int) -> bool:
     """Whether a verb only asks what the sentence behind it decides: "should I *wash* it? If it's stained, ...";
     not "... If so, ..."."""

@@ -254,7 +254,8 @@ def _good_enough(document: Document, parts: Sequence[Part], k: int, tasks: Mappi
         return range(0)
     stop = next((i for i in part.body if is_praise(tokens, range(i, part.body.stop))), part.body.start)
     named = bare(document, range(part.body.start, stop), tasks)
-    if not named or not is_phrase(document, named, tasks) or tokens[named.start].lower in POINTING:
+    is_named = bool(named) and (is_phrase(document, named, tasks) or _is_other_sort(document, parts[k - 1], named))
+    if not is_named or tokens[named.start].lower in POINTING:
         return range(0)
     behind = [token for token in tokens[part.body.stop :] if token.text not in MARKS]
     if behind and behind[0].i in tasks and tokens[part.body.stop].text not in ENDS:
@@ -262,6 +263,15 @@ def _good_enough(document: Document, parts: Sequence[Part], k: int, tasks: Mappi
     said = {token.lemma for token in tokens[: part.opening.start] if token.i not in named}
     is_other = any(tokens[i].lemma not in said and tokens[i].pos in _TELLING for i in named)
     return named if is_other or tokens[named.start].lower in _WHICHEVER else range(0)
+
+
+def _is_other_sort(document: Document, condition: Part, named: range) -> bool:
+    """Whether a single word names another sort of what a condition says that there is none of: "if there's no red one,
+    *blue* is fine"."""
+    asked = [document.tokens[i] for i in condition.body]
+    is_lack = condition.lead == "if" and any(token.lower in DENYING for token in asked)
+    is_sort = len(named) == 1 and document.tokens[named.start].pos == "ADJ"
+    return is_lack and is_sort and any(token.pos == "ADJ" for token in asked)
 
 
 def _is_further_case(document: Document, behind: Sequence[Part]) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from decomplex_bt.understanding.cues import Cue
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.gazetteer import PARTICLES
@@ -31,6 +32,7 @@ _SHARED = POINTING | {"them", "these", "it"}
 """What some is taken of: "two of those"."""
 DENYING = frozenset(("not", "n't", "n’t", "nt", "no", "none", "nobody", "nothing"))
 FORGET = "forget"
+_OR_ELSE = ("or", "else")
 _DO_NOT = frozenset((("do", "n't"), ("do", "n\u2019t"), ("do", "not"), ("do", "nt")))
 TAKING_UP = frozenset("it its they them their he him his she her".split())
 _CLOSED = frozenset("any one none some it them there here home left".split())
@@ -79,7 +81,7 @@ def parts_of(observed: Observed, tasks: Mapping[int, str]) -> list[Part]:
 def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Part]:
     tokens = observed.document.tokens
     leads = {
-        cue.first: ("turn", cue.last)
+        cue.first: ("or" if _is_of_case_behind(observed, cue) else "turn", cue.last)
         for cue in observed.cues
         if cue.name in TURNING and cue.first not in tasks and not _is_part(tokens, cue.first, cue.last)
     }
@@ -108,6 +110,16 @@ def _parts(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Part]:
         i += 1
     if first < len(tokens) or lead == "turn":
         yield Part(lead, opening, range(first, len(tokens)), is_last=True)
+
+
+def _is_of_case_behind(observed: Observed, cue: Cue) -> bool:
+    """Whether an "or else" joins what is done in a case told behind it, as "or" does: "take it to Ann, *or else* leave
+    it here if she's out"."""
+    tokens = observed.document.tokens
+    if [token.lower for token in tokens[cue.first : cue.last + 1]] != list(_OR_ELSE):
+        return False
+    case = next((other.first for other in observed.cues if other.name in OPENING and other.first > cue.last), 0)
+    return case > cue.last + 1 and all(token.text not in MARKS for token in tokens[cue.last : case])
 
 
 def _split(document: Document, parts: Sequence[Part], tasks: Mapping[int, str]) -> Iterator[Part]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from decomplex_bt.understanding.document import ENDS, Document
+from decomplex_bt.understanding.rules.speech.courtesies import courtesies
 from decomplex_bt.understanding.rules.speech.digressions import digressions
 from decomplex_bt.understanding.rules.speech.edits import (
     EDITING,
@@ -45,6 +46,7 @@ def repaired(document: Document) -> frozenset[int]:
     cut.update(i for tag in _tags(said) for i in tag)
     cut.update(i for remark in remarks(said) for i in remark)
     cut.update(i for digression in digressions(said) for i in digression)
+    cut.update(i for courtesy in courtesies(said) for i in courtesy)
     cut.update(described(said))
     cut.update(bracketed(said))
     for run in said.runs:
