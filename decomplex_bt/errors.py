@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from numbers import Integral
 from pathlib import Path
 from reprlib import Repr
-from typing import TYPE_CHECKING, TypeGuard
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 if TYPE_CHECKING:
     from decomplex_bt.instruction import Missing
@@ -58,7 +58,26 @@ def is_whole(value: object) -> TypeGuard[int]:
 
 
 class DecomplexError(Exception):
-    """Root of all errors raised on purpose by this package."""
+    """Root of all errors raised on purpose by this package; each can be sent to another process and raised there anew,
+    as Gymnasium does with one of a worker: by its class, called with the error itself."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self.args, vars(self))
+
+    def _takes_over(self, given: object) -> bool:
+        """Whether what was given in place of an error's first argument is such an error, which this one then equals."""
+        if not isinstance(given, type(self)):
+            return False
+        self.args = given.args
+        vars(self).update(vars(given))
+        return True
+
+
+def _restored(kind: type[DecomplexError], args: tuple[Any, ...], state: dict[str, Any]) -> DecomplexError:
+    """An error that was pickled: its class need not take its arguments as they are kept."""
+    error = kind.__new__(kind, *args)
+    vars(error).update(state)
+    return error
 
 
 class InputError(DecomplexError, ValueError):
@@ -68,7 +87,9 @@ class InputError(DecomplexError, ValueError):
 class DataFileError(InputError):
     """A data file (domain, corpus, model, house) is broken; the message starts with the file and the known line."""
 
-    def __init__(self, path: str | Path, problem: str, *, line: int | None = None) -> None:
+    def __init__(self, path: str | Path | DataFileError, problem: str = "", *, line: int | None = None) -> None:
+        if self._takes_over(path):
+            return
         self.path = str(path)
         self.line = line
         self.problem = problem
@@ -85,14 +106,16 @@ class UnknownWordError(InputError):
 
     def __init__(
         self,
-        phrase: str,
+        phrase: str | UnknownWordError,
         choices: Iterable[str] = (),
         *,
         known: Iterable[str] = (),
         expected: str = "a thing",
         task: int | None = None,
     ):
-        self.phrase = phrase
+        if self._takes_over(phrase):
+            return
+        self.phrase = str(phrase)
         self.choices = tuple(choices)
         self.task = task
         hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else _listed(tuple(known))
@@ -102,7 +125,9 @@ class UnknownWordError(InputError):
 class ImpossibleGoalError(InputError):
     """A task asks for what no state of the domain can be, whatever the world ("open the pen"); `task` is its number."""
 
-    def __init__(self, message: str, *, task: int | None = None):
+    def __init__(self, message: str | ImpossibleGoalError, *, task: int | None = None):
+        if self._takes_over(message):
+            return
         self.task = task
         super().__init__(message)
 
@@ -110,7 +135,10 @@ class ImpossibleGoalError(InputError):
 class MissingArgumentError(InputError):
     """A required argument is neither said nor implied and nobody answered the question that asks for it."""
 
-    def __init__(self, missing: Missing) -> None:
+    def __init__(self, missing: Missing | MissingArgumentError) -> None:
+        if isinstance(missing, MissingArgumentError):
+            self._takes_over(missing)
+            return
         self.missing = missing
         super().__init__(
             f"task {missing.task} lacks its {missing.argument}: {missing.question} "

@@ -84,7 +84,8 @@ class Evidence:
         self.since = since
 
     def is_there(self, name: str, where: str) -> bool:
-        """Whether a thing or person truly is at a place, in a room, beside a thing, or with a person."""
+        """Whether a thing or person truly is at a place, in a room, beside a thing (a person in its room), or with a
+        person."""
         return is_there(self.domain, self.truth, name, where)
 
     def was_seen(self, name: str) -> bool:
@@ -134,7 +135,7 @@ class Evidence:
 
 
 def is_there(domain: Domain, truth: Truth, name: str, where: str) -> bool:
-    """Whether a thing or person truly is at a place, in a room, beside a thing, or with a person."""
+    """Whether a thing or person truly is at a place, in a room, with a person, or beside a thing (who: in its room)."""
     house = domain.house
     if is_fixed(name, domain):
         return stands_at(name, where, domain)
@@ -146,7 +147,7 @@ def is_there(domain: Domain, truth: Truth, name: str, where: str) -> bool:
     if where in house.rooms:
         return true_room(domain, truth, name) == where
     if where in house.things:
-        return place == truth.place(where)
+        return place == (true_room(domain, truth, where) if name in house.people else truth.place(where))
     if where in house.people:
         return place == where or (name in house.people and place == truth.place(where))
     return place == where

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 from numpy.random import Generator
 
 from decomplex_bt.domain.loader import Domain, is_folder, load_domain
-from decomplex_bt.envs.opening import can_be_asked
+from decomplex_bt.envs.opening import refusal
 from decomplex_bt.envs.options import read_house
 from decomplex_bt.envs.reach import check_access
 from decomplex_bt.envs.residence import Residence
 from decomplex_bt.envs.setting import setting_of
 from decomplex_bt.envs.skills import check_skills
 from decomplex_bt.envs.stage import Stage
-from decomplex_bt.errors import InputError
+from decomplex_bt.errors import InputError, MissingArgumentError
 
 if TYPE_CHECKING:
     from decomplex_bt.envs.options import Request
@@ -67,10 +67,14 @@ class Home:
             return
         for _ in range(HOUSE_TRIES):
             self.move((None, int(rng.integers(2**31))))
-            if request is None or can_be_asked(request, self.domain):
+            error = None if request is None else refusal(request, self.domain)
+            if error is None:
                 return
+            if isinstance(error, MissingArgumentError):
+                raise error
         assert request is not None
-        raise InputError(f"none of {HOUSE_TRIES} houses drawn is one in which {request.text!r} can be asked for")
+        none = f"none of {HOUSE_TRIES} houses drawn is one in which {request.text!r} can be asked for"
+        raise InputError(f"{none}; in the last one: {error}") from error
 
     def move(self, house: tuple[str | None, int | None]) -> None:
         """Moves into the house of a path or a seed. Raises `InputError` where it does not fit into `rows`, `bounds`."""

@@ -35,13 +35,13 @@ def judge_for(request: Request, domain: Domain) -> Judge:
     return Judge(reading, domain, judged_by="interpreted")
 
 
-def can_be_asked(request: Request, domain: Domain) -> bool:
-    """Whether a request suits a house."""
+def refusal(request: Request, domain: Domain) -> InputError | None:
+    """Why a request does not suit a house; None where it does."""
     try:
         judge_for(request, domain)
-    except InputError:
-        return False
-    return True
+    except InputError as error:
+        return error
+    return None
 
 
 def draw_asked(base: Domain, setting: Setting, rng: Generator) -> tuple[Request, Judge]:

@@ -9,6 +9,8 @@ HOUSEHOLD_FLAT = "decomplex_bt/HouseholdFlat-v0"
 HOUSEHOLD_SMALL = "decomplex_bt/HouseholdSmall-v0"
 HOUSEHOLD_MEDIUM = "decomplex_bt/HouseholdMedium-v0"
 HOUSEHOLD_LARGE = "decomplex_bt/HouseholdLarge-v0"
+SIZES = {"small": HOUSEHOLD_SMALL, "medium": HOUSEHOLD_MEDIUM, "large": HOUSEHOLD_LARGE}
+"""The ids whose houses are generated, by size."""
 
 
 def register_envs() -> None:
@@ -21,9 +23,10 @@ def register_envs() -> None:
     for identity, entry_point, vector_entry_point, arguments in (
         (HOUSEHOLD, "household:HouseholdEnv", "vector:make_household_vector", {}),
         (HOUSEHOLD_FLAT, "flat:FlatHouseholdEnv", "vector:make_flat_vector", {}),
-        (HOUSEHOLD_SMALL, "household:HouseholdEnv", "vector:make_household_vector", {"size": "small"}),
-        (HOUSEHOLD_MEDIUM, "household:HouseholdEnv", "vector:make_household_vector", {"size": "medium"}),
-        (HOUSEHOLD_LARGE, "household:HouseholdEnv", "vector:make_household_vector", {"size": "large"}),
+        *(
+            (identity, "household:HouseholdEnv", "vector:make_household_vector", {"size": size})
+            for size, identity in SIZES.items()
+        ),
     ):
         if identity not in registry:
             register(

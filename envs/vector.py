@@ -8,8 +8,9 @@ from typing import Any
 
 import gymnasium as gym
 import numpy as np
-from gymnasium.vector import SyncVectorEnv
+from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
+from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, SIZES
 from decomplex_bt.errors import InputError
 
 
@@ -69,15 +70,19 @@ class HouseholdVectorEnv(SyncVectorEnv):
                 house.check_reset(seed=seeds[index] if seeds else None, options=wanted)
 
 
-def make_household_vector(num_envs: int = 1, **arguments: Any) -> HouseholdVectorEnv:
-    """`gym.make_vec("decomplex_bt/Household-v0", num_envs=…, vectorization_mode="vector_entry_point")`."""
-    return _make("decomplex_bt/Household-v0", num_envs, arguments)
+def make_household_vector(
+    num_envs: int = 1, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP, **arguments: Any
+) -> HouseholdVectorEnv:
+    """`gym.make_vec("decomplex_bt/Household-v0", num_envs=…)`; with a `size` the environments have its id."""
+    identity = SIZES.get(arguments.get("size", ""), HOUSEHOLD)
+    if identity != HOUSEHOLD:
+        del arguments["size"]
+    return HouseholdVectorEnv([partial(gym.make, identity, **arguments)] * num_envs, autoreset_mode=autoreset_mode)
 
 
-def make_flat_vector(num_envs: int = 1, **arguments: Any) -> HouseholdVectorEnv:
+def make_flat_vector(
+    num_envs: int = 1, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP, **arguments: Any
+) -> HouseholdVectorEnv:
     """As `make_household_vector`, with flat spaces."""
-    return _make("decomplex_bt/HouseholdFlat-v0", num_envs, arguments)
-
-
-def _make(identity: str, num_envs: int, arguments: dict[str, Any]) -> HouseholdVectorEnv:
-    return HouseholdVectorEnv([partial(gym.make, identity, **arguments)] * num_envs)
+    made = partial(gym.make, HOUSEHOLD_FLAT, **arguments)
+    return HouseholdVectorEnv([made] * num_envs, autoreset_mode=autoreset_mode)

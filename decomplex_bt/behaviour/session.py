@@ -9,6 +9,8 @@ from typing import Any
 from decomplex_bt.behaviour.embodiment import Embodiment
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.foresight import leads_to_goal
+from decomplex_bt.domain.loader import Domain
+from decomplex_bt.errors import quoted
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.planner import Planner, PlanResult, PlanStatus
@@ -69,9 +71,24 @@ class Session:
     def plan(self, goal_atoms: tuple[Atom, ...], forbidden: tuple[GroundAction, ...] = ()) -> PlanResult:
         """A plan from what is believed now, without the forbidden steps."""
         self.plans += 1
-        result = self.planner.solve(self.make_problem(self.belief, goal_atoms, forbidden=forbidden))
-        known = read_schemas(self.belief.domain.domain_pddl)
-        odd = next((step for step in result.steps if step.name not in known), None)
-        if odd is None:
-            return result
-        return PlanResult(PlanStatus.UNSUPPORTED, reason=f"{odd} is no action of this domain; one is {min(known)!r}")
+        problem = self.make_problem(self.belief, goal_atoms, forbidden=forbidden)
+        result = self.planner.solve(problem)
+        if not isinstance(result, PlanResult):
+            return PlanResult(PlanStatus.UNSUPPORTED, reason=f"the planner gave {quoted(result)}, no PlanResult")
+        for step in result.steps:
+            if (fault := _fault_of(step, problem, self.belief.domain)) is not None:
+                return PlanResult(PlanStatus.UNSUPPORTED, reason=f"{step} {fault}")
+        return result
+
+
+def _fault_of(step: GroundAction, problem: Problem, domain: Domain) -> str | None:
+    """Why a step cannot be one of this problem's plan, nor of another one's in this house; None where it can."""
+    schemas = read_schemas(problem.domain_pddl)
+    if step.name not in schemas:
+        return f"is no action of this domain; one is {min(schemas)!r}"
+    if len(step.objects) != (count := schemas[step.name].arity):
+        return f"has {len(step.objects)} objects; {step.name} takes {count}"
+    house = domain.house
+    known = problem.names.union(house.entities(), house.rooms, house.doorways)
+    strange = next((name for name in step.objects if name not in known), None)
+    return None if strange is None else f"is about {strange!r}, which is no object of this problem"

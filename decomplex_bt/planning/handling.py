@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 
 from decomplex_bt.domain.nouns import be
 from decomplex_bt.planning.abilities import runs_shut, wipers_of
@@ -75,19 +76,17 @@ class Handling(Looking):
         role = "recipient" if self.task.recipients else "goal"
         people = [name for name in self._meant(target) if name in self.house.people]
         names = self._usual_first([name for name in self._meant(target) if name not in people])
-        places = [place for name in names for place in self._landing(name)]
+        landings = {place: name for name in reversed(names) for place in reversed(self._landing(name))}
 
-        def has_arrived(name: str) -> bool:
+        def has_arrived(name: str, ends: Sequence[str] = self._meant(target)) -> bool:
             place = self.belief.place_of(name)
-            return place is not None and place != ROBOT and any(self._is_end(end, place) for end in self._meant(target))
+            return place is not None and place != ROBOT and any(self._is_end(end, place) for end in ends)
 
-        found = self._found(has_arrived)
-        if found is not None:
-            where = [self.belief.place_of(name) or "" for names in found.values() for name in names]
-            ends = [end for end in self._meant(target) if any(self._is_end(end, place) for place in where)]
-            return self._done({**found, target: ends})
+        for end in self._meant(target):
+            if (found := self._found(partial(has_arrived, ends=(end,)))) is not None:
+                return self._done({**found, target: [end]})
         lost = [name for name in self._meant(target) if not self._is_located(name)]
-        ends = [name for name in (*people, *places) if name not in lost and name not in self.house.things]
+        ends = [name for name in (*people, *reversed(landings)) if name not in lost and name not in self.house.things]
         if all(name in self._floors() for name in ends):
             ends.sort(key=self._distance)  # one floor is as good as another
         if not ends and lost:
@@ -96,10 +95,15 @@ class Handling(Looking):
             raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
         if (way := self._go_beside(target, has_arrived)) is not None:
             return way
+        things = [name for referent in self.task.objects for name in self._fitting(referent)]
+        # several go to one and the same place: where the most of them are already
+        at_end = {end: partial(has_arrived, ends=(landings.get(end, end),)) for end in ends}
+        if sum(map(self._needed, self.task.objects)) > 1:
+            ends.sort(key=lambda end: -sum(map(at_end[end], things)))
         problem: NothingLeftError | None = None
         for end in ends:
             try:
-                return self._handle(task_type, has_arrived, {role if end in people else "goal": end})
+                return self._handle(task_type, at_end[end], {role if end in people else "goal": end})
             except NothingLeftError as error:
                 problem = error
         assert problem is not None

@@ -10,6 +10,8 @@ from functools import cached_property, lru_cache
 
 from decomplex_bt.domain.house import House
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.domain.pddl import pddl_sections
+from decomplex_bt.domain.sexpr import typed_list
 from decomplex_bt.planning.abilities import devices_for, wipers_of
 from decomplex_bt.planning.belief import ROBOT, Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
@@ -35,6 +37,11 @@ class Problem:
     forbidden: tuple[GroundAction, ...] = ()
 
     @cached_property
+    def names(self) -> frozenset[str]:
+        """The objects that actions may be about, the constants of the domain among them."""
+        return _constants(self.domain_pddl).union(name for name, _ in self.objects)
+
+    @cached_property
     def text(self) -> str:
         """The problem as a PDDL file."""
         objects = "\n    ".join(f"{name} - {of}" for name, of in self.objects)
@@ -45,6 +52,12 @@ class Problem:
             f"(define (problem task)\n  (:domain {domain})\n  (:objects\n    {objects})\n  (:init\n    {init})\n"
             f"  (:goal (and {goal})))\n"
         )
+
+
+@lru_cache(maxsize=8)
+def _constants(domain_pddl: str) -> frozenset[str]:
+    sections = pddl_sections(domain_pddl).get(":constants", [])
+    return frozenset(name for section in sections for name, _ in typed_list(section))
 
 
 @lru_cache(maxsize=8)

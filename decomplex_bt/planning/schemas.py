@@ -17,8 +17,9 @@ Lifted = tuple[str, tuple[int, ...]]
 
 @dataclass(frozen=True, slots=True)
 class Schema:
-    """An action of the domain: what it needs, what it makes true and what it makes false."""
+    """An action of the domain: how many objects it takes, what it needs, what it makes true and what it makes false."""
 
+    arity: int
     preconditions: tuple[Lifted, ...]
     adds: tuple[Lifted, ...]
     deletes: tuple[Lifted, ...]
@@ -39,6 +40,7 @@ def read_schemas(domain_pddl: str) -> Mapping[str, Schema]:
         parameters = [name for name, _ in typed_list(_as_tuple(parts[":parameters"]))]
         effects = list(conjuncts(parts[":effect"]))
         schemas[str(section[0])] = Schema(
+            len(parameters),
             tuple(_lift(atom, parameters) for atom in conjuncts(parts[":precondition"])),
             tuple(_lift(atom, parameters) for atom in effects if atom[0] != "not"),
             tuple(_lift(_as_tuple(atom[1]), parameters) for atom in effects if atom[0] == "not"),

@@ -164,9 +164,10 @@ class Standing:
         return bool(self.task.objects) and all(is_fixed(name, self.domain) for name in names)
 
     def _lost_landmarks(self) -> tuple[str, ...]:
-        """The things beside which the task looks ("under the pillow") that are not found yet."""
+        """The things and people beside whom the task looks ("under the pillow", "with Tom") that are not found yet."""
         names = (name for referent in self.task.places for name in self._meant(referent))
-        return tuple(name for name in names if name in self.house.things and self.belief.place_of(name) is None)
+        moved = (*self.house.things, *self.house.people)
+        return tuple(name for name in names if name in moved and self.belief.place_of(name) is None)
 
     def _known_wheres(self, lost: Sequence[str]) -> tuple[str, ...]:
         """The places that the task names for sure: what lies where a thing may be need not lie beside it."""

@@ -20,7 +20,8 @@ def places_of(names: Iterable[str], belief: Belief, *, for_people: bool = False)
     """The places where things can lie that these names of places stand for now.
 
     A room stands for all its places, the floor included (for people: for its floor alone), a thing for the place it
-    lies at, a person for themselves, and what holds nothing for itself.
+    lies at, a person for themselves (for people: for the floor of their room), and what holds nothing for itself. A
+    thing or person of whom it is not known where they are stands for all places where they may be.
     """
     return tuple(dict.fromkeys(p for name in names for p in _stands_for(name, belief, for_people)))
 
@@ -31,7 +32,8 @@ def _stands_for(name: str, belief: Belief, for_people: bool) -> Iterator[str]:
         known = belief.place_of(name)
         yield from (place for place, _ in belief.likely_places(name)) if known is None else [known]
     elif name in house.people:
-        yield name
+        is_at_hand = belief.place_of(name) is not None and not for_people
+        yield from [name] if is_at_hand else (place for place, _ in belief.likely_places(name))
     elif for_people:
         yield from (house.floor_of(room) for room in [domain.room_of(name)] if room is not None)
     elif name in house.rooms:

@@ -190,6 +190,16 @@ def test_without_a_plan_the_goal_is_given_up_and_the_failure_says_why(make):
             "no way was found; the planner: timeout: 30 s are over",
         ),
         (PlanResult(PlanStatus.UNSUPPORTED), "no way was found; the planner: unsupported"),
+        (
+            PlanResult(PlanStatus.SOLVED, (GroundAction("pick", ("moon", "tv")),)),
+            "no way was found; the planner: unsupported: (pick moon tv) is about 'moon', which is no object of this "
+            "problem",
+        ),
+        (
+            PlanResult(PlanStatus.SOLVED, (GroundAction("switch-on", ()),)),
+            "no way was found; the planner: unsupported: (switch-on) has 0 objects; switch-on takes 1",
+        ),
+        ("a plan", "no way was found; the planner: unsupported: the planner gave 'a plan', no PlanResult"),
     ],
 )
 def test_what_the_planner_says_is_in_the_failure_whatever_the_task_makes_of_it(make, result, said):

@@ -19,6 +19,7 @@ from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.envs.config import HouseholdConfig, WorldConfig
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, HOUSEHOLD_SMALL
+from decomplex_bt.errors import InputError, MissingArgumentError
 
 IDS = [identity for identity in gym.registry if identity.startswith("decomplex_bt/")]
 ONTOLOGY = load_domain("household").ontology
@@ -234,3 +235,31 @@ def test_environments_and_agents_share_nothing():
     alone = play(gym.make(HOUSEHOLD), 3)
     assert play(gym.make(HOUSEHOLD), 3, others()) == alone
     assert not Blackboard.storage
+
+
+def test_a_vector_has_every_autoreset_mode_and_the_id_it_was_made_by():
+    envs = gym.make_vec("decomplex_bt/HouseholdSmall-v0", num_envs=2, autoreset_mode=AutoresetMode.SAME_STEP)
+
+    assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
+    assert {one.spec.id for one in envs.envs} == {envs.spec.id} == {"decomplex_bt/HouseholdSmall-v0"}
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "says"),
+    [
+        ("Put the cup.", MissingArgumentError, "Where should I put it"),
+        ("Take the cup to the moon.", InputError, "'the moon' names nothing"),
+    ],
+)
+def test_a_generated_house_says_why_nothing_can_be_asked(text, error, says):
+    with pytest.raises(error, match=says):
+        gym.make("decomplex_bt/HouseholdSmall-v0").reset(seed=0, instruction=text)
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_an_error_of_a_process_is_the_same_here():
+    envs = gym.make_vec("decomplex_bt/Household-v0", num_envs=2, vectorization_mode="async")
+
+    with pytest.raises(MissingArgumentError, match="Where should I put it"):
+        envs.reset(seed=0, options={"instruction": "Put the cup."})
+    envs.close(terminate=True)

@@ -1,0 +1,59 @@
+"""Tasks about who or what is beside somebody or something, and several things for one place: the robot and the judge,
+who do not look at each other, agree."""
+
+from __future__ import annotations
+
+import gymnasium as gym
+import pytest
+
+import decomplex_bt  # noqa: F401 - registers the environments
+from decomplex_bt.corpus import read_markup
+from decomplex_bt.domain.loader import load_domain
+
+DOMAIN = load_domain("household")
+SENTENCES = {
+    "beside a thing": (
+        "If [Anna](1:object) [is](1:check_state) [next to the laptop](1:location), [close](2:change_state) "
+        "[the kitchen window](2:object), otherwise [open](3:change_state) [it](3:object=the kitchen window).",
+        [{"if": 1, "then": [2], "else": [3]}],
+    ),
+    "with somebody": (
+        "If [Anna](1:object) [is](1:check_state) [with Tom](1:location), [close](2:change_state) "
+        "[the kitchen window](2:object), otherwise [open](3:change_state) [it](3:object=the kitchen window).",
+        [{"if": 1, "then": [2], "else": [3]}],
+    ),
+    "a thing with somebody": (
+        "If [the phone](1:object) [is](1:check_state) [with Anna](1:location), [close](2:change_state) "
+        "[the fridge](2:object).",
+        [{"if": 1, "then": [2]}],
+    ),
+    "all on one of several": ("[Put](1:placing) [the pens](1:object) [on a table](1:goal).", [1]),
+    "two in one of two": (
+        "[Put](1:placing) [the knife and the fork](1:object) [in the drawer or on the counter](1:goal).",
+        [1],
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def env():
+    return gym.make("decomplex_bt/Household-v0")
+
+
+@pytest.mark.parametrize("seed", [0, 1, 4, 6])
+@pytest.mark.parametrize("name", ["tree", "oracle"])
+@pytest.mark.parametrize("case", SENTENCES)
+def test_robot_and_judge_agree(env, case, name, seed):
+    text, flow = SENTENCES[case]
+    asked = read_markup(text, DOMAIN.ontology, flow=flow)
+    observation, info = env.reset(seed=seed, options={"instruction": asked, "noise": False})
+    if not info["feasible"]:
+        pytest.skip("in this world nobody could")
+    policy = env.unwrapped.policy(name, flow=asked, seed=seed)
+    policy.reset(observation, info)
+
+    terminated = truncated = False
+    while not (terminated or truncated):
+        observation, _, terminated, truncated, info = env.step(policy.act(observation))
+
+    assert info["is_success"], info["branches"]
