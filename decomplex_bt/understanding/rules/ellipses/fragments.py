@@ -84,7 +84,7 @@ class Fragment:
     @property
     def told(self) -> dict[str, range]:
         """The tokens of its arguments, by type."""
-        place = "goal" if self.type in ("placing", "bringing") else "location"
+        place = "goal" if self.type in ("placing", "bringing", "motion") else "location"
         told = {"object": self.object, "state": self.state, place: self.place, "recipient": self.recipient}
         return {name: tokens for name, tokens in told.items() if tokens}
 

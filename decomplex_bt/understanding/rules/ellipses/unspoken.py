@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.ellipses.elsewhere import elsewhere, first_searches, other_searches
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment, fragments
+from decomplex_bt.understanding.rules.ellipses.legs import legs
 from decomplex_bt.understanding.rules.ellipses.renewals import renewals
 from decomplex_bt.understanding.rules.ellipses.transfers import transfers
 from decomplex_bt.understanding.rules.orders.needs import belonging, states_due
@@ -15,7 +16,7 @@ from decomplex_bt.understanding.rules.orders.wants import wants
 
 def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """Questions and orders without a verb, what is said to belong somewhere, what is wanted, what is switched on again,
-    where else something is, or where to look for it first; `tasks`: tokens that are tasks, with types."""
+    where else something is, where to look for it first, or to go next; `tasks`: tokens that are tasks, with types."""
     yield from fragments(observed.document, observed.gazetteer.names)
     yield from transfers(observed)
     yield from belonging(observed.document)
@@ -25,3 +26,4 @@ def unspoken(observed: Observed, tasks: Mapping[int, str]) -> Iterator[Fragment]
     yield from elsewhere(observed.document)
     yield from other_searches(observed.document, tasks)
     yield from first_searches(observed, tasks)
+    yield from legs(observed.document, tasks)
