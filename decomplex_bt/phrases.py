@@ -13,6 +13,7 @@ _PREPOSITIONS = frozenset(
 ) | {"onto", "out", "over", "to", "under", "with"}
 _RESTING = _PREPOSITIONS - {"about", "by", "for", "from", "into", "of", "off", "onto", "out", "over", "to", "with"}
 """Prepositions of where something is."""
+_OF_NOBODY = re.compile(r"\b(nobody|no one|no-one|noone)( else)?(['\u2019]| *)$", re.IGNORECASE)
 _PLACES = {"goal": "to", "source": "from", "location": "in"}
 """Arguments that are places, with the preposition of one that has none of its own and has none elsewhere."""
 _ADVERBS = frozenset(("here", "there", "home", "back", "away", "outside", "inside", "upstairs", "downstairs"))
@@ -24,6 +25,8 @@ def phrase_of(instruction: Instruction, task: Task) -> str:
     words = [_CONTRACTED.get(verb.lower(), verb)]
     if words[0] in ("is", "are") and re.search(r"\bthere *$", instruction.text[: task.span.start], re.IGNORECASE):
         words.insert(0, "there")
+    if task.argument("object") is None and _OF_NOBODY.search(instruction.text[: task.span.start]):
+        words.insert(0, "anybody")  # the flow has the "no"
     if (subject := _subject(task)) is not None:
         words.insert(0, subject.value)
     last = ""

@@ -25,8 +25,20 @@ _REPEATING = {
 }  # fmt: skip
 
 
+_SPANS = frozenset("second seconds minute minutes hour hours day days week weeks".split())
+
+
+def _is_while(words: Sequence[str]) -> bool:
+    """Whether words say how long: "five minutes", "a minute"."""
+    return not _SPANS.isdisjoint(words[1:2])
+
+
 _MAKING = frozenset("make brew cook bake fix prepare mix buy purchase".split())
 _COUNTING = frozenset(("count", "tally"))
+_ONE_OF_EACH = {
+    "motion": ("goal",), "following": ("goal",), "placing": ("goal",), "bringing": ("recipient",), "informing": ("recipient",),
+}  # fmt: skip
+"""By type of task, what a task has one of, or one for each thing."""
 _HOW_MANY = "how many "
 
 
@@ -150,6 +162,12 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
             yield "'try again' is no task: say what to do again"
         if word == "every time" and not (i + 1 < len(document) and document.tokens[i + 1].lower == "time"):
             word = None
+        if token.lower == "every" and any(after in _SPANS for after in behind):
+            word = "every so often"
+        if token.lower in ("again", "over", "back") and behind in (["and", token.lower], ["and", "forth"]):
+            word = f"{token.lower} {' '.join(behind)}"
+        if token.lower == "wait" and token.tag in ("VB", "VBP") and (behind[:1] == ["for"] or _is_while(behind)):
+            word = "wait"
         if word is not None and word not in said and token.start not in starts:
             said.add(word)
             yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
@@ -170,6 +188,10 @@ def _beyond(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
             yield f"{verb.text!r} is read as {known!r}: nothing is made or bought here"
         if task.type in ("searching", "check_state") and verb.lemma in _COUNTING:
             yield f"{verb.text!r} is read as 'look for': what is seen is not counted"
+        for kind in _ONE_OF_EACH.get(task.type, ()):
+            told = [argument.value for argument in task.arguments if argument.type == kind]
+            if len(told) > 1 and len(task.values("object")) < len(told):
+                yield f"{told[1]!r} is one {kind} more of {verb.text!r}: only {told[0]!r} is heeded, say an order for each"
         for message in task.values("message"):
             if message.lower().startswith(_HOW_MANY):
                 yield f"{message!r} is told without a number: what is seen is not counted"

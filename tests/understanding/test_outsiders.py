@@ -147,3 +147,21 @@ def test_each_leg_of_a_way_is_an_order(interpreter: Interpreter, text: str, argu
 )
 def test_what_is_no_further_leg(interpreter: Interpreter, text: str, count: int) -> None:
     assert len(interpreter.interpret(text).tasks) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("Wait five minutes and then bring me the apple.", "'wait' is read as if once"),
+        ("Check the oven every five minutes.", "'every so often' is read as if once"),
+        ("Go to the kitchen again and again.", "'again and again' is read as if once"),
+        ("Tell Tom, then Anna, that dinner is ready.", "only 'Tom' is heeded"),
+    ],
+)
+def test_what_is_not_done_is_said(with_encoder: Interpreter, text: str, says: str) -> None:
+    assert any(says in warning for warning in with_encoder.interpret(text).warnings)
+
+
+@pytest.mark.parametrize("text", ["Put the cup on the table and the plate on the shelf.", "Tell Tom and Anna to come."])
+def test_what_is_done_for_each_needs_no_warning(with_encoder: Interpreter, text: str) -> None:
+    assert not with_encoder.interpret(text).warnings

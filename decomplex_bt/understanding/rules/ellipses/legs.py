@@ -46,7 +46,7 @@ def legs(document: Document, tasks: Mapping[int, str]) -> Iterator[Fragment]:
 def _joint(words: list[str], verb: int, to: int) -> int:
     """Where the "then" ahead of a preposition begins, with its mark; 0 where there is none."""
     i = to
-    while words[i - 1] in _ON:
+    while i - 1 > verb and words[i - 1] in _ON:
         i -= 1
     fits = [i - n for n in range(_LONGEST, 0, -1) if i - n > verb and tuple(words[i - n : i]) in _THEN]
     return fits[0] if fits else 0
