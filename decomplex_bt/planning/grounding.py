@@ -190,7 +190,18 @@ class _Grounder:
         fixed = [r for r in objects if all(self.referents.is_fixed(name) for name in r.candidates)]
         if fixed and not places:
             return replace(bare, places=tuple(fixed), objects=tuple(r for r in objects if r not in fixed))
+        if not all(is_said) and not objects:
+            places = tuple(map(self._floors_of, places))  # nobody is in a cupboard
+        if not objects and not places + inner:
+            raise ImpossibleGoalError(
+                f"task {task.id} ({bare.phrase!r}) says neither what to look for nor where; say one of them"
+            )
         return replace(bare, objects=objects, places=places + inner)
+
+    def _floors_of(self, place: Referent) -> Referent:
+        rooms = self.domain.house.rooms
+        floors = (self.domain.house.floor_of(name) if name in rooms else name for name in place.candidates)
+        return replace(place, candidates=tuple(floors))
 
     def _taking(self, task: Task, bare: GroundTask, state: str | None) -> GroundTask:
         places = self._places(task, "source", "location")

@@ -709,3 +709,14 @@ def test_everything_of_nowhere_is_refused(goal: str) -> None:
 def test_what_is_working_is_on(text: str, state: str) -> None:
     (task,) = ground(read_markup(text, DOMAIN.ontology, flow=[1]), DOMAIN).tasks
     assert task.state == state
+
+
+def test_who_is_in_a_room_is_seen_from_its_floor() -> None:
+    task = first("[See](1:searching) [who](1:object) is [in the kitchen](1:location).")
+
+    assert (task.objects, [place.candidates for place in task.places]) == ((), [("kitchen_floor",)])
+
+
+def test_a_search_for_nobody_and_nowhere_is_refused() -> None:
+    with pytest.raises(ImpossibleGoalError, match="neither what to look for nor where"):
+        first("[Find](1:searching) out [who](1:object) is there.")
