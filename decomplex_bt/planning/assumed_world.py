@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.errors import InputError
 from decomplex_bt.planning.abilities import holds_things
 from decomplex_bt.planning.belief import LOOKS, ROBOT, Belief
 from decomplex_bt.planning.ground_task import GroundTask
@@ -118,6 +119,7 @@ class AssumedWorld:
         """Pursues a task to its end as a leaf of a tree would, one step at a time.
 
         `up_to_looks`: a plan is carried out up to the look it ends in, though the answer came into view on the way.
+        Raises `InputError` where plans bring nothing about: by actions that are not simulated here.
         """
         for _ in range(LOOKS):
             belief.update(self.percept())
@@ -132,7 +134,11 @@ class AssumedWorld:
                 belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
                 continue
             self._carry_out(result.steps, task, belief, bindings, since, pursuit, up_to_looks=up_to_looks)
-        raise AssertionError(f"no end in sight after {MAX_PLANS} plans: {pursuit}")
+        due = " ".join(map(str, pursuit.goal_atoms))
+        raise InputError(
+            f"{task.phrase!r} is not done after {MAX_PLANS} plans, the last of them for {due}; "
+            "does the domain have an action that the robot has no skill for?"
+        )
 
     def _carry_out(
         self,

@@ -57,7 +57,8 @@ def _with_choice(task: Task, text: str) -> Task:
     for argument in task.arguments:
         if argument.span is not None and argument.type == "object":
             before = text[: argument.span.start].rstrip().lower()
-            is_choice = argument.value.lower() in ("one", "the one") and before.endswith(" or") and bool(kept)
+            words = argument.span.of(text).lower()  # a reading has what the "one" stands for as its value
+            is_choice = words in ("one", "the one") and before.endswith(" or") and bool(kept)
         same = next((a for a in kept if a.type == argument.type), None) if is_choice else None
         if same is None:
             kept.append(argument)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
+from decomplex_bt.errors import InputError
 from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.contingent import Choice, ConditionalPlan, TaskPlan, plan_conditionally
@@ -143,3 +146,12 @@ def test_what_is_told_is_looked_at_first():
     assert isinstance(told, TaskPlan)
     steps = [str(step) for step in told.steps]
     assert steps.index("(sense-place power__tv tv)") < steps.index("(say user)")
+
+
+def test_an_action_that_nobody_simulates_is_named_as_the_reason():
+    domain = replace(DOMAIN, domain_pddl=DOMAIN.domain_pddl.replace("(:action say", "(:action shout"))
+    text = "[Tell](1:informing) [Anna](1:recipient) [that dinner is ready](1:message)."
+    grounded = ground(read_markup(text, domain.ontology, flow=[1]), domain)
+
+    with pytest.raises(InputError, match="an action that the robot has no skill for"):
+        plan_conditionally(grounded, PyperplanPlanner(), world=AssumedWorld.likely(domain))

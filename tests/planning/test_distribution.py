@@ -65,3 +65,16 @@ def test_what_is_left_over_leaves_all_in_one() -> None:
     text = "[Put](1:placing) [the shoes](1:object) [in the wardrobe](1:goal), [the bag](1:object) and [it](1:object)."
     (task,) = distributed(read_markup(text, load_domain().ontology, flow=[1])).tasks
     assert len(task.values("object")) == 3
+
+
+@pytest.mark.parametrize("meant", ["", "=the window"])
+def test_one_in_either_place_is_a_choice_whatever_a_reading_has_for_it(meant: str) -> None:
+    text = (
+        "[Close](1:change_state) [the window](1:object) [in the kitchen](1:location) or "
+        f"[the one](1:object{meant}) [in the bedroom](1:location)."
+    )
+    instruction = distributed(read_markup(text, load_domain("household").ontology, flow=[1]))
+
+    assert [{a.type: a.value for a in task.arguments} for task in instruction.tasks] == [
+        {"object": "the window", "location": "in the kitchen or in the bedroom"}
+    ]
