@@ -57,20 +57,22 @@ def is_whole(value: object) -> TypeGuard[int]:
     return isinstance(value, Integral) and not isinstance(value, bool)
 
 
-class DecomplexError(Exception):
-    """Root of all errors raised on purpose by this package; each can be sent to another process and raised there anew,
-    as Gymnasium does with one of a worker: by its class, called with the error itself."""
+class _Raised(type):
+    """The class of error classes: one that is called with an error of its own gives that error.
+
+    So Gymnasium raises an error of a worker process anew, whatever arguments the class takes.
+    """
+
+    def __call__(cls, *args: Any, **options: Any) -> Any:
+        is_again = len(args) == 1 and type(args[0]) is cls and not options
+        return args[0] if is_again else super().__call__(*args, **options)
+
+
+class DecomplexError(Exception, metaclass=_Raised):
+    """Root of all errors raised on purpose by this package; each is the same when it comes from another process."""
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), self.args, vars(self))
-
-    def _takes_over(self, given: object) -> bool:
-        """Whether what was given in place of an error's first argument is such an error, which this one then equals."""
-        if not isinstance(given, type(self)):
-            return False
-        self.args = given.args
-        vars(self).update(vars(given))
-        return True
 
 
 def _restored(kind: type[DecomplexError], args: tuple[Any, ...], state: dict[str, Any]) -> DecomplexError:
@@ -87,9 +89,7 @@ class InputError(DecomplexError, ValueError):
 class DataFileError(InputError):
     """A data file (domain, corpus, model, house) is broken; the message starts with the file and the known line."""
 
-    def __init__(self, path: str | Path | DataFileError, problem: str = "", *, line: int | None = None) -> None:
-        if self._takes_over(path):
-            return
+    def __init__(self, path: str | Path, problem: str, *, line: int | None = None) -> None:
         self.path = str(path)
         self.line = line
         self.problem = problem
@@ -106,16 +106,14 @@ class UnknownWordError(InputError):
 
     def __init__(
         self,
-        phrase: str | UnknownWordError,
+        phrase: str,
         choices: Iterable[str] = (),
         *,
         known: Iterable[str] = (),
         expected: str = "a thing",
         task: int | None = None,
     ):
-        if self._takes_over(phrase):
-            return
-        self.phrase = str(phrase)
+        self.phrase = phrase
         self.choices = tuple(choices)
         self.task = task
         hint = f"; the nearest known: {', '.join(self.choices)}" if self.choices else _listed(tuple(known))
@@ -125,9 +123,7 @@ class UnknownWordError(InputError):
 class ImpossibleGoalError(InputError):
     """A task asks for what no state of the domain can be, whatever the world ("open the pen"); `task` is its number."""
 
-    def __init__(self, message: str | ImpossibleGoalError, *, task: int | None = None):
-        if self._takes_over(message):
-            return
+    def __init__(self, message: str, *, task: int | None = None):
         self.task = task
         super().__init__(message)
 
@@ -135,10 +131,7 @@ class ImpossibleGoalError(InputError):
 class MissingArgumentError(InputError):
     """A required argument is neither said nor implied and nobody answered the question that asks for it."""
 
-    def __init__(self, missing: Missing | MissingArgumentError) -> None:
-        if isinstance(missing, MissingArgumentError):
-            self._takes_over(missing)
-            return
+    def __init__(self, missing: Missing) -> None:
         self.missing = missing
         super().__init__(
             f"task {missing.task} lacks its {missing.argument}: {missing.question} "

@@ -13,7 +13,7 @@ _PREPOSITIONS = frozenset(
 ) | {"onto", "out", "over", "to", "under", "with"}
 _RESTING = _PREPOSITIONS - {"about", "by", "for", "from", "into", "of", "off", "onto", "out", "over", "to", "with"}
 """Prepositions of where something is."""
-_OF_NOBODY = re.compile(r"\b(nobody|no one|no-one|noone)( else)?(['\u2019]| *)$", re.IGNORECASE)
+_OF_NOBODY = re.compile(r"\b(nobody|no one|no-one|noone)( else)? *$", re.IGNORECASE)
 _PLACES = {"goal": "to", "source": "from", "location": "in"}
 """Arguments that are places, with the preposition of one that has none of its own and has none elsewhere."""
 _ADVERBS = frozenset(("here", "there", "home", "back", "away", "outside", "inside", "upstairs", "downstairs"))

@@ -74,7 +74,7 @@ def make_household_vector(
     num_envs: int = 1, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP, **arguments: Any
 ) -> HouseholdVectorEnv:
     """`gym.make_vec("decomplex_bt/Household-v0", num_envs=…)`; with a `size` the environments have its id."""
-    identity = SIZES.get(arguments.get("size", ""), HOUSEHOLD)
+    identity = next((one for size, one in SIZES.items() if size == arguments.get("size")), HOUSEHOLD)
     if identity != HOUSEHOLD:
         del arguments["size"]
     return HouseholdVectorEnv([partial(gym.make, identity, **arguments)] * num_envs, autoreset_mode=autoreset_mode)

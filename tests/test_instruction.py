@@ -21,6 +21,7 @@ DOMAIN = load_domain()
             "are my keys on the desk",
         ),
         ("If there['s](1:check_state) [a newspaper](1:object)", 1, "there is a newspaper"),
+        ("If nobody [is](1:check_state) [in the hall](1:location)", 1, "anybody is in the hall"),
         ("[Look](1:searching) [for it](1:object=my wallet)", 1, "Look for my wallet"),
         (
             "[Open](1:change_state) [the box](1:object) and [put](2:placing) [it](2:object=the toy) "

@@ -88,7 +88,9 @@ def _fault_of(step: GroundAction, problem: Problem, domain: Domain) -> str | Non
         return f"is no action of this domain; one is {min(schemas)!r}"
     if len(step.objects) != (count := schemas[step.name].arity):
         return f"has {len(step.objects)} objects; {step.name} takes {count}"
+    strange = [name for name in step.objects if name not in problem.names]
+    if not strange:
+        return None
     house = domain.house
-    known = problem.names.union(house.entities(), house.rooms, house.doorways)
-    strange = next((name for name in step.objects if name not in known), None)
-    return None if strange is None else f"is about {strange!r}, which is no object of this problem"
+    strange = [name for name in strange if name not in {*house.entities(), *house.rooms, *house.doorways}]
+    return f"is about {strange[0]!r}, which is no object of this problem" if strange else None

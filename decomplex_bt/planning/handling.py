@@ -95,15 +95,22 @@ class Handling(Looking):
             raise NothingLeftError(self._why(f"there is no way to {target.phrase!r}", target.candidates))
         if (way := self._go_beside(target, has_arrived)) is not None:
             return way
-        things = [name for referent in self.task.objects for name in self._fitting(referent)]
-        # several go to one and the same place: where the most of them are already
-        at_end = {end: partial(has_arrived, ends=(landings.get(end, end),)) for end in ends}
+        arrivals = {end: partial(has_arrived, ends=(landings.get(end, end),)) for end in ends}
+        return self._put_at_one(task_type, arrivals, {end: role if end in people else "goal" for end in ends})
+
+    def _put_at_one(
+        self, task_type: str, arrivals: Mapping[str, Callable[[str], bool]], roles: Mapping[str, str]
+    ) -> Pursuit:
+        """All the things end up at one and the same of several ends, the first that can be: of several things at the
+        one where most are already. `arrivals`: by end, whether a thing is there; `roles`: what the end is to the task.
+        """
+        ends, problem = list(arrivals), None
         if sum(map(self._needed, self.task.objects)) > 1:
-            ends.sort(key=lambda end: -sum(map(at_end[end], things)))
-        problem: NothingLeftError | None = None
+            things = [name for referent in self.task.objects for name in self._fitting(referent)]
+            ends.sort(key=lambda end: -sum(map(arrivals[end], things)))
         for end in ends:
             try:
-                return self._handle(task_type, at_end[end], {role if end in people else "goal": end})
+                return self._handle(task_type, arrivals[end], {roles[end]: end})
             except NothingLeftError as error:
                 problem = error
         assert problem is not None

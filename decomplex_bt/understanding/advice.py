@@ -8,6 +8,7 @@ from decomplex_bt.domain.clauses import asks_presence, clause_around, is_of_anyt
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.flow import Flow, If
 from decomplex_bt.instruction import Argument, Missing, Task
+from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.gaps import gap_of
 from decomplex_bt.understanding.references.relatives import exclusions
@@ -26,17 +27,10 @@ _REPEATING = {
 
 
 _SPANS = frozenset("second seconds minute minutes hour hours day days week weeks".split())
-
-
-def _is_while(words: Sequence[str]) -> bool:
-    """Whether words say how long: "five minutes", "a minute"."""
-    return not _SPANS.isdisjoint(words[1:2])
-
-
 _MAKING = frozenset("make brew cook bake fix prepare mix buy purchase".split())
 _COUNTING = frozenset(("count", "tally"))
 _ONE_OF_EACH = {
-    "motion": ("goal",), "following": ("goal",), "placing": ("goal",), "bringing": ("recipient",), "informing": ("recipient",),
+    "motion": "goal", "following": "goal", "placing": "goal", "bringing": "recipient", "informing": "recipient",
 }  # fmt: skip
 """By type of task, what a task has one of, or one for each thing."""
 _HOW_MANY = "how many "
@@ -151,31 +145,36 @@ def warnings_of(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
         phrase = document.span(words.start, words.stop - 1).of(document.text)
         heeded = ", in a case: nothing heeds it, say each by itself" if is_in_case else ": planning alone heeds it"
         yield f"{phrase!r} leaves something out, which no argument says{heeded}"
-    said: set[str] = set()
-    for i, token in enumerate(document.tokens):
-        word = _REPEATING.get(token.lower)
-        behind = [t.lower for t in document.tokens[i + 1 : i + 3]]
-        if word == "while" and behind[:1] == ["you"]:
-            word = None  # "put the kettle on while you're there"
-        is_retry = token.lower == "try" and (behind[:1] == ["again"] or behind == ["once", "more"])
-        if is_retry and token.start not in starts:
-            yield "'try again' is no task: say what to do again"
-        if word == "every time" and not (i + 1 < len(document) and document.tokens[i + 1].lower == "time"):
-            word = None
-        if token.lower == "every" and any(after in _SPANS for after in behind):
-            word = "every so often"
-        if token.lower in ("again", "over", "back") and behind in (["and", token.lower], ["and", "forth"]):
-            word = f"{token.lower} {' '.join(behind)}"
-        if token.lower == "wait" and token.tag in ("VB", "VBP") and (behind[:1] == ["for"] or _is_while(behind)):
-            word = "wait"
-        if word is not None and word not in said and token.start not in starts:
-            said.add(word)
-            yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
+    repeated = (_repetition(document, token) for token in document.tokens if token.start not in starts)
+    for word in dict.fromkeys(word for word in repeated if word):
+        yield f"{word!r} is read as if once: repetition and waiting are not part of the flow"
+    if any(_says_retry(document, token) for token in document.tokens if token.start not in starts):
+        yield "'try again' is no task: say what to do again"
     yield from _beyond(observed, tasks)
     for time in times(document):
         span = document.span(time.start, time.stop - 1)
         if not any(one.start < span.end and span.start < one.end for one in said_of):
             yield f"{span.of(document.text)!r} is not heeded: times are not part of the flow"
+
+
+def _repetition(document: Document, token: Token) -> str:
+    """How a word, with those behind it, says that something is done again and again, or waited for; "" where it says
+    nothing of the kind."""
+    word, behind = token.lower, [other.lower for other in document.tokens[token.i + 1 : token.i + 3]]
+    if word == "every":
+        return _REPEATING[word] if behind[:1] == ["time"] else "every so often" if _SPANS.intersection(behind) else ""
+    if word == "while" and behind[:1] == ["you"]:
+        return ""  # "put the kettle on while you're there"
+    if word == "wait" and token.tag in ("VB", "VBP"):
+        return word if behind[:1] == ["for"] or _SPANS.intersection(behind[1:]) else ""
+    if (behind == ["and", word] and word in ("again", "over")) or [word, *behind] == ["back", "and", "forth"]:
+        return f"{word} {' '.join(behind)}"
+    return _REPEATING.get(word, "")
+
+
+def _says_retry(document: Document, token: Token) -> bool:
+    behind = [other.lower for other in document.tokens[token.i + 1 : token.i + 3]]
+    return token.lower == "try" and (behind[:1] == ["again"] or behind == ["once", "more"])
 
 
 def _beyond(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
@@ -188,10 +187,10 @@ def _beyond(observed: Observed, tasks: Sequence[Task]) -> Iterator[str]:
             yield f"{verb.text!r} is read as {known!r}: nothing is made or bought here"
         if task.type in ("searching", "check_state") and verb.lemma in _COUNTING:
             yield f"{verb.text!r} is read as 'look for': what is seen is not counted"
-        for kind in _ONE_OF_EACH.get(task.type, ()):
-            told = [argument.value for argument in task.arguments if argument.type == kind]
-            if len(told) > 1 and len(task.values("object")) < len(told):
-                yield f"{told[1]!r} is one {kind} more of {verb.text!r}: only {told[0]!r} is heeded, say an order for each"
+        kind = _ONE_OF_EACH.get(task.type, "")
+        told = task.values(kind)
+        if len(told) > 1 and len(task.values("object")) < len(told):
+            yield f"{told[1]!r} is one {kind} more of {verb.text!r}: only {told[0]!r} is heeded, say an order for each"
         for message in task.values("message"):
             if message.lower().startswith(_HOW_MANY):
                 yield f"{message!r} is told without a number: what is seen is not counted"

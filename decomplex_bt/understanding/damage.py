@@ -15,9 +15,7 @@ ENCODER_FOLDER = "encoder"
 class ModelError(DataFileError):
     """A trained model is missing, damaged or made for other code; the message says how to make it anew where it is."""
 
-    def __init__(self, path: Path | ModelError, problem: str = "") -> None:
-        if self._takes_over(path) or isinstance(path, ModelError):
-            return
+    def __init__(self, path: Path, problem: str) -> None:
         super().__init__(path, f"{problem}; run `{_training(path)}`")
 
 

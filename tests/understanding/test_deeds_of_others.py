@@ -46,3 +46,20 @@ def test_what_belongs_to_a_deed_of_others_is_nobody_elses(interpreter: Interpret
 )
 def test_what_stands_behind_a_deed_of_others_is_ordered(interpreter: Interpreter, text: str, wanted: list[Any]) -> None:
     assert flow(interpreter, text) == wanted
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Don't open the door until Oscar has put his shoes on, then call him.",
+        "Keep the lights on until Mum has put the baby down.",
+    ],
+)
+def test_what_somebody_is_waited_for_to_do_is_asked(interpreter: Interpreter, text: str) -> None:
+    assert interpreter.interpret(text).tasks[1].type == "check_state"
+
+
+def test_what_is_waited_for_to_have_been_done_is_an_order(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Once the guest has been brought to his seat, dim the lamp.")
+
+    assert found.tasks[0].type != "check_state"

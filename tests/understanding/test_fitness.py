@@ -77,3 +77,23 @@ def test_what_is_looked_for_is_not_what_is_empty(text: str, value: str, encoder:
 )
 def test_a_state_is_of_what_can_have_it(interpreter: Interpreter, text: str, number: int, value: str) -> None:
     assert interpreter.interpret(text).task(number).value("object") == value
+
+
+def test_nothing_is_where_it_is_itself(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Get me the big pan, and if the big pan isn't there, the small one is fine.")
+
+    assert found.tasks[1].value("location") == "there"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put the toys in the red tub and if the red tub is full use the blue one.",
+        "Put the toys in the red tub. If the red tub is full, use the blue one.",
+    ],
+)
+def test_what_goes_elsewhere_is_not_the_place_that_is_full(text: str) -> None:
+    found = Interpreter.load().interpret(text)
+
+    assert found.tasks[2].value("object") == "the toys"
+    assert found.flow.to_json() == [{"if": 2, "then": [3], "else": [1]}]

@@ -198,3 +198,24 @@ def test_what_no_task_has_is_no_argument_of_another() -> None:
 def test_a_state_is_ordered_of_whatever_is_known_as_a_thing(text: str, orders: list[tuple[str, str]]) -> None:
     found = Interpreter.load().interpret(text)
     assert [(task.type, task.value("object")) for task in found.tasks] == orders
+
+
+def test_or_else_with_its_case_behind_is_an_or(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Bring the tea to Ann, or else to Bob if she's out.")
+
+    assert [task.type for task in found.tasks] == ["bringing", "bringing", "check_state"]
+    assert found.flow.to_json() == [{"if": 3, "then": [2], "else": [1]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "instead"),
+    [
+        ("Bring me a red pen. If there's no red one, blue is fine.", "a blue pen"),
+        ("Fetch a green towel; if there are no green towels, white will do.", "a white towel"),
+    ],
+)
+def test_another_sort_serves_as_well(interpreter: Interpreter, text: str, instead: str) -> None:
+    found = interpreter.interpret(text)
+
+    assert found.tasks[2].value("object") == instead
+    assert found.flow.to_json() == [{"if": 2, "then": [1], "else": [3]}]

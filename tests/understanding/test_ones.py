@@ -148,3 +148,20 @@ def test_it_is_the_one_spoken_of_by_its_noun(interpreter: Interpreter, text: str
 )
 def test_it_is_what_there_may_be_some_of(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("Take the tray to room one and carry the cases up.", "to room one"),
+        ("Put the red box in bay one and close the hatch.", "in bay one"),
+    ],
+)
+def test_a_number_behind_a_noun_stands_for_nothing(interpreter: Interpreter, text: str, goal: str) -> None:
+    assert interpreter.interpret(text).tasks[0].value("goal") == goal
+
+
+def test_one_behind_a_noun_with_its_article_stands_for_a_thing(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Bring me the big mug. If it's dirty, bring me the kitchen one.")
+
+    assert found.tasks[2].value("object") == "the kitchen mug"

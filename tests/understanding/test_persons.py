@@ -191,3 +191,9 @@ def test_who_was_called_her_is_not_him(interpreter: Interpreter, text: str, valu
 )
 def test_who_is_at_somebodys_is_that_person(interpreter: Interpreter, text: str, value: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("recipient") == value
+
+
+def test_nobody_wakes_the_lights(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Turn on the lights in the kids room and wake them up.")
+
+    assert found.tasks[1].value("object") == "the kids"

@@ -57,14 +57,16 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def is_lifeless(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is a thing where only somebody can be meant, and is named: nobody wakes *the lights* of the
     kids' room, or asks if they are hungry."""
-    head = context.observed.document.tokens[candidate.head]
-    is_thing = bool(context.observed.gazetteer.category(head.lemma)) and head.lemma not in ANIMALS | _PLANTS
-    if (GROUPS.get(gap.word), gap.type) != ("they", "object") or not is_thing or kind_of(context, candidate) in ANIMATE:
+    if (GROUPS.get(gap.word), gap.type) != ("they", "object"):
         return False
     states = {a.value.lower() for a in gap.task.arguments if a.type == "state"}
     is_lived = gap.task.type == "check_state" and not states.isdisjoint(_LIVING)
-    is_woken = context.lemmas[gap.task.id].split()[0] in _WAKING
-    return (is_woken or is_lived) and any(kind_of(context, c) in ANIMATE for c in context.pool if c is not candidate)
+    if not is_lived and context.lemmas[gap.task.id].split()[0] not in _WAKING:
+        return False
+    head = context.observed.document.tokens[candidate.head].lemma
+    is_thing = bool(context.observed.gazetteer.category(head)) and head not in ANIMALS | _PLANTS
+    is_thing = is_thing and kind_of(context, candidate) not in ANIMATE
+    return is_thing and any(kind_of(context, other) in ANIMATE for other in context.pool)
 
 
 def _is_of_choice(context: Context, check: int) -> bool:

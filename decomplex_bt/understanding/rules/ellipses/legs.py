@@ -12,6 +12,7 @@ from decomplex_bt.understanding.vocabulary import PERSON_NOUNS
 
 _THEN = ((",", "then"), ("and", "then"), (",", "and", "then"), ("then",), (",", "and", "finally"), (",", "finally"))
 _LONGEST = max(map(len, _THEN))
+_LEADING_ON = frozenset(("then", "finally"))
 _ON = frozenset("back on over straight up down across finally".split())
 _TO = frozenset(("to", "into"))
 _AT = frozenset("on in onto under behind beside".split())
@@ -24,18 +25,19 @@ def legs(document: Document, tasks: Mapping[int, str]) -> Iterator[Fragment]:
     """The further legs of orders, in text order, each carried by its preposition; `tasks` maps token indices to task
     types."""
     words = [token.lower for token in document.tokens]
+    if _LEADING_ON.isdisjoint(words):
+        return
     chunks = {chunk.start: chunk for chunk in noun_chunks(document)}
     verb, kind = 0, ""
     for i, word in enumerate(words):
         if kind and document.sentences[i] != document.sentences[verb]:
             kind = ""
         start = _joint(words, verb, i) if word in _WAYS.get(kind, ()) else 0
-        place = chunks.get(
-            i + 1, range(i + 1, i + 2) if words[i + 1 : i + 2] and words[i + 1] in _SOMEBODY else range(0)
-        )
+        is_pronoun = not _SOMEBODY.isdisjoint(words[i + 1 : i + 2])
+        place = chunks.get(i + 1, range(i + 1, i + 1 + is_pronoun))
         if start and place and not _WAYS[kind].isdisjoint(words[verb:start]) and tasks.keys().isdisjoint(place):
             last = document.tokens[place.stop - 1]
-            is_person = last.lower in _SOMEBODY or last.tag == "NNP" or last.lemma in PERSON_NOUNS
+            is_person = is_pronoun or last.tag == "NNP" or last.lemma in PERSON_NOUNS
             is_given = is_person and kind == "bringing" and word == "to"
             told = {"place": range(0), "recipient": place} if is_given else {"place": place}
             yield Fragment(range(start, place.stop), i, range(0), type=kind, **told)

@@ -13,7 +13,7 @@ _OPENERS = (
     ("providing", "that"), ("assuming",), ("assuming", "that"),
 )  # fmt: skip
 _SUBJECTS = frozenset(("it", "that", "this"))
-_BEING = frozenset("is 's s be would wo was were will does has is".split()) | {"\u2019s"}
+_BEING = frozenset("is 's \u2019s s be would wo was will".split())
 _HEDGING = frozenset("too much very any a an no not n't n\u2019t nt of such terrible great big really just".split())
 _DENYING = frozenset("no not n't n\u2019t nt".split())
 _BURDENS = frozenset("trouble bother hassle imposition inconvenience nuisance fuss".split())
@@ -25,6 +25,8 @@ def courtesies(said: Said) -> Iterator[range]:
     case is joined to one ("provided that *it's no trouble and that* there is a clean one"), what it takes to leave
     that."""
     words = said.words
+    if _BURDENS.isdisjoint(words):
+        return
     for i in range(len(words)):
         opener = max((o for o in _OPENERS if tuple(words[i : i + len(o)]) == o), key=len, default=())
         stop = _end(words, i + len(opener)) if opener else -1
