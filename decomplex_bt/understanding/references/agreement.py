@@ -30,8 +30,8 @@ _GROUPS = frozenset(
     "delegation recycling rubbish trash shopping post mail cattle police".split()
 )
 """Nouns in the singular for several."""
-HANDLING = frozenset(("bringing", "placing"))
-_HANDLING_THINGS = HANDLING | {"change_state", "taking"}
+PUTTING = frozenset(("bringing", "placing"))
+_HANDLING_THINGS = PUTTING | {"change_state", "taking"}
 _NOBODY = frozenset("unsaid one some there here".split())
 """What stands for no person."""
 _PERSONAL = frozenset(("he", "she", "they"))
@@ -269,10 +269,6 @@ def gender(document: Document, candidate: Candidate) -> str:
         if tokens[candidate.head].pos == "PROPN" and behind[:1] == ["and"] and behind[1:] in (["his"], ["her"]):
             return GROUPS[behind[1]]
     return "she" if words & _FEMALE_OR_NAMED else "he" if words & _MALE_OR_NAMED else ""
-
-
-def is_within(tokens: range, spans: Sequence[range]) -> bool:
-    return any(tokens.start in span and tokens[-1] in span for span in spans)
 
 
 def pair_meant(context: Context, gap: Gap, pairs: Sequence[Candidate]) -> Candidate | None:

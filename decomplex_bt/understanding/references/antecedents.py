@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from decomplex_bt.understanding.document import MARKS, Document
-from decomplex_bt.understanding.references.agreement import HANDLING, PLACES, gender, is_of_other_gender, is_within
+from decomplex_bt.understanding.references.agreement import PLACES, PUTTING, gender, is_of_other_gender
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
@@ -53,7 +53,7 @@ def _somebody(context: Context, gap: Gap) -> range:
     """Of whom the condition is, or who was asked after, where somebody else was told or asked in between: "if *the
     girl* is sad, ask Paul why and give *her* a tissue", "ask Jenny where *my brother* is and take *him* the cap"."""
     group = GROUPS.get(gap.word, "")
-    if group not in ("he", "she") or gap.task.type not in HANDLING:
+    if group not in ("he", "she") or gap.task.type not in PUTTING:
         return range(0)
     before = context.by_number.get(gap.task.id - 1)
     if before is None or before.type != "informing":
@@ -74,7 +74,7 @@ def _somebody(context: Context, gap: Gap) -> range:
         and c.tokens.stop <= gap.position
     ]
     topics = [
-        c for c in named if (is_helped and c.owner in checks and c.type == "object") or is_within(c.tokens, asked)
+        c for c in named if (is_helped and c.owner in checks and c.type == "object") or _lies_within(c.tokens, asked)
     ]
     told = [c for c in named if c.owner == before.id and c.type == "recipient"]
     return topics[0].tokens if topics and not told else range(0)
@@ -239,7 +239,7 @@ def _vessel(context: Context, gap: Gap) -> range:
     clean *one*", where another soup would do nothing for it."""
     tokens, order = context.observed.document.tokens, gap.task.id - 1
     is_asked = gap.form == "one" and gap.type == "object" and asks_there_is(context.observed.document, gap.task)
-    if not is_asked or context.types.get(order) not in HANDLING or tokens[gap.tokens.start].lower in ("the", "another"):
+    if not is_asked or context.types.get(order) not in PUTTING or tokens[gap.tokens.start].lower in ("the", "another"):
         return range(0)
     named = [c for c in context.pool if c.owner == order and not c.mention and c.tokens.stop <= gap.position]
     places = [c for c in named if c.type == "goal" and c.shape in ("whole", "short", "long")]
@@ -260,3 +260,7 @@ def _like_it(context: Context, gap: Gap) -> range:
     things = [c for c in context.arguments(order, "object") if not c.mention]
     things = [c for c in things if c.shape in ("whole", "short") and document.tokens[c.head].tag in ("NN", "NNP")]
     return things[0].tokens if len(things) == 1 else range(0)
+
+
+def _lies_within(tokens: range, spans: Sequence[range]) -> bool:
+    return any(tokens.start in span and tokens[-1] in span for span in spans)

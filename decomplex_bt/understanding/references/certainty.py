@@ -10,7 +10,7 @@ from decomplex_bt.understanding.references.context import ANIMATE, Context, kind
 from decomplex_bt.understanding.references.exclusions import (
     ACTS,
     CLEANING,
-    HANDLING,
+    MOVING,
     SOMEBODY,
     done_otherwise,
     is_of,
@@ -159,7 +159,7 @@ def _done_before(context: Context, gap: Gap) -> int:
     """The task, by its number, that did before what a verb now does again, or undid it: "start the mower. ... clean the
     filter and *start it again*" is of the mower; 0 where none did."""
     document, verb = context.observed.document, context.lemmas[gap.task.id].split()[0]
-    if gap.type != "object" or gap.word not in ELSEWHERE - SOMEBODY or gap.task.type in HANDLING:
+    if gap.type != "object" or gap.word not in ELSEWHERE - SOMEBODY or gap.task.type in MOVING:
         return 0
     behind = [token.lower for token in document.tokens[gap.tokens.stop : gap.tokens.stop + 3]]
     end = next((i for i, word in enumerate(behind) if word in MARKS or word == "and"), len(behind))
@@ -182,11 +182,11 @@ def _instrument(context: Context, gap: Gap) -> int:
     """The task, by its number, that fetched what is cleaned with: "The floor's wet, get the mop and clean it" is of the
     floor; 0 where nothing else was spoken of before, or what was fetched itself ("the mop is dirty")."""
     document = context.observed.document
-    if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in HANDLING - {"taking"}:
+    if gap.type != "object" or gap.word not in ("it", "that", "them") or gap.task.type in MOVING - {"taking"}:
         return 0
     fetching = context.by_number.get(gap.task.id - 1)
     verb = context.lemmas[gap.task.id].split()[0]
-    if fetching is None or fetching.type not in HANDLING or verb not in CLEANING:
+    if fetching is None or fetching.type not in MOVING or verb not in CLEANING:
         return 0
     fetched = {document.tokens[c.head].lemma for c in context.arguments(fetching.id, "object")}
     place = document.indices(fetching.span).start

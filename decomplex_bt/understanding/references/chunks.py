@@ -73,7 +73,7 @@ def head_of(document: Document, tokens: range) -> int:
             continue
         elif token.pos in ("ADP", "VERB", "AUX", "SCONJ") or token.lower in _EXCEPTING:
             break
-    return tokens.stop - 1 if head is None else kin(document, head)
+    return tokens.stop - 1 if head is None else head_of_kin(document, head)
 
 
 def _is_within_compound(document: Document, i: int) -> bool:
@@ -87,7 +87,7 @@ def _is_within_compound(document: Document, i: int) -> bool:
     )
 
 
-def kin(document: Document, head: int) -> int:
+def head_of_kin(document: Document, head: int) -> int:
     """The head of a phrase; of "mother-in-law" the mother."""
     is_in_law = head > 3 and document.tokens[head].lemma == "law" and _is_within_compound(document, head - 2)
     return head - 4 if is_in_law else head
@@ -147,7 +147,7 @@ def is_numbered(document: Document, chunk: range) -> bool:
     return tags[:2] == ["NN", "CD"] and tags[2:] in (["VBZ"], ["VBP"], ["VBD"], ["MD"])
 
 
-def cut(document: Document, chunks: Sequence[range]) -> Iterator[range]:
+def without_last_word(document: Document, chunks: Sequence[range]) -> Iterator[range]:
     """Noun phrases without their last word, which may be a verb that was taken for a noun ("the hose reel drips")."""
     for chunk in chunks:
         is_compound = len(chunk) > 2 and document.tokens[chunk.stop - 2].pos in ("NOUN", "PROPN")
@@ -160,7 +160,7 @@ def _is_listed(document: Document, between: range) -> bool:
     return bool(words) and all(word in (",", "and", "or", "&") for word in words)
 
 
-def between(document: Document, chunk: range, verbs: Container[int]) -> Iterator[range]:
+def between_verbs(document: Document, chunk: range, verbs: Container[int]) -> Iterator[range]:
     """The parts of a noun phrase between the verbs of tasks that were taken for nouns ("the timer *rings*")."""
     start = chunk.start
     for i in (*chunk, chunk.stop):

@@ -41,7 +41,7 @@ from decomplex_bt.understanding.vocabulary import ONES, PLACE_ADVERBS
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
 _SAYING = frozenset("say answer reply choose pick".split())
-HANDLING = frozenset(("bringing", "taking", "placing"))
+MOVING = frozenset(("bringing", "taking", "placing"))
 ACTS = (
     frozenset("turn switch start stop restart flick".split()),
     frozenset(("open", "close", "shut")),
@@ -109,7 +109,7 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     head = context.observed.document.tokens[candidate.head].lemma
     is_sensed = head in _FELT and (gap.type == "goal" or (gap.task.type == "searching" and not gap.word))
-    is_handled = gap.task.type in HANDLING
+    is_handled = gap.task.type in MOVING
     if is_sensed or (gap.type == "object" and is_handled and head in _SKY | _FELT):
         return True
     if gap.word not in ELSEWHERE:
@@ -145,7 +145,7 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_ahead = gap.word in SOMEBODY and candidate.tokens.start > gap.position
     if is_ahead and gap.task.type == "check_state" and is_called_in(context, candidate):
         return True
-    is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in HANDLING
+    is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in MOVING
     if (is_ahead or is_given) and kind_of(context, candidate) not in ANIMATE:
         return True
     if any(is_not(context, gap, candidate) for is_not in (is_support, is_unfit, is_unwarmed, is_content, _is_feature)):
@@ -202,7 +202,7 @@ def _is_cut_off(document: Document, candidate: Candidate) -> bool:
 
 def _is_where(gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is named again as where the thing is moved to or from: nothing is put into itself."""
-    if gap.task.type not in HANDLING or not candidate.mention:
+    if gap.task.type not in MOVING or not candidate.mention:
         return False
     places = [a.value.lower() for a in gap.task.arguments if a.type in ("goal", "source") and a.span is not None]
     return any(place == candidate.text.lower() or place.endswith(f" {candidate.text.lower()}") for place in places)
@@ -220,7 +220,7 @@ def _is_beside_same(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if candidate.tokens.start <= gap.position and not is_elsewhere:
         return False
     objects = [document.indices(a.span) for a in owner.arguments if a.type == "object" and a.span is not None]
-    return any(len(o) == 1 and tokens[o.start].lower == gap.word for o in objects) and owner.type in HANDLING
+    return any(len(o) == 1 and tokens[o.start].lower == gap.word for o in objects) and owner.type in MOVING
 
 
 def _is_adverb(document: Document, candidate: Candidate) -> bool:

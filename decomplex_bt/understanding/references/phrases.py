@@ -9,16 +9,16 @@ from decomplex_bt.instruction import Task
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import (
-    between,
+    between_verbs,
     coordinations,
-    cut,
     head_of,
+    head_of_kin,
     is_child,
-    kin,
     noun_chunks,
     stripped,
     whole_words,
     with_complements,
+    without_last_word,
 )
 from decomplex_bt.understanding.references.compounds import AT
 from decomplex_bt.understanding.references.relatives import exclusions, free_places, free_relatives
@@ -138,15 +138,15 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 found.setdefault((short.start, short.stop), _owned(document, short, task, argument.type, "short"))
     verbs = frozenset(document.indices(task.span).start for task in tasks)
     left_out = {i for excluded in exclusions(document, verbs) if excluded.is_part for i in excluded.tokens}
-    chunks = [chunk for whole in noun_chunks(document) for chunk in between(document, whole, verbs)]
+    chunks = [chunk for whole in noun_chunks(document) for chunk in between_verbs(document, whole, verbs)]
     for shape, phrases in (
         ("chunk", chunks),
         ("list", coordinations(document, chunks)),
-        ("name", (words for name in _names(document) for words in between(document, name, verbs))),
+        ("name", (words for name in _names(document) for words in between_verbs(document, name, verbs))),
         ("possessor", _possessors(document, chunks)),
         ("word", whole_words(document)),
         ("of", with_complements(document, chunks)),
-        ("cut", cut(document, chunks)),
+        ("cut", without_last_word(document, chunks)),
         ("free", free_relatives(document, verbs)),
         ("free", (words for words, _ in free_places(document))),
     ):
@@ -316,7 +316,7 @@ def is_pointing(document: Document, tokens: range) -> bool:
 
 def _outside(document: Document, tokens: range, shape: str) -> Candidate:
     text = document.span(tokens.start, tokens.stop - 1).of(document.text)
-    head = head_of(document, tokens) if shape == "of" else kin(document, tokens.stop - 1)
+    head = head_of(document, tokens) if shape == "of" else head_of_kin(document, tokens.stop - 1)
     return Candidate(text, tokens, head, shape=shape)
 
 
