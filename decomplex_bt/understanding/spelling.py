@@ -16,6 +16,7 @@ from pathlib import Path
 from decomplex_bt.domain.dialects import plain_words
 from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.document import ENDS, Document
+from decomplex_bt.understanding.rules.speech.turns_of_phrase import plain_phrases
 
 WORDS_FILE = "words.json"
 FREQUENT = 20
@@ -53,6 +54,7 @@ class Speller:
         """The words as they were meant, one for one; None where all are plain words, none mistyped. A name is a word
         with a capital that begins no sentence."""
         found = plain_words(words)
+        found = plain_phrases(found or words) or found
         words = found or words
         for i, word in enumerate(words):
             lower = word.lower()
