@@ -35,7 +35,8 @@ SCALES: tuple[frozenset[str], ...] = tuple(
         "torn ripped cracked chipped broken damaged intact", "sticking stuck jammed", "sick ill poorly feverish",
         "plugged unplugged", "on off running stopped lit unlit blinking flashing flickering", "heavy",
         "blue red green yellow amber black white grey gray brown pink orange purple", "dead alive wilting wilted",
-        "full half empty overflowing", "raining pouring snowing sunny dry shining",
+        "full half empty overflowing", "on off blinking flashing red green amber yellow orange",
+        "raining pouring snowing sunny dry shining",
     )
 )  # fmt: skip
 """States that tell of one and the same matter."""

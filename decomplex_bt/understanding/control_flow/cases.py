@@ -8,7 +8,7 @@ from itertools import combinations
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import is_case_beside
-from decomplex_bt.understanding.states import OPPOSITES, are_alike
+from decomplex_bt.understanding.states import OPPOSITES, are_alike, are_apart
 
 _MANY = 3
 """From so many cases on even opposites are states among others: "hot", "lukewarm", "cold"."""
@@ -39,11 +39,36 @@ def told_in_a_row(clauses: Sequence[Clause], roles: Sequence[str]) -> list[list[
     for k, role in enumerate(roles):
         if role not in CONDITION_ROLES:
             continue
-        if role in JOINTS or not all(is_case_beside(clauses[k], clauses[j]) for j in runs[-1]):
+        if role in JOINTS or not all(_is_beside(clauses[k], clauses[j]) for j in runs[-1]):
             runs.append([])
-        if role not in JOINTS and _opens_case(clauses[k]):
+        if role not in JOINTS and (_opens_case(clauses[k]) or _asks_state(clauses[k])):
             runs[-1].append(k)
     return [run for run in runs if _are_of_one_matter([clauses[k] for k in run])]
+
+
+def _is_beside(clause: Clause, first: Clause) -> bool:
+    """Whether it is a further case of what the other asks; where it names nothing it can only be of the same thing."""
+    if not _asks_state(clause) and not _asks_state(first):
+        return is_case_beside(clause, first)
+    state, other = _state(clause), _state(first)
+    return _is_bare(clause) and _asks_state(first) and state != other and not are_apart(state, other)
+
+
+def _asks_state(clause: Clause) -> bool:
+    """Whether it asks after a state in a sentence of its own: "is she awake?", "awake?"; not "any luck?"."""
+    is_plain = clause.is_question and clause.task.type == "check_state" and not (clause.far or clause.near)
+    is_plain = is_plain and not (clause.wording.is_negated or clause.says_answer or clause.says_there_is)
+    return is_plain and (bool(clause.said_state) or _is_bare(clause)) and not clause.is_of_whereabouts
+
+
+def _is_bare(clause: Clause) -> bool:
+    """Whether all that it says is a state: "awake?"."""
+    is_named = any(kind != "state" for kind, _ in clause.task.arguments)
+    return clause.is_question and clause.task.type == "check_state" and not is_named and not clause.has_pronoun
+
+
+def _state(clause: Clause) -> str:
+    return clause.wording.state or clause.verb
 
 
 def _are_of_one_matter(run: Sequence[Clause]) -> bool:
@@ -55,6 +80,7 @@ def _are_of_one_matter(run: Sequence[Clause]) -> bool:
     return (
         is_wish
         or len(levels) > 1
+        or sum(_is_bare(clause) for clause in run) > 1
         or any(are_alike(one, other) or OPPOSITES.get(one) == other for one, other in combinations(states, 2))
     )
 

@@ -197,6 +197,8 @@ class Clause:
     """Whether it ends in a "then", which takes up a case: "put it on the floor *then*"."""
     is_past_wait: bool = False
     """Whether the words ahead, in a sentence before, only say to wait: "if it isn't hot, *wait*. Then bring it"."""
+    turns_up: bool = False
+    """Whether it says that what was spoken of is found: "if *it turns up*", "should *he appear*"."""
     is_past_supposition: bool = False
     """Whether the sentence before says what "it" might be: "*it might be Ann*. If it is, ..."."""
 

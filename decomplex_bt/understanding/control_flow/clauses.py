@@ -84,6 +84,8 @@ _TOO = frozenset(("either", "too"))
 _IN_IT = (["in", "it"], ["inside", "it"], ["in", "there"], ["inside"])
 _INNER = frozenset(("still", "not", "can", "there", "also"))
 _WAYS = frozenset(("back", "home", "out", "again"))
+_TURNING_UP = frozenset("turn show pop".split())
+_APPEARING = frozenset("surface appear reappear".split())
 _NUMBERS = {"it": "one", "they": "many", "them": "many", "those": "many", "these": "many"}
 _DEFINITE = frozenset("the my your his her our their this that these those".split())
 _IS = frozenset(("is", "are", "'s", "\u2019s", "be"))
@@ -256,6 +258,7 @@ def _clause(observed: Observed, tasks: Sequence[MarkedTask], k: int, said: froze
             document, task, is_negated="not" in near or bool(negations(observed, token, first, own_last))
         ),
         is_event=is_event(document, ahead, task),
+        turns_up=task.type == "check_state" and _turns_up(document, task),
         is_had=_is_had([t.lower for t in document.tokens[previous + 1 : token]]),
     )
 
@@ -264,6 +267,12 @@ def _begins_with(document: Document, task: MarkedTask, words: Collection[str]) -
     """Whether one of some words begins an object of more than that word."""
     things = [indices for kind, indices in task.arguments if kind == "object" and len(indices) > 1]
     return any(document.tokens[indices[0]].lower in words for indices in things)
+
+
+def _turns_up(document: Document, task: MarkedTask) -> bool:
+    verb, behind = document.tokens[task.token], document.tokens[task.token + 1 : task.token + 2]
+    is_up = verb.lemma in _TURNING_UP and bool(behind) and behind[0].lower == "up"
+    return (is_up or verb.lemma in _APPEARING) and is_of_somebody(document, task, ITS | PERSONS)
 
 
 def _is_had(words: Sequence[str]) -> bool:

@@ -21,7 +21,7 @@ def forbids_same(clause: Clause, before: Clause) -> bool:
     is_bare = all(kind != "object" for kind, _ in clause.task.arguments)
     is_of_it = clause.is_of_it or is_bare or (bool(clause.objects) and clause.names_same(before))
     is_next = clause.sentence - before.sentence == 1
-    is_taken_up = clause.is_forbidden and clause.is_of_it
+    is_taken_up = clause.is_forbidden and (clause.is_of_it or is_bare)
     is_near = clause.sentence == before.sentence or (is_next and (clause.is_otherwise or is_taken_up))
     is_near = is_near and clause.receivers <= before.receivers
     return clause.is_forbidden != before.is_forbidden and is_same and is_of_it and is_near

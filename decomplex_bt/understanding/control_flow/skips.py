@@ -26,8 +26,8 @@ _LONGEST = 4
 
 def skipped(document: Document, previous: int, token: int, following: int) -> frozenset[str]:
     """The lemmas of the verb of which the words around a case say that it is not to be done in that: those behind its
-    mark, up to the next task, or those between the task before and an "if" ("*Skip the ironing* if it's damp"); empty
-    where there are none or they say more."""
+    mark ("if it's damp *don't iron it*" needs none), up to the next task, or those between the task before and an "if"
+    ("*Skip the ironing* if it's damp"); empty where there are none or they say more."""
     tokens, sentences = document.tokens, document.sentences
     words = [normal_form(t.lower) for t in tokens]
     opener = next((i for i in range(token - 1, previous, -1) if words[i] in _OPENERS), None)
@@ -35,7 +35,8 @@ def skipped(document: Document, previous: int, token: int, following: int) -> fr
         return frozenset()
     stop = next((i for i in range(token, following) if sentences[i] != sentences[token]), following)
     marks = (i for i in range(token, stop) if words[i] in PUNCTUATION)
-    behind = words[next(marks, stop) + 1 : stop]
+    unmarked = (i - 1 for i in range(token + 1, stop) if words[i : i + 2] == ["do", "not"] or words[i] == "dont")
+    behind = words[min(next(marks, stop), next(unmarked, stop)) + 1 : stop]
     behind = behind[: next((n for n, word in enumerate(behind) if word in PUNCTUATION), len(behind))]
     start = next((i + 1 for i in range(opener - 1, previous, -1) if words[i] in PUNCTUATION | {"but", "and"}), None)
     return _named(behind) or (frozenset() if start is None else _named(words[start:opener]))

@@ -119,6 +119,8 @@ def count(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
             roles[first] = "task"
 
 
+_TAKEN = frozenset(("occupied", "taken", "engaged"))
+"""How a place is where somebody is."""
 _RAINLESS = frozenset(("dry", "fine"))
 """How it is when it is not raining."""
 
@@ -141,6 +143,17 @@ def oppose(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_weather = is_weather and before.wording.state == "raining" and not clause.says_still
     are_stated = not (clause.wording.is_negated or before.wording.is_negated)
     if is_opposite_of(clause, before) or (is_of_it and is_turned and is_next) or (is_weather and are_stated):
+        roles[k] = "mention"
+
+
+def be_occupied(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That a place is occupied says that somebody is there ("is anybody in the study? ... *If it's occupied*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or roles[first] not in ("condition", "mention") or roles[k] != "condition":
+        return
+    clause, check = clauses[k], clauses[first]
+    is_taken = clause.is_check and clause.is_of_it and not clause.objects and clause.wording.state in _TAKEN
+    if is_taken and check.wording.is_of_anybody and bool(check.places):
         roles[k] = "mention"
 
 

@@ -31,6 +31,8 @@ from decomplex_bt.understanding.control_flow.outcomes import (
 )
 
 _PARTING = frozenset((".", "!", ";"))
+_TAKING = frozenset(("refuse", "decline", "accept"))
+"""What somebody does with what they are brought."""
 _GOING_ON = frozenset(("keep", "continue"))
 _MENDING = frozenset("change replace restart reset swap charge recharge fix repair refill".split())
 """After what it is asked anew if a thing works."""
@@ -78,6 +80,25 @@ def find_out(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     if found_out is not None:
         roles[k] = "mention"
         roles[found_out] = "condition" if roles[found_out] == "task" else roles[found_out]
+
+
+def turn_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That what was looked for turns up, or does not, tells how the look for it went, whatever was ordered in between
+    ("look for my cap. *When it turns up*, bring it to me. *If it doesn't turn up*, ...")."""
+    if roles[k] not in CONDITION_ROLES or not clauses[k].turns_up:
+        return
+    search = next((j for j in range(k - 1, -1, -1) if clauses[j].task.type == "searching"), None)
+    if sought_twice(clauses, roles, k) is not None:
+        roles[k - 1], roles[k] = "task", "condition"
+        return
+    if search is None or clauses[search].is_forbidden or roles[search] not in ("task", "condition"):
+        return
+    between = range(search + 1, k)
+    if any(roles[j] == "condition" and clauses[j].is_check and not clauses[j].turns_up for j in between):
+        return
+    for j in between:
+        roles[j] = "task" if roles[j] == "condition" and not clauses[j].is_check else roles[j]
+    roles[search], roles[k] = "condition", "mention"
 
 
 def _found_out(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
@@ -288,9 +309,8 @@ def sought_twice(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int
     """The first of two searches, the second right ahead of clause `k`, which says in a sentence of its own that the
     thing is found; else None."""
     clause, second = clauses[k], clauses[k - 1]
-    is_found = (
-        clause.task.type == "searching" and clause.is_of_it and not clause.objects and not clause.wording.is_negated
-    )
+    is_found = clause.turns_up or (clause.task.type == "searching" and clause.is_of_it and not clause.objects)
+    is_found = is_found and not clause.wording.is_negated
     is_led = clause.near in (("if",), ("when",), ("after",)) and clause.boundary in _PARTING and k + 1 < len(clauses)
     is_next = second.task.type == "searching" and second.sentence == clause.sentence - 1
     is_next = is_next and roles[k - 1] != "mention" and not clause.places  # not "if you find it there"
@@ -347,14 +367,20 @@ def answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
 
 def replied_to(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
     """The order that clause `k` tells somebody's reply to ("if she's in, *ask her to come*, ... If she refuses, ..."):
-    the last one to ask, tell or offer something, without a condition between; else None."""
+    the last one to ask, tell or offer something, or to bring what they refuse, without a condition between; else
+    None."""
     if not clauses[k].says_reply:
         return None
     order = k - 1
-    while order > 0 and roles[order] == "task" and not clauses[order].is_put_to_somebody:
+    while order > 0 and roles[order] == "task" and not _may_be_replied_to(clauses[order], clauses[k]):
         order -= 1
     is_near = clauses[k].sentence - clauses[order].sentence <= 1 and roles[order] in ("task", "condition")
-    return order if order >= 0 and is_near and clauses[order].is_put_to_somebody else None
+    return order if order >= 0 and is_near and _may_be_replied_to(clauses[order], clauses[k]) else None
+
+
+def _may_be_replied_to(order: Clause, reply: Clause) -> bool:
+    is_brought = order.task.type == "bringing" and bool(order.receivers) and not order.is_forbidden
+    return order.is_put_to_somebody or (is_brought and reply.verb in _TAKING)
 
 
 def _is_other_reply(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> bool:

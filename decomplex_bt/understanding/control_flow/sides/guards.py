@@ -34,6 +34,8 @@ _SAYING = frozenset(("not", "there", "still"))
 _WATCHING = frozenset("keep watch mind supervise stay remain sit stand wait".split())
 _SETTING_OUT = frozenset("go leave want need wish like".split())
 _LISTING = frozenset(("and", "please"))
+_FINDING_OUT = frozenset(("informing", "searching", "check_state"))
+"""Orders that an "if" may open the matter of: "tell me *if she's in*"."""
 _AND_ONLY = (("but", "but"), ("and", "but"))
 """The cues of "but only" and "and only" ahead of a verb."""
 _LIST = 3
@@ -59,15 +61,32 @@ def confine(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     if (roles[k - 1], roles[k]) != ("task", "condition") or sides[k - 1][:2] != ">1":
         return
     ahead = [j for j in range(k - 1) if clauses[j].sentence == clause.sentence and roles[j] == "task"]
-    is_listed = bool(ahead) and ahead[-1] == k - 2 and order.boundary == ","
+    is_second = k > 2 and roles[k - 2] == "condition" and clauses[k - 2].boundary == "none" and sides[k - 3] == ">1+"
+    is_second = is_second and clauses[k - 2].sentence == clause.sentence  # "wash it *if it's dirty*, dry it if ..."
+    is_listed = bool(ahead) and (ahead[-1] == k - 2 or is_second) and order.boundary == ","
     later = list(takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))))
     if not later or not (is_guard or (is_listed and clauses[k + 1].boundary == ",")):
         return
-    if is_listed:
+    if is_listed and not is_second:
         for j in ahead:
             sides[j] = "top" if sides[j][:2] == ">1" else sides[j]
     for j in later:
         sides[j] = beside(sides[k])
+
+
+def bind_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An "if" that no mark parts from the order before it is of that order, not of what a comma sets off behind it
+    ("shut the gate, *feed the hen if her bowl is empty*, bring Ann her tablets, and ...")."""
+    if k + 1 >= len(clauses) or tuple(roles[k - 1 : k + 2]) != ("task", "condition", "task"):
+        return
+    order, clause, later = clauses[k - 1 : k + 2]
+    is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.is_check and not clause.far
+    is_parted = order.boundary != "none" and later.boundary == "," and not (later.near or later.far)
+    is_one = order.sentence == clause.sentence == later.sentence and order.task.type not in _FINDING_OUT
+    if is_behind and is_parted and is_one and sides[k - 1 : k + 2] == ["top", "top", HOLDS]:
+        sides[k - 1] = ">1+"
+        for j in takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))):
+            sides[j] = "top"
 
 
 def list_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -165,13 +165,18 @@ def _groups(roles: Sequence[str], sides: Sequence[str], k: int) -> dict[int, int
 
 
 def pass_reply(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
-    """ "If it isn't" behind how somebody takes what they are asked is of the condition before that ("if the gate is
-    locked, ask Tom for the key; if he refuses, call me. *If it isn't*, ...")."""
+    """ "If it isn't" behind how somebody takes what they are asked or brought, and a state that is that of the
+    condition before or its opposite, is of that condition ("if the gate is locked, ask Tom for the key; if he refuses,
+    call me. *If it isn't*, ...", "if the tea is hot, take it to Ann; if she refuses it, ... *If it's cold*, ...")."""
+    clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
-    if first is None or roles[k] != "mention" or not (clauses[k].is_of_it and clauses[k].says_only_whether):
+    head = next((j for j in range((first or 0) - 1, -1, -1) if roles[j] == "condition"), None)
+    if first is None or head is None or roles[k] != "mention" or not clause.is_of_it:
         return
-    is_earlier = "condition" in roles[:first]
-    if clauses[first].says_reply and is_earlier and sides[k] == "<1":
+    one, other = clause.wording, clauses[head].wording
+    is_turned = one.is_opposite_of(other) or other.is_opposite_of(one)
+    is_of_head = one.state is not None and (one.state == other.state or is_turned)
+    if clauses[first].says_reply and (clause.says_only_whether or is_of_head) and sides[k] == "<1":
         sides[k] = "<2"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, Clause
@@ -169,6 +170,29 @@ def forbid_again(clauses: Sequence[Clause], roles: Sequence[str], sides: list[st
         sides[order], sides[k - 1], sides[k] = ">1-", ">1-", sides[order]
 
 
+def forbid_repeated(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of several orders the one that a case behind them forbids is done where that does not hold, the others in any,
+    and what is said instead of it in the case ("iron the shirt and fold the towels. If the shirt is damp, *don't iron
+    it, hang it up*")."""
+    if (roles[k - 1], roles[k]) != ("condition", "again") or not clauses[k].is_forbidden or sides[k - 1] != "top":
+        return
+    check, again = clauses[k - 1 : k + 1]
+    ahead = list(takewhile(lambda j: roles[j] == "task" and sides[j] in ("top", ">1+", ">1-"), range(k - 2, -1, -1)))
+    order = next((j for j in ahead if forbids_same(again, clauses[j])), None)
+    if order is None or {"if", "when"}.isdisjoint(check.near) or check.sentence != again.sentence:
+        return
+    for j in ahead:
+        sides[j] = ">1-" if j == order else "top"
+    sides[k] = f"<{min(9, ahead.index(order) + 1)}"
+    for j in range(k + 1, len(clauses)):
+        later = clauses[j]
+        is_instead = later.sentence == again.sentence + 1 and "instead" in later.behind and j == k + 1
+        is_next = (later.sentence == again.sentence or is_instead) and roles[j] == "task" and not later.is_forbidden
+        if not is_next or {*later.far, *later.near} & TURNING - {"but"}:
+            return
+        sides[j] = HOLDS
+
+
 def await_outcome(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
     """What is not to be done until something is so is done only where that is found to be so, where a later sentence
     tells what to do if it is not ("don't open the gate until you have found the dog. *If you can't find her*, ...")."""
@@ -272,7 +296,8 @@ def skip(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: i
     if named is None:
         return
     for j in orders:
-        sides[j] = ">1-" if j == named else "top"
+        is_there = clauses[named].task.type == "motion" and j > named  # what is to be done there hangs on going there
+        sides[j] = ">1-" if j == named or is_there else "top"
     sides[k] = "top"
 
 

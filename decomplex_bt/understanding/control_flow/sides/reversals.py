@@ -372,6 +372,7 @@ def turn_to_other(clauses: Sequence[Clause], roles: Sequence[str], sides: list[s
     order, first, second = clauses[k - 3 : k]
     are_opposite = second.wording.is_opposite_of(first.wording) or first.wording.is_opposite_of(second.wording)
     are_stated = not (first.wording.is_negated or second.wording.is_negated) and order.wording.state is None
+    are_stated = are_stated and not order.wording.is_of_anybody  # of whom "free" is the other side as it is
     for j in range(k, len(clauses)) if are_opposite and are_stated else ():
         if sides[j] != HOLDS or not (j == k or goes_on(clauses, roles, sides, j, second.sentence)):
             return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
@@ -39,6 +40,8 @@ _WANTING = frozenset("cold hungry thirsty tired sleepy bored lonely hot peckish 
 _CALLING = frozenset("call ring phone knock buzz come arrive text message visit".split())
 _RUNG = frozenset("doorbell bell phone door intercom buzzer".split())
 """What rings without telling who it is."""
+_MANY = 3
+"""From so many cases on they are a list."""
 _ANSWERING = frozenset("know remember recall answer reply say agree refuse".split())
 
 
@@ -275,6 +278,29 @@ def ask_alike(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str],
         sides[k] = beside(sides[first])
     elif asks_same_of_another(clause, check) and clause.identified and check.identified:
         sides[k] = FAILS
+
+
+def list_cases(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """Of three or more things that are each asked of in one sentence, with what is done then, none is asked of in the
+    case of another ("if the pump has stopped, start it, *if the net is torn*, tell Mia, and *if a frog is in there*,
+    ...")."""
+    first = k
+    while first and clauses[first - 1].sentence == clauses[k].sentence and roles[first] != "mention":
+        first -= 1
+    run = [j for j in range(first, k + 1) if roles[j] in CONDITION_ROLES and not clauses[j].is_asked]
+    are_apart = all(b - a > 1 and _is_case_of_other(clauses, a, b) for a, b in pairwise(run))
+    if roles[k] == "condition" and len(run) >= _MANY and are_apart:
+        for j in run[1:]:
+            sides[j] = beside(sides[run[0]]) if sides[j] == HOLDS else sides[j]
+
+
+def _is_case_of_other(clauses: Sequence[Clause], before: int, k: int) -> bool:
+    """Whether clause `k` asks, ahead of what is done then, of something that nothing from clause `before` on names."""
+    clause, first = clauses[k], clauses[before]
+    are_led = all(c.is_check and c.near[-1:] == ("if",) and c.boundary != "none" for c in (clause, first))
+    is_plain = clause.near in (("if",), ("and", "if")) and not (clause.far or clause.is_of_it)
+    named = {noun for c in clauses[before:k] for noun in c.nouns}
+    return are_led and is_plain and bool(clause.objects) and named.isdisjoint(clause.objects)
 
 
 def identify(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

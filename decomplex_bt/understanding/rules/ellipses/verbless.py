@@ -18,6 +18,9 @@ _IN_CASE = (("in", "case", "of"), ("in", "the", "event", "of"))
 _TAKING_UP = frozenset("if otherwise else then yes no not when".split())
 """First words behind a question that say what comes of it."""
 _UNHEEDED = frozenset("still only just ever then".split())
+_DEGREES = frozenset("too still not very quite fast sound all nearly almost slightly completely totally".split())
+_LEVELS = frozenset("below above under over".split())
+_SHARES = frozenset("half quarter third zero freezing".split())
 _DENYING, _ASKING = "no", "any"
 _PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM", "ADV", "ADP"))
 _NOUNS = frozenset(("NOUN", "PROPN"))
@@ -39,8 +42,9 @@ def verbless_cases(observed: Observed, tasks: Collection[int]) -> Iterator[Fragm
     "any", with none of the `tasks`, which are tokens, among them but the head."""
     document, tokens = observed.document, observed.document.tokens
     yield from _bare_states(observed)
+    yield from _asked_states(observed)
     for first in _openings(document):
-        stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        stop = _mark(document, first)
         if (stop < len(tokens) and not _is_end(document, stop)) or bare_state(observed, first - 1) is not None:
             continue
         if first < stop and tokens[first].lower == _ASKING and not _is_asked(document, first, stop):
@@ -74,11 +78,42 @@ def _bare_states(observed: Observed) -> Iterator[Fragment]:
             yield Fragment(range(opening + 1, at + 1), at, range(0), range(0))
 
 
+def _asked_states(observed: Observed) -> Iterator[Fragment]:
+    """The states that are all that a sentence asks, behind another one: "*too cold*? Add hot water", "*too cold for a
+    child*?", "*crying*?"; of single words only what somebody or something is doing, the rest is left to the models."""
+    tokens, sentences = observed.document.tokens, observed.document.sentences
+    for first in (i for i in range(1, len(tokens)) if sentences[i] != sentences[i - 1]):
+        stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
+        at = first
+        while at < stop and tokens[at].lower in _DEGREES:
+            at += 1
+        is_asked = stop + 1 < len(tokens) and tokens[stop].text == "?" and at < stop <= first + _LONGEST
+        if is_asked and stop == first + 1 and tokens[first].tag == "VBG":
+            yield Fragment(range(first, stop), first, range(0), range(0))
+        is_state = (
+            is_asked and first < at and (tokens[at].pos == "ADJ" or tokens[at].lower in observed.gazetteer.states)
+        )
+        is_whole = is_state and (at + 1 == stop or tokens[at + 1].lower == "for")
+        if is_whole and _NO_CASES.isdisjoint((tokens[at].lemma, tokens[at].lower)):
+            state = range(first, at + 1) if tokens[first].lower == "too" else range(0)
+            yield Fragment(range(first, stop), at, range(0), range(0), state=state)
+
+
 def _is_comparison(document: Document, phrase: range) -> bool:
-    """Whether words say no more than that there is more or less than so much: "fewer than six"."""
+    """Whether words say no more than that there is more or less than so much: "fewer than six", "below ten degrees"."""
     words = [document.tokens[i] for i in phrase]
     is_led = len(words) > 2 and words[0].lower in ("fewer", "less", "more") and words[1].lower == "than"
+    is_level = len(words) > 1 and words[0].lower in _LEVELS
+    is_led = is_led or (is_level and any(word.pos == "NUM" or word.lower in _SHARES for word in words))
     return is_led and len(words) <= _LONGEST and not any(word.pos in ("VERB", "AUX") for word in words)
+
+
+def _mark(document: Document, first: int) -> int:
+    """The next mark from a token on that is no hyphen of a word, else the number of tokens."""
+    tokens = document.tokens
+    marks = (i for i in range(first, len(tokens)) if tokens[i].text in MARKS)
+    hyphens = {i for i, token in enumerate(tokens) if token.text == "-" and i and tokens[i - 1].end == token.start}
+    return next((i for i in marks if i not in hyphens), len(tokens))
 
 
 def _openings(document: Document) -> Iterator[int]:

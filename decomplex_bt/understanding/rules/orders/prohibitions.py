@@ -218,10 +218,14 @@ def lifts(document: Document, start: int) -> bool:
 
 
 def _is_bare(document: Document, verb: int) -> bool:
-    """Whether a word behind a "don't" is a verb; of "don't empty the bin" the tagger takes it for an adjective."""
+    """Whether a word behind a "don't" is a verb; of "don't empty the bin" the tagger takes it for an adjective, of a
+    "don't *hoover*" that repeats an order for anything."""
     tokens = document.tokens
     is_followed = verb + 1 < len(tokens) and tokens[verb + 1].tag in ("DT", "PRP$", "PRP")
-    return tokens[verb].tag in ("VB", "VBP") or (is_followed and tokens[verb].pos in ("ADJ", "NOUN"))
+    is_last = verb + 1 == len(tokens) or tokens[verb + 1].text in MARKS
+    is_repeated = is_last and any(token.lower == tokens[verb].lower for token in tokens[: verb - 2])
+    is_bare = tokens[verb].tag in ("VB", "VBP") or (is_followed and tokens[verb].pos in ("ADJ", "NOUN"))
+    return is_bare or (is_repeated and tokens[verb - 1].lower in NEGATIONS)
 
 
 def _needless(document: Document) -> list[int]:
@@ -321,9 +325,11 @@ def is_forbidden(document: Document, verb: int) -> bool:
 
 
 def _has_subject(document: Document, verb: int) -> bool:
-    """Whether somebody but the one spoken to is said not to do it: "they don't open on Sundays"."""
+    """Whether somebody but the one spoken to is said not to do it: "they don't open on Sundays"; who is named ahead of
+    a mark is the parser's subject alone ("if Gran's asleep, don't mop")."""
     tokens = document.tokens
+    start = next((i for i in range(verb - 1, -1, -1) if tokens[i].text in MARKS), -1)
     return any(
-        tokens[child].dep in ("nsubj", "nsubjpass", "expl") and tokens[child].lower != "you" and child < verb
+        tokens[child].dep in ("nsubj", "nsubjpass", "expl") and tokens[child].lower != "you" and start < child < verb
         for child in document.children[verb]
     )

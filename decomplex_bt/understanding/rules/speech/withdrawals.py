@@ -50,6 +50,7 @@ _CORRECTING = frozenset("no nope wait sorry actually".split())
 _RUN_ON = frozenset(("no", "nope", "sorry"))
 _LEADING = frozenset(("DT", "PRP$"))
 """What opens a phrase behind one of these where no mark stands between: "no *the green one*"."""
+_YES = frozenset("yes yeah yep yup".split())
 _DENYING = frozenset(("no", "nope", "nah"))
 _TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_DOINGS)} | {"mean", "meant", "rather", "not"}
 """Words of which every withdrawal has one."""
@@ -170,7 +171,14 @@ class _Words:
 
     def is_conditional_before(self, at: int) -> bool:
         sentences = self.document.sentences
-        return any(i < at and sentences[i] == sentences[at] for i in self.openings)
+        is_in_case = any(i < at and sentences[i] == sentences[at] for i in self.openings)
+        return is_in_case or self._is_answered(at)
+
+    def _is_answered(self, at: int) -> bool:
+        """Whether a "no" ahead of a clause is one of two answers: "tap dripping? Yes: ... *No*: forget it"."""
+        lead = self._lead(at)
+        is_denied = self.said[lead] in _DENYING and self._begins_sentence(lead)
+        return is_denied and any(self.said[i] in _YES and self._begins_sentence(i) for i in range(1, lead))
 
     def is_conditional_behind(self, at: int) -> bool:
         sentences = self.document.sentences

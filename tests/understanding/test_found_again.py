@@ -1,0 +1,50 @@
+"""What turns up is found; what somebody refuses is what they are brought; a place that is taken has somebody in it."""
+
+from __future__ import annotations
+
+import pytest
+from readings import flow, unordered
+
+from decomplex_bt.understanding.interpreter import Interpreter
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Look for the drill in the barn. When it turns up, bring it here. If it doesn't show up, ask Joe.",
+        "Hunt for my cap in the car; should it surface, put it on the hook, otherwise tell me.",
+    ],
+)
+def test_what_turns_up_was_looked_for(interpreter: Interpreter, text: str) -> None:
+    (case,) = unordered(flow(interpreter, text))
+    assert case["if"][:2] == [1, 2]
+    assert case["then"] == [3]
+    assert case["else"] in ([4], [5])
+
+
+def test_what_turns_up_in_one_of_two_places_is_asked_of_both(interpreter: Interpreter) -> None:
+    text = "Look in the hall for my bag. If it isn't there, look in the car. When it turns up, bring it here."
+    first, second = flow(interpreter, text)
+    assert first["else"] == [3]
+    assert second == {"if": 4, "then": [5]}
+
+
+def test_who_refuses_what_they_are_brought_is_asked_where_it_is(interpreter: Interpreter) -> None:
+    text = "If the broth is hot, take it to Joan, and if she refuses it, put it in the fridge; if it's cold, warm it."
+    (case,) = unordered(flow(interpreter, text))
+    assert case["then"] == [2, {"if": 3, "then": [4]}]
+    assert case["else"] == [6]
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("Is anyone in the den? If it's occupied, call me.", "then"),
+        ("Is anyone in the den? If it's free, call me.", "else"),
+        ("Is anyone in the den? If it's occupied, wait; if it's free, call me.", "else"),
+    ],
+)
+def test_a_place_that_is_occupied_has_somebody_in_it(interpreter: Interpreter, text: str, side: str) -> None:
+    found = interpreter.interpret(text)
+    (case,) = found.flow.to_json()
+    assert case[side] == [len(found.tasks)]
