@@ -28,10 +28,12 @@ STANDING_STRIDE = 5  # of the spots on a floor, one in so many is looked at as o
 MOST_STANDING = 1000  # spots of one floor looked at so, for each costs time in proportion to the floor
 APPROACH = 0.75  # [m] a place is used from where its footprint is so near to the robot's centre
 
-MOST_COMPANIES = 1024
-"""People standing together for whom it is remembered what they leave free."""
-Company = tuple[int, tuple[Point, ...]]
-"""The room that people are in, and where they stand in it."""
+MOST_COMPANIES = 8192
+"""People standing together for whom it is remembered whether they leave the ways free."""
+MOST_REACHED = 1024
+"""People standing together for whom it is remembered, cell by cell, what the robot gets to past them."""
+Company = tuple[int, frozenset[Point]]
+"""The room that people are in, and where they stand in it, whoever stands where."""
 
 
 class Spots:
@@ -99,21 +101,21 @@ class Spots:
 
     def leaves_way(self, room: int, people: Iterable[Point]) -> bool:
         """Whether the robot still gets everywhere in a room with all these people standing in it."""
-        company = room, tuple(people)
+        company = room, frozenset(people)
         leaves_way = self._leaves_way.get(company)
         if leaves_way is None:
             leaves_way = self._ways[room].are_free(company[1])
-            _keep(self._leaves_way, company, leaves_way)
+            _keep(self._leaves_way, company, leaves_way, MOST_COMPANIES)
         return leaves_way
 
     def robot(self, room: int, taken: Iterable[Disc] = (), people: Iterable[Point] = ()) -> Sequence[Point]:
         """Spots at which the robot can stand in a room and get everywhere in it, past the people there."""
         clearing, cells = self._robot_spots[room]
-        company = room, tuple(people)
+        company = room, frozenset(people)
         gets_to = self._gets_to.get(company)
         if gets_to is None:
             gets_to = self._ways[room].reached(company[1])[cells]
-            _keep(self._gets_to, company, gets_to)
+            _keep(self._gets_to, company, gets_to, MOST_REACHED)
         return clearing.free(self._near(room, taken), among=gets_to)
 
     def is_free(self, x: float, y: float, radius: float, taken: Iterable[Disc]) -> bool:
@@ -256,7 +258,7 @@ def _rect(geometry: Geometry, place: str) -> Rect:
     return x0, y0, x1, y1
 
 
-def _keep(memory: dict[Company, Any], company: Company, answer: Any) -> None:
-    if len(memory) >= MOST_COMPANIES:
+def _keep(memory: dict[Company, Any], company: Company, answer: Any, most: int) -> None:
+    if len(memory) >= most:
         memory.clear()
     memory[company] = answer
