@@ -335,16 +335,11 @@ class Floorplan:
         graph.sort_indices()
         return graph
 
-    @cached_property
-    def _ends(self) -> tuple[NDArray, NDArray]:
-        """The cells that each edge of the graph joins, in its order."""
-        graph = self._graph
-        return np.repeat(np.arange(graph.shape[0]), np.diff(graph.indptr)), graph.indices
-
     def _graph_of(self, free: Mask) -> csr_matrix:
-        """The graph with the edges of what is not free endless: to make one without them takes much longer."""
-        graph, (first, second) = self._graph, self._ends
-        cost = np.where(free[first] & free[second], graph.data, math.inf)
+        """The graph with the edges to what is not free endless, so that no way leads there: to make one without them
+        takes much longer."""
+        graph = self._graph
+        cost = np.where(free.take(graph.indices), graph.data, math.inf)
         return csr_matrix((cost, graph.indices, graph.indptr), shape=graph.shape)
 
     def _pull(self, points: NDArray[np.complex128], free: Mask) -> list[complex]:
