@@ -118,8 +118,11 @@ class Geometry:
 
     def is_free_line(self, start: tuple[float, float], end: tuple[float, float], leaves: Iterable[str]) -> bool:
         """Whether no wall and none of these closed `leaves` stands between two points."""
-        lines = (*self.walls, *(self.leaves[leaf] for leaf in leaves))
-        return not any(crosses((*start, *end), line) for line in lines)
+        stretch = (*start, *end)
+        for wall in self.walls:  # asked in many steps, where `any` takes half as long again
+            if crosses(stretch, wall):
+                return False
+        return not any(crosses(stretch, self.leaves[leaf]) for leaf in leaves)
 
     def _footprints(self) -> Floats:
         rects: list[Rect] = [piece.footprint for piece in self.house.furniture.values()]
@@ -167,9 +170,11 @@ def crosses(first: Segment, second: Segment) -> bool:
     cx, cy, dx, dy = second
     one = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     two = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax)
+    if not one * two < 0:
+        return False
     three = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx)
     four = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx)
-    return one * two < 0 and three * four < 0
+    return three * four < 0
 
 
 def _opening(house: House, name: str) -> Segment:
