@@ -125,14 +125,14 @@ def _peers(other_python: str) -> dict[str, tuple[float, ...]]:
     with subprocess.Popen(command, text=True, **pipes) as pusht:
         assert pusht.stdin is not None
         assert pusht.stdout is not None
-        for _ in range(9):
-            for name, (env, *samplers) in sides.items():
-                for times, sample in zip(spent[name], samplers, strict=True):
-                    times.append(_seconds_a_step(env, sample))
+        for is_counted in (False, *[True] * 9):  # the first round is for whoever is still starting up
+            seconds = {name: [_seconds_a_step(env, sample) for sample in both] for name, (env, *both) in sides.items()}
             with suppress(BrokenPipeError):  # that interpreter lacks it
                 print(file=pusht.stdin, flush=True)
-            for times, seconds in zip(spent["PushT"], map(float, pusht.stdout.readline().split()), strict=False):
-                times.append(seconds)
+            seconds["PushT"] = [float(figure) for figure in pusht.stdout.readline().split()]
+            for name, both in seconds.items() if is_counted else ():
+                for times, figure in zip(spent[name], both, strict=False):
+                    times.append(figure)
         with suppress(BrokenPipeError):
             pusht.stdin.close()
     return {name: tuple(1 / median(times) for times in both) for name, both in spent.items() if both[0]}
