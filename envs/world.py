@@ -66,6 +66,16 @@ class World:
     `stage`: the fixed shapes to use, which leave the world they were in before; None: this world gets its own.
     """
 
+    # An object with more than thirty attributes in its dictionary shares no keys with others of its class, so that
+    # CPython looks up each attribute and method of it anew: every step would take longer.
+    __slots__ = """
+        __dict__ __weakref__ geometry prior spots config noise whims grasp_slip place _position _is_stale _substep
+        _substeps _step_seconds _max_speed _max_turn_rate _most_gained _most_turned heading robot_heading states broken
+        home exempt room is_somewhere robot_room held tray speed turn_rate steps seconds version arrangement stirs deeds
+        event walks _floors space _stage _ground _bodies _people _leaf_shapes closed_leaves _loose _awake _moved _motor
+        robot _robot _carried _is_carrying
+    """.split()
+
     _is_dismantled = False
 
     def __init__(
