@@ -41,6 +41,14 @@ class Sensor:
     another room.
     """
 
+    # As for `World`: with more than thirty attributes every step would take longer without.
+    __slots__ = """
+        world config missed_detection _samples _places _movable _floors _half_angle _count _shut _seen_floor _seen_when
+        _seen_at _short_before _tracked _known _shown _now _now_at _shown_at table _robot_pose _known_rows _shown_rows
+        _now_rows _table_rows _on_floors _floors_at _astray _version _deeds _arrangement _stirs _due _scenes _rooms
+        _last_seen changes visible inspected _is_open _limit _seeable
+    """.split()
+
     def __init__(self, world: World, config: SensingConfig) -> None:
         geometry = world.geometry
         self.world, self.config = world, config
@@ -62,6 +70,7 @@ class Sensor:
         known, shown = _tables(geometry)
         self._known, self._shown = known.copy(), shown.copy()
         self._now = shown[self._movable].copy()
+        self._now_at, self._shown_at = self._now[:, X : Y + 1], self._shown[self._movable, X : Y + 1]
         self.table = known.copy()
         self._robot_pose = self.table[-1, X : HEADING + 1].data
         self._known_rows, self._shown_rows, self._now_rows, self._table_rows = map(
@@ -130,7 +139,7 @@ class Sensor:
         """Takes in where things and people are, and where the user is, who is known wherever the robot looks."""
         world, user = self.world, self.world.geometry.user_row
         position = world.position
-        self._now[:, X : Y + 1] = position[self._movable]
+        self._now_at[...] = position[self._movable]
         self._now[user - self._places :, HEADING] = world.heading[user:-1]
         self._known[user, X : Y + 1] = position[user]
 
@@ -199,15 +208,15 @@ class Sensor:
         self._seen_at = world.seconds
         if not (is_moved or fresh.size):
             return False
-        now, shown = self._now, self._shown[self._movable]
         np.copyto(self._shown_rows[self._movable], self._now_rows, where=in_view)
         if is_changed or fresh.size:
-            at = self._samples.place_at[shown[:, PLACE].astype(np.int64)]
+            at = self._samples.place_at[self._shown[self._movable, PLACE].astype(np.int64)]
             self._on_floors = self._samples.is_floor[at].nonzero()[0]
             self._floors_at = at[self._on_floors]
         if self._on_floors.size:
-            is_astray = (now[:, X : Y + 1] != shown[:, X : Y + 1]).any(axis=1)
-            is_astray[fresh] |= ~in_view[fresh]
+            is_astray = np.logical_or.reduce(self._now_at != self._shown_at, axis=1)
+            if fresh.size:
+                is_astray[fresh] |= ~in_view[fresh]
             self._astray = is_astray[self._on_floors].nonzero()[0]
         return True
 
@@ -233,7 +242,7 @@ class Sensor:
         self._astray = self._astray[is_recent]
         if self._astray.size:
             things, floors = things[is_recent], self._floors_at[self._astray]
-            spots = self._shown[self._movable, X : Y + 1][things].astype(np.float64)
+            spots = self._shown_at[things].astype(np.float64)
             is_gone = scene.shows(spots, self.world.geometry.place_room[floors])
             self._seen_when[things[is_gone]] = -np.inf
 
