@@ -42,8 +42,8 @@ from decomplex_bt.understanding.rules.orders.assurances import with_denied
 from decomplex_bt.understanding.rules.spans.completion import answered, completed, reported, retracted
 from decomplex_bt.understanding.rules.spans.levels import with_levels
 from decomplex_bt.understanding.rules.spans.relatives import without_stated
+from decomplex_bt.understanding.rules.speech.marks import marked
 from decomplex_bt.understanding.rules.speech.repairs import repaired
-from decomplex_bt.understanding.rules.speech.second_thoughts import set_off
 from decomplex_bt.understanding.spelling import WORDS_FILE, Speller
 from decomplex_bt.understanding.tasks import FoundTask
 
@@ -156,9 +156,9 @@ class Interpreter:
     def _understand(self, document: Document) -> Instruction:
         left = document
         places: Sequence[int] = range(len(document.text))
-        marked = set_off(document)
-        if marked is not None:
-            left, places = self._parser.parse(marked.text, self._spelling), marked.places
+        plain = marked(document)
+        if plain is not None:
+            left, places = self._parser.parse(plain.text, self._spelling), plain.places
         for _ in range(MOST_REPAIRS):
             cut = repaired(left)
             if not cut:

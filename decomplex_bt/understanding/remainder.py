@@ -10,9 +10,9 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.speech.edits import HESITATING
 from decomplex_bt.understanding.vocabulary import PREPOSITIONS
 
-COMMA, STOP = -1, -2
+COMMA, STOP, QUESTION = -1, -2, -3
 """Marks that the text does not have, among tokens to be told."""
-_MARKS = {COMMA: ",", STOP: "."}
+_MARKS = {COMMA: ",", STOP: ".", QUESTION: "?"}
 
 
 @dataclass(frozen=True, slots=True)

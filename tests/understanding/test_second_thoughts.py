@@ -6,7 +6,7 @@ import pytest
 
 from decomplex_bt.understanding.document import Parser
 from decomplex_bt.understanding.interpreter import Interpreter
-from decomplex_bt.understanding.rules.speech.second_thoughts import set_off
+from decomplex_bt.understanding.rules.speech.marks import marked
 
 
 @pytest.fixture(scope="module")
@@ -20,7 +20,7 @@ def interpreter() -> Interpreter:
 
 
 @pytest.mark.parametrize(
-    ("text", "marked"),
+    ("text", "plain"),
     [
         ("turn the radio on no turn it off", "turn the radio on, no, turn it off"),
         ("lift the no sweep the steps", "lift the, no, sweep the steps"),
@@ -29,10 +29,10 @@ def interpreter() -> Interpreter:
         ("put the vase here no if it's cracked bin it", "put the vase here, no, if it's cracked bin it"),
     ],
 )
-def test_what_takes_an_order_back_is_set_off(parser: Parser, text: str, marked: str) -> None:
-    found = set_off(parser.parse(text))
+def test_what_takes_an_order_back_is_marked(parser: Parser, text: str, plain: str) -> None:
+    found = marked(parser.parse(text))
     assert found is not None
-    assert found.text == marked
+    assert found.text == plain
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_what_takes_an_order_back_is_set_off(parser: Parser, text: str, marked: 
     ],
 )
 def test_what_takes_nothing_back_is_not(parser: Parser, text: str) -> None:
-    assert set_off(parser.parse(text)) is None
+    assert marked(parser.parse(text)) is None
 
 
 def test_spans_are_those_of_the_text_as_it_was_typed(interpreter: Interpreter) -> None:

@@ -187,6 +187,7 @@ def resume(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k:
     is_instead = clause.task.type == order.task.type and order.task.type in CARRYING
     is_of_it = clause.has_pronoun and not clause.objects
     is_other = not (is_instead or is_of_it or order.is_forbidden) and order.nouns.isdisjoint(clause.nouns)
+    is_other = is_other and "instead" not in clause.behind
     is_on = check.near == ("unless",) and clause.near in (("then",), ("and", "then")) and is_other
     is_done = is_guard_of(check, order) or (check.says_already and not check.has_pronoun and not check.objects)
     is_needless = is_set_off and check.near == ("if",) and clause.near == ("and",) and is_done

@@ -219,6 +219,8 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
         return
     is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
     is_rival = is_rival_of(clause, clauses[first]) or is_other_degree(clause, clauses[first])
+    if is_led and is_rival and clause.says_instead and clause.near == ("and", "if"):  # and no exception: "but if"
+        sides[first + 1 : k] = [HOLDS if side in (">1+", ">1-") else side for side in sides[first + 1 : k]]
     if is_led and is_rival and sides[k] == HOLDS:
         sides[k] = FAILS
     elif is_led and is_other_wish(clause, clauses[first]) and sides[k] == HOLDS:

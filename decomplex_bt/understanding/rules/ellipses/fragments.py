@@ -131,7 +131,9 @@ def _fragment(document: Document, start: int, stop: int) -> Fragment | None:
     while last > carrier and tokens[last - 1].lower in _BEHIND:
         last -= 1
     is_named = tokens[first].lower in _ALONE or tokens[carrier - 1].pos in ("NOUN", "PROPN")
-    is_place = last - carrier > 1 and tokens[last - 1].pos in ("NOUN", "PROPN", "PRON")
+    is_pointed_at = carrier + 1 < stop and tokens[carrier + 1].lower in ("there", "here")  # "somebody in there?"
+    last = carrier + 2 if is_pointed_at else last
+    is_place = is_pointed_at or (last - carrier > 1 and tokens[last - 1].pos in ("NOUN", "PROPN", "PRON"))
     asked = {token.lemma for token in tokens[first:carrier]}
     if not is_named or not is_place or not _IDLE.isdisjoint(asked if "of" in asked else asked - _SIGNS):
         return None

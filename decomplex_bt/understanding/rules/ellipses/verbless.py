@@ -21,6 +21,7 @@ _UNHEEDED = frozenset("still only just ever then".split())
 _DEGREES = frozenset("too still not very quite fast sound all nearly almost slightly completely totally".split())
 _LEVELS = frozenset("below above under over".split())
 _SHARES = frozenset("half quarter third zero freezing".split())
+_COLOURS = frozenset("red green amber yellow orange blue white".split())
 _DENYING, _ASKING = "no", "any"
 _PARTS = frozenset(("DET", "ADJ", "NOUN", "PROPN", "NUM", "ADV", "ADP"))
 _NOUNS = frozenset(("NOUN", "PROPN"))
@@ -80,15 +81,17 @@ def _bare_states(observed: Observed) -> Iterator[Fragment]:
 
 def _asked_states(observed: Observed) -> Iterator[Fragment]:
     """The states that are all that a sentence asks, behind another one: "*too cold*? Add hot water", "*too cold for a
-    child*?", "*crying*?"; of single words only what somebody or something is doing, the rest is left to the models."""
+    child*?", "*crying*?", "*amber*?"; other single words are left to the models."""
     tokens, sentences = observed.document.tokens, observed.document.sentences
     for first in (i for i in range(1, len(tokens)) if sentences[i] != sentences[i - 1]):
         stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
         at = first
         while at < stop and tokens[at].lower in _DEGREES:
             at += 1
-        is_asked = stop + 1 < len(tokens) and tokens[stop].text == "?" and at < stop <= first + _LONGEST
-        if is_asked and stop == first + 1 and tokens[first].tag == "VBG":
+        is_asked = stop + 1 < len(tokens) and tokens[stop].text == "?" and first < stop <= first + _LONGEST
+        if is_asked and _is_comparison(observed.document, range(first, stop)):
+            yield Fragment(range(first, stop), first, range(0), range(0), state=range(first, stop))
+        if is_asked and stop == first + 1 and (tokens[first].tag == "VBG" or tokens[first].lower in _COLOURS):
             yield Fragment(range(first, stop), first, range(0), range(0))
         is_state = (
             is_asked and first < at and (tokens[at].pos == "ADJ" or tokens[at].lower in observed.gazetteer.states)

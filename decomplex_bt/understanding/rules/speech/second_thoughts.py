@@ -1,15 +1,12 @@
-"""Commas that a text lacks, as a recogniser writes it: around a "no" that puts an order in place of another ("turn the
-radio on *no* turn it off"), and ahead of what is forbidden in a case ("if it's wet *don't* iron it")."""
+"""Second thoughts without a mark, as a recogniser writes them: an order behind a "no" that no comma sets off ("turn the
+radio on no turn it off"), which the tagger takes for the noun that "no" denies."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.document import FINITE, MARKS, Document
-from decomplex_bt.understanding.remainder import COMMA, Remainder, Told, told
+from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.rules.speech.edits import AFTER_NO, DENYING, NO_EDITS_BEFORE, TELLING, is_order_at
-
-NEGATIONS = frozenset(("n't", "n\u2019t", "nt", "not"))
 
 _CASES = frozenset("if when unless once".split())
 _IS = frozenset("'s ’s is are s".split())
@@ -23,37 +20,7 @@ _WORDLIKE = frozenset("VB VBP VBD VBN NN JJ RB".split())
 """Tags of a verb in its bare form behind a "no"."""
 
 
-def set_off(document: Document) -> Remainder | None:
-    """The text with a comma wherever one of these lacks its mark; None where none does."""
-    places = {place for run in _second_thoughts(document) for place in (run.start, run.stop)}
-    places.update(_prohibitions(document))
-    if not places:
-        return None
-    sequence: list[Told] = []
-    for i in range(len(document)):
-        if i in places:
-            sequence.append(Told(COMMA))
-        sequence.append(Told(i))
-    return told(document, sequence)
-
-
-def _prohibitions(document: Document) -> Iterator[int]:
-    """Where a "don't" begins to say what is not to be done in the case right ahead; not what somebody does not do ("if
-    the cups that are left *don't* fit")."""
-    tokens = document.tokens
-    for i in range(3, len(tokens) - 2):
-        if tokens[i].lower not in ("do", "dont") or (tokens[i].lower == "do" and tokens[i + 1].lower not in NEGATIONS):
-            continue
-        clause = next((j + 1 for j in range(i - 1, -1, -1) if tokens[j].text in MARKS), 0)
-        opener = next((j for j in range(i - 1, clause - 1, -1) if tokens[j].lower in _CASES), None)
-        if opener is None or tokens[i - 1].tag in _SUBJECTS or tokens[i - 1].tag in FINITE:
-            continue
-        asked = [t for t in tokens[opener + 2 : i] if t.tag in FINITE or t.lower in _IS]
-        if len(asked) == 1 and not any(t.tag in ("WDT", "WP") or t.lower == "that" for t in tokens[opener + 2 : i]):
-            yield i
-
-
-def _second_thoughts(document: Document) -> Iterator[range]:
+def second_thoughts(document: Document) -> Iterator[range]:
     """Every "no" that puts an order in place of another and has no mark, with the words that go with it.
 
     Where a case or a question stands between the order before and the "no", that answers ("is it open no close it").

@@ -96,12 +96,14 @@ def _verdicts(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
 
 
 def _levels(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
-    """ "Anything under eighteen, turn it on"."""
+    """ "Anything under ten, turn it on; anything in between, leave it"."""
     for i in range(len(words) - 3):
         is_first = i == 0 or lower[i - 1] in MARKS or lower[i - 1] in _JOINING
         stop = next((j for j in range(i + 2, min(i + _INVERTED, len(words))) if lower[j] in MARKS - {"-"}), i)
         if is_first and lower[i] == "anything" and lower[i + 1] in _LEVELS and stop > i + 2 and lower[stop] == ",":
             yield (i, "if")
+        if is_first and lower[i : i + 4] == ["anything", "in", "between", ","]:
+            yield from ((i, "and"), (i + 1, "if"), (i + 2, "neither"))
 
 
 def _absences(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
