@@ -246,7 +246,8 @@ class Clause:
     def says_reply(self) -> bool:
         """Whether it says how somebody takes, or whether they know, what they are asked: "if he refuses", "if she won't
         do it", "if they don't remember"."""
-        is_reply = self.verb in _REPLYING or self.is_unwilling or self.says_answer
+        is_said = self.verb in _SAYING and not self.wording.is_negated
+        is_reply = self.verb in _REPLYING or is_said or self.is_unwilling or self.says_answer
         return self.is_check and self.is_of_somebody and not self.is_trailing and is_reply
 
     @property
@@ -334,6 +335,8 @@ class Clause:
 
 _ANSWERS = frozenset(("yes", "no"))
 _REPLYING = frozenset("refuse decline agree accept consent object comply oblige know remember recall".split())
+_SAYING = frozenset(("say", "choose"))
+"""What somebody does with what they are asked to choose among: "if she *says* tea"."""
 CHOOSING = frozenset("depending whether if unless only_if when else fail not".split())
 LEADING = frozenset(("motion", "following", "bringing", "placing", "taking"))
 AROUND = frozenset("in home there here around about back".split())

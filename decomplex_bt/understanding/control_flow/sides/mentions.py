@@ -171,7 +171,8 @@ def pass_reply(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str]
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] == "condition"), None)
     head = next((j for j in range((first or 0) - 1, -1, -1) if roles[j] == "condition"), None)
-    if first is None or head is None or roles[k] != "mention" or not clause.is_of_it:
+    is_pronoun = clause.is_of_it or (clause.is_of_somebody and not clause.says_only_whether)
+    if first is None or head is None or roles[k] != "mention" or not is_pronoun:
         return
     one, other = clause.wording, clauses[head].wording
     is_turned = one.is_opposite_of(other) or other.is_opposite_of(one)
