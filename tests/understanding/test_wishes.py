@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from decomplex_bt.understanding.document import Parser
+from decomplex_bt.understanding.interpreter import Interpreter
 from decomplex_bt.understanding.rules.orders.wishes import backgrounds, is_background, is_served
 
 
@@ -82,3 +83,10 @@ def test_a_wish_that_only_tells_why(parser: Parser, text: str, verb: str, kind: 
     at = next(token.i for token in document.tokens if token.text == verb)
     assert is_background(document, 0, at, kind) == expected
     assert (at - 2 in backgrounds(document, {at: kind})) == expected
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+def test_who_is_wanted_to_do_something_is_ordered_to(encoder: bool) -> None:
+    text = "You can mop the porch, but look first if there's a frog on it, because if there is I want you to catch it."
+    found = Interpreter.load(encoder=encoder).interpret(text).tasks
+    assert [task.value("object") for task in found] == ["the porch", "a frog", "a frog", "a frog"]

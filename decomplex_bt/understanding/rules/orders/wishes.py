@@ -85,6 +85,8 @@ def is_served(document: Document, wish: int, request: int) -> bool:
     tokens, sentences = document.tokens, document.sentences
     if tokens[wish].lemma not in _WISHING or sentences[request] > sentences[wish] + 1:
         return False
+    if tokens[request - 1].lower == "to":
+        return False  # "I want you to bring it" is the order itself
     behind = tokens[request + 1 : request + 3]  # "bring *them some*", not "bring *them* here"
     is_given_to_others = len(behind) > 1 and behind[0].lower in _OTHERS
     is_given_to_others = is_given_to_others and (behind[1].pos in _PHRASE or behind[1].lower in _PRONOUNS)
