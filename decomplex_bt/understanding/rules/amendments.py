@@ -69,6 +69,7 @@ from decomplex_bt.understanding.rules.spans.extents import (
     without_questions,
 )
 from decomplex_bt.understanding.rules.spans.relatives import told_apart, with_relative_places, without_excluded
+from decomplex_bt.understanding.rules.spans.shares import with_shares
 from decomplex_bt.understanding.rules.spans.task_arguments import Setting, of_task
 from decomplex_bt.understanding.rules.speech.asides import asides, means_of, reasons
 from decomplex_bt.understanding.rules.speech.contractions import reports
@@ -170,7 +171,7 @@ def _told_without_verb(observed: Observed, tasks: Tasks, arguments: Sequence[Fou
         if fragment.carrier in tasks:
             kept = [argument for argument in kept if set(argument.tokens).isdisjoint(fragment.tokens)]
             kept += [FoundArgument(name, fragment.carrier, said, CERTAIN) for name, said in fragment.told.items()]
-    kept = with_assured(document, tasks, kept)
+    kept = with_shares(document, tasks, with_assured(document, tasks, kept))
     for case in second_cases(document):
         if case.carrier in tasks:
             kept = [_cut_short(a, case.tokens.start) for a in kept if a.tokens.start not in case.tokens]
