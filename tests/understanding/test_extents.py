@@ -226,3 +226,16 @@ def test_what_is_told_of_is_a_thing_with_what_it_belongs_to(interpreter: Interpr
 )
 def test_half_of_a_thing_is_part_of_its_words(interpreter: Interpreter, text: str, thing: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("object") == thing
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "type_", "value"),
+    [
+        ("If he is, let him in and dry his paws with the old bath mat.", "manner", "with the old bath mat"),
+        ("Sand the board with the old grey sanding block.", "manner", "with the old grey sanding block"),
+        ("Cover the cake with the beaded net before it goes in.", "manner", "with the beaded net"),
+    ],
+)
+def test_what_something_is_done_with_has_its_noun(text: str, type_: str, value: str, encoder: bool) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value(type_) in (value, None)

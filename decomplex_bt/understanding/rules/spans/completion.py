@@ -9,6 +9,7 @@ from itertools import pairwise
 
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.document import Document, Token
+from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.phrases import is_pronoun
 
 _OF_REPORTS = frozenset(("message", "recipient", "manner"))
@@ -94,7 +95,18 @@ def completed(document: Document, tokens: range, taken: Container[int]) -> range
     if start < relative and document.tokens[relative].tag in ("WDT", "WP"):
         stop = relative
     last = document.tokens[stop - 1].lower
-    parts = _NOUN_PARTS if last in _NEEDING_A_NOUN else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
+    if document.tokens[start].lower == "with" and stop - start > 1:
+        stop = _with_noun(document, stop, taken)
+    is_owner = document.tokens[stop - 1].tag == "PRP$" and stop - start > 1  # "to her", not "nick his"
+    needs_noun = last in _NEEDING_A_NOUN or is_owner
+    parts = _NOUN_PARTS if needs_noun else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
     while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:
         stop += 1
     return range(start, stop)
+
+
+def _with_noun(document: Document, stop: int, taken: Container[int]) -> int:
+    """Where what something is done with ends whose words break off ahead of its noun: "with the old *brush*"."""
+    whole = next((chunk.stop for chunk in noun_chunks(document) if chunk.start < stop < chunk.stop), stop)
+    is_broken_off = document.tokens[stop - 1].pos in ("DET", "ADJ", "NUM", "VERB")
+    return whole if is_broken_off and all(i not in taken for i in range(stop, whole)) else stop
