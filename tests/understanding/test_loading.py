@@ -45,3 +45,16 @@ def test_what_is_loaded_with_things_is_where_they_are_put(text: str, found: dict
 )
 def test_what_is_filled_with_a_stuff_is_put_nowhere(text: str) -> None:
     assert Interpreter.load().interpret(text).tasks[0].type != "placing"
+
+
+@pytest.mark.parametrize(
+    ("text", "type_"),
+    [
+        ("Stuff the boots with newspaper.", "change_state"),
+        ("Stuff the boots with newspaper if they're wet.", "change_state"),
+        ("Stuff the socks in the drawer.", "placing"),
+    ],
+)
+def test_what_is_stuffed_with_a_stuff_goes_nowhere(text: str, type_: str) -> None:
+    found = Interpreter.load().interpret(text)
+    assert (found.task(1).type, found.missing) == (type_, ())

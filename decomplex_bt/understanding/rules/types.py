@@ -24,7 +24,7 @@ from decomplex_bt.understanding.rules.orders.deeds import forms
 from decomplex_bt.understanding.rules.orders.doors import admitted, is_answered
 from decomplex_bt.understanding.rules.orders.handing import payee
 from decomplex_bt.understanding.rules.orders.idioms import encountered, for_somebody, is_heard, is_light, prospect_of
-from decomplex_bt.understanding.rules.orders.loading import loading
+from decomplex_bt.understanding.rules.orders.loading import is_stuffed, loading
 from decomplex_bt.understanding.rules.orders.puttings import LAYING, is_put_on, is_put_somewhere, is_the_table
 from decomplex_bt.understanding.rules.orders.resuming import resumed
 from decomplex_bt.understanding.tasks import FoundTask
@@ -113,6 +113,8 @@ def _settled_type(observed: Observed, task: FoundTask, following: int) -> str:
         return "bringing"
     if task.type in HANDLING and loading(observed, task.token) is not None:
         return "placing"
+    if task.type == "placing" and is_stuffed(observed, task.token):
+        return "change_state"
     if task.type == "searching" and degree_asked(document, task.token):
         return "check_state"
     if task.type == "check_state" and is_assured(document, task.token):

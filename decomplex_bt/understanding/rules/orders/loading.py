@@ -16,6 +16,8 @@ _LOADING = frozenset("load stuff pack stock cram feed fill line".split())
 _LINING = frozenset(("line",))
 _FEEDING = frozenset(("feed",))
 _FILLING = frozenset(("fill",))
+_STUFFING = frozenset(("stuff", "cram"))
+_INTO = frozenset("in into under behind inside on onto".split())
 _PRONOUNS = frozenset(("it", "them"))
 _DEFINITE = frozenset("the my our your his her their its all both these those every each".split())
 _PLURAL = frozenset(("NNS", "NNPS"))
@@ -53,6 +55,15 @@ def loading(observed: Observed, verb: int) -> Loading | None:
     is_from = things.stop + 1 < len(tokens) and tokens[things.stop].lower == "from"
     end = stops.get(things.stop + 1, 0) if is_from else 0
     return Loading(goal, things, range(things.stop, end) if end else range(0))
+
+
+def is_stuffed(observed: Observed, verb: int) -> bool:
+    """Whether something gets a stuff into it, and goes nowhere itself: "*stuff* the boots with newspaper"."""
+    tokens = observed.document.tokens
+    stop = next((token.i for token in tokens[verb + 1 :] if token.lower in _ENDS), len(tokens))
+    words = [token.lower for token in tokens[verb + 2 : stop]]
+    is_led = "with" in words[:-1] and _INTO.isdisjoint(words)
+    return tokens[verb].lemma in _STUFFING and is_led and loading(observed, verb) is None
 
 
 def with_loaded(observed: Observed, arguments: Sequence[FoundArgument], verb: int) -> list[FoundArgument]:
