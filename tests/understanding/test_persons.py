@@ -197,3 +197,35 @@ def test_nobody_wakes_the_lights(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Turn on the lights in the kids room and wake them up.")
 
     assert found.tasks[1].value("object") == "the kids"
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("go and fetch nina from the garden and tell her i need the spare key", "nina"),
+        ("if the gate is stuck get maria from the yard and tell her to bring the oil", "maria"),
+        ("if the boiler is off fetch gareth from the barn and ask him to light it", "gareth"),
+        ("go and find jodie in the greenhouse and give her these gloves", "jodie"),
+        # nobody is named
+        ("get milk from the shop and tell her it's in the fridge", "her"),
+        ("Go up to the attic workshop and tell him supper is ready.", "him"),
+        ("Fetch the ladder from the shed and tell her it's broken.", "her"),
+    ],
+)
+def test_who_is_fetched_by_name_is_somebody(text: str, value: str, encoder: bool) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("recipient") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("See if anyone's in the study. If it's empty, call me.", 2, "the study"),
+        ("If the lady next door is in, give the letter to her.", 2, "the lady next door"),
+    ],
+)
+def test_it_is_nobody_and_who_is_next_door_somebody(
+    interpreter: Interpreter, text: str, number: int, value: str
+) -> None:
+    task = interpreter.interpret(text).task(number)
+    assert (task.value("recipient") or task.value("object")) == value

@@ -11,7 +11,15 @@ from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Conte
 from decomplex_bt.understanding.references.first_names import MEN, WOMEN
 from decomplex_bt.understanding.references.gaps import Gap
 from decomplex_bt.understanding.references.phrases import Candidate
-from decomplex_bt.understanding.vocabulary import ANIMALS, ONES, PERSON_NOUNS, PLACE_ADVERBS, PREPOSITIONS, WHOLE
+from decomplex_bt.understanding.vocabulary import (
+    ANIMALS,
+    ANYBODY,
+    ONES,
+    PERSON_NOUNS,
+    PLACE_ADVERBS,
+    PREPOSITIONS,
+    WHOLE,
+)
 
 _FEMALE = frozenset(
     "wife mother mom mum mama mummy mommy daughter sister woman lady girl grandma granny gran nan grandmother aunt "
@@ -38,6 +46,9 @@ _PERSONAL = frozenset(("he", "she", "they"))
 _OWNING = {"his": "he", "her": "she", "their": "they"}
 _SINGLING = frozenset("either neither one any each every whichever".split())
 """What tells one of several: "either of the lamps"."""
+_SINGULARS = ("NN", "NNP")
+_NO_ONE = ANYBODY | {"nobody", "everybody", "everyone"}
+"""Words for people that "it" never stands for."""
 _SINGULAR = frozenset("thermos atlas canvas gas lens news iris pancreas compass series".split())
 _CALLED_IT = frozenset(
     "baby child kid toddler patient family cleaner driver butcher baker grocer florist chemist pharmacist hairdresser "
@@ -50,6 +61,13 @@ _TIMES = frozenset("morning afternoon evening night noon midnight day week weeke
 _CALLED_SHE = frozenset(
     "doll teddy bear bunny boat ship dinghy skiff yacht canoe car van tractor mower stove boiler".split()
 )
+_LIFELESS = frozenset(
+    "garden yard courtyard lawn allotment orchard porch patio terrace balcony veranda drive driveway shed barn "
+    "greenhouse workshop garage attic loft cellar basement conservatory summerhouse treehouse landing corridor "
+    "passage stairs stairwell gate door doorstep street road market shop store supermarket library school office "
+    "station church".split()
+)
+"""Places, of the domain or not, which are never "she"."""
 _NEAR = 3
 """Within so many words before a participle stands who has done it."""
 _WITHIN = frozenset("in into inside on onto under behind off out".split())
@@ -146,8 +164,10 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return gap.word == "they" and (is_thing or is_later) and is_one  # "them" may be two things named one by one
     if head.lemma in _CALLED_SHE | ANIMALS or (head.lower in MEN | WOMEN and len(candidate.tokens) == 1):
         return False
-    is_person = document.tokens[candidate.tokens.stop - 1].lower in PERSON_NOUNS  # a "window cleaner" is no window
-    if category not in ("", "person") and head.text.islower() and not is_person:
+    named = words[:-2] if [token.lower for token in words[-2:]] == ["next", "door"] else words
+    is_person = bool(named) and named[-1].lower in PERSON_NOUNS  # a "window cleaner" is no window
+    is_thing = category not in ("", "person") or head.lemma in _LIFELESS
+    if is_thing and head.text.islower() and not is_person:
         return True
     is_adverb = len(candidate.tokens) == 1 and head.lower in PLACE_ADVERBS | WEATHER | {"home"}
     if is_adverb or head.lemma in _TIMES:
@@ -164,13 +184,19 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
     because it is the one thing of a task that names several. A baby may be "it", but is given to nobody it is itself,
     and so may be whoever is at the door ("if *it*'s Max"); who is told something is none."""
     tokens, head = context.observed.document.tokens, context.observed.document.tokens[candidate.head]
-    if len(gap.tokens) != 1 or gap.word not in ("it", "them"):
+    if gap.word == "they" and _are_all(context, gap):
+        return not candidate.mention and _is_person(context, candidate) and tokens[candidate.head].tag in _SINGULARS
+    if len(gap.tokens) != 1 or gap.word not in ("it", "that", "them"):
         return False
+    if gap.word == "that":
+        return not candidate.mention and candidate.type in PLACES and _is_plural(context, candidate)
     if gap.word == "them":
         return _is_the_one_of(context, gap, candidate)
     if _asks_who(context, gap):
         return False
     is_told = (candidate.task_type, candidate.type) == ("informing", "recipient")
+    if not candidate.mention and candidate.text.lower() in _NO_ONE:
+        return True
     if GROUPS.get(candidate.mention) == "he" or is_told or _is_person(context, candidate):
         return True
     if kind_of(context, candidate) in ANIMATE:
@@ -185,6 +211,11 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
         and kind_of(context, c) not in ANIMATE
         for c in context.pool
     )
+
+
+def _are_all(context: Context, gap: Gap) -> bool:
+    """Whether several are spoken of: "if *they*'re *all* damp"."""
+    return any(token.lower in ("all", "both") for token in context.observed.document.tokens[gap.tokens.stop :][:2])
 
 
 def _is_plural(context: Context, candidate: Candidate) -> bool:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.agreement import PLACES, PUTTING, gender, is_of_other_gender
+from decomplex_bt.understanding.references.bare_names import called_by_name
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
@@ -46,6 +47,7 @@ def meant(context: Context, gap: Gap) -> range:
         or done_contrariwise(context, gap)
         or goal_instead(context, gap)
         or asked(context, gap)
+        or called_by_name(context, gap)
     )
 
 

@@ -9,7 +9,7 @@ WOMEN = frozenset(
     "donna dora doris dorothy edith eileen elaine elena elisa elizabeth ella ellen elsa elsie emilia emily emma "
     "erica esther ethel eva eve evelyn fatima fiona flora florence freya frieda gemma georgia gerda gina giulia "
     "gloria grace greta hannah harriet hazel heather heidi helen helena hilda holly ida imogen ines ingrid irene "
-    "iris isabel isabella isla ivy jane janet jasmine jennifer jenny jessica joan joanna josephine judith judy "
+    "iris isabel isabella isla ivy jane janet jasmine jennifer jess jenny jessica joan joanna josephine judith judy "
     "julia juliet karen kate katherine kathleen katie kirsten lara laura leila lena lily linda lisa liz lola lorna "
     "louisa louise lucia lucy lydia madeleine maggie margaret maria marie marina marion martha mary matilda maud "
     "maya megan mei melanie melissa mia michelle mila millie mina miriam moira molly monica nadia nancy naomi "
@@ -21,7 +21,7 @@ WOMEN = frozenset(
 )
 MEN = frozenset(
     "aaron adam adrian ahmed alan albert alfie alfred ali amir andreas andrew andy anton antonio arjun arthur barry "
-    "ben benjamin bernard bill bob boris brian bruno callum carl carlos cedric charles clive colin craig daniel "
+    "ben benjamin bernard bill bob boris brian bruno callum carl carlos cedric charles clive colin craig dan daniel "
     "darren dave david dennis derek diego dieter dimitri dominic don donald douglas duncan ed eddie edgar eduardo "
     "edward emil enrico eric ernest ethan fabio felix fernando frank fred frederick gareth gary geoff george gerald "
     "gianni giovanni gordon graham greg gregory gustav hamza hans harold harry hassan hector henry herbert howard "
