@@ -20,6 +20,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("If the spare battery is empty, charge it.", "the spare battery"),
         ("Make coffee. The mug is dirty, so wash it first.", "the mug"),
         ("Set the table. The plate is dirty, so wash it.", "the plate"),
+        ("I want the ring. If the safe's locked, the code is with Ida, so get it from her.", "the code"),
         ("If the soup is boiling, turn down the heat and stir it.", "the soup"),
         ("If the rice is done, turn off the stove and drain it.", "the rice"),
         ("If the radio is on, turn it off.", "the radio"),

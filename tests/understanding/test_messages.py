@@ -48,3 +48,16 @@ def test_what_was_found_out_in_between_may_be_what_is_told(interpreter: Interpre
 )
 def test_it_is_what_was_told_just_before(interpreter: Interpreter, text: str, message: str) -> None:
     assert interpreter.interpret(text).tasks[-1].value("message") == message
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Take this gauge to Ravi. Once it beeps, read it.", None),
+        ("Take the tablet to Nadia. When it rings, answer it.", None),
+        ("Take the letter to Nadia and read it to her.", "Nadia"),
+    ],
+)
+def test_what_beeps_is_read_to_nobody(text: str, value: str | None, encoder: bool) -> None:
+    assert Interpreter.load(encoder=encoder).interpret(text).tasks[-1].value("recipient") == value

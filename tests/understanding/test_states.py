@@ -75,3 +75,8 @@ def test_what_is_on_or_off_stays_so_ahead_of_a_time_or_a_place(
 ) -> None:
     task = interpreter.interpret(text).task(1)
     assert {kind: task.value(kind) for kind in told} == told
+
+
+def test_haste_is_no_state(interpreter: Interpreter) -> None:
+    text = "I need the plasters from the car, quick as you can, Ravi has cut his thumb! If there aren't any, tell me."
+    assert [task.value("state") for task in interpreter.interpret(text).tasks if task.type == "check_state"] == [None]

@@ -143,6 +143,8 @@ def _reasoned(context: Context, gap: Gap) -> range:
     if at < 1 or tokens[at].lower != "so":
         return range(0)
     first = next(i for i in range(at + 1) if document.sentences[i] == document.sentences[at])
+    if tokens[at - 1].text == ",":  # "if the safe is locked, *the code* is with Ann, so get it"
+        first = next((i + 1 for i in range(at - 2, first, -1) if tokens[i].text == ","), first)
     tag = ("NN", "NNP") if gap.word == "it" else ("NNS",)
     if sum(token.tag in ("VBZ", "VBP", "VBD") for token in tokens[first:at]) != 1:
         return range(0)

@@ -32,9 +32,9 @@ _ALONE = frozenset("inside five six both either none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AMOUNTS = frozenset(
     "glass cup mug bowl plate jug bottle pan pot spoonful bit piece slice drop bucket bag box tin packet pinch splash "
-    "portion helping".split()
+    "portion helping half third quarter".split()
 )
-"""What there is so much of something in."""
+"""What there is so much of something in, or of it."""
 _AND = frozenset(("and", "&"))
 _CLAUSE_ENDS = frozenset("and but or then if unless when before after until please".split())
 DENYING = frozenset(("not", "n't", "n\u2019t"))
@@ -221,7 +221,7 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
         return
     if task.type == "motion":
         return
-    if task.type == "informing" and "recipient" not in said:
+    if task.type == "informing" and "recipient" not in said and not _is_read_off(document, position):
         yield Gap(task, "recipient", position, "")
         return
     if task.type == "bringing" and not said & {"recipient", "goal"}:
@@ -243,6 +243,13 @@ def unsaid_gaps(observed: Observed, task: Task, ontology: Ontology) -> Iterator[
     if task.type == "check_state" and not said & {"state", "location"}:
         is_certain = is_bare_being(document, position) or bool(degree_asked(document, position))
         yield Gap(task, PREDICATE, position, "", is_certain=is_certain)
+
+
+def _is_read_off(document: Document, verb: int) -> bool:
+    """Whether something is read or answered to nobody: "when it beeps, read it", "if it rings, answer it"."""
+    behind = [token.lower for token in document.tokens[verb + 1 : verb + 3]]
+    is_end = len(behind) < 2 or behind[1] in MARKS or behind[1] in ("and", "then")
+    return document.tokens[verb].lemma in ("read", "answer") and behind[:1] in (["it"], ["them"]) and is_end
 
 
 def _is_of_weather(document: Document, check: int) -> bool:

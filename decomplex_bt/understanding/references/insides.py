@@ -34,6 +34,8 @@ def containers_of(context: Context, gap: Gap) -> list[Candidate]:
     if any(kind_of(context, candidate) in ANIMATE for candidate in own):
         return []
     able = [c for c in context.pool if c.owner and has_inside(context, c) and c.tokens != gap.tokens]
+    if gap.task.type == "searching" and (opened := _unclosed(context, gap.task.id - 1)):
+        return opened
     near = [range(gap.task.id - 1, gap.task.id + 1), range(gap.task.id + 1, gap.task.id + 2)]
     return next(
         (
@@ -58,8 +60,13 @@ def _opened(context: Context, gap: Gap) -> list[Candidate]:
     before = gap.task.id - 1
     while context.types.get(before) == "taking" and _is_taken_out(context, before):
         before -= 1
-    is_opened = context.types.get(before) == "change_state" and context.lemmas[before].split()[0] in _UNCLOSING
-    return _with_an_inside(context, before) if gap.task.type == "placing" and is_opened else []
+    return _unclosed(context, before) if gap.task.type == "placing" else []
+
+
+def _unclosed(context: Context, number: int) -> list[Candidate]:
+    """What an order opens that has an inside: "open *the tin* and look *inside*"."""
+    is_opened = context.types.get(number) == "change_state" and context.lemmas[number].split()[0] in _UNCLOSING
+    return _with_an_inside(context, number) if is_opened else []
 
 
 def _is_taken_out(context: Context, number: int) -> bool:

@@ -159,7 +159,7 @@ def candidates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
                 continue
             if [token.lower for token in document.tokens[phrase.start : phrase.stop + 1]] in SO_MANY:
                 continue  # "*a couple* of towels"
-            if is_deed(document, phrase) or _is_grip(document, phrase):
+            if is_deed(document, phrase, _DEEDS | _TRIES) or _is_grip(document, phrase):
                 continue
             owner = inside.get(phrase.stop - 1)
             if (owner is None and _is_addressed(document, phrase)) or phrase.start in left_out:
@@ -203,7 +203,7 @@ def _is_there_somewhere(document: Document, phrase: range) -> bool:
     return is_said and any(document.tokens[i].lower in _WHERE for i in phrase)
 
 
-def is_deed(document: Document, phrase: range) -> bool:
+def is_deed(document: Document, phrase: range, deeds: frozenset[str] | None = None) -> bool:
     """Whether a phrase is what is done to something, as it is given that: "give it *a wipe*"; not "give me *a clean*
     cup"."""
     said = [document.tokens[i].lower for i in phrase]
@@ -213,7 +213,7 @@ def is_deed(document: Document, phrase: range) -> bool:
     before = [token.lower for token in document.tokens[max(0, phrase.start - _NEAR) : phrase.start]]
     giving = next((i for i, word in enumerate(before) if word in _GIVING), None)
     is_ended = giving is not None and MARKS.isdisjoint(before[giving:])
-    return said[:1] == ["a"] and said[-1] in _DEEDS and len(said) > 1 and is_ended
+    return said[:1] == ["a"] and said[-1] in (_DEEDS if deeds is None else deeds) and len(said) > 1 and is_ended
 
 
 def _is_grip(document: Document, phrase: range) -> bool:
@@ -272,7 +272,7 @@ def predicates_of(observed: Observed, tasks: Sequence[Task]) -> list[Candidate]:
             continue
         is_state = token.lower in observed.gazetteer.states or token.pos == "ADJ"
         is_verb = token.pos == "VERB" and token.tag != "MD"
-        if not (is_state or is_verb) or token.lower in _LIKELY or token.i in lacking:
+        if not (is_state or is_verb) or token.lower in _LIKELY | _HASTE or token.i in lacking:
             continue
         number, kind = (owner.id, owner.type) if owner else (0, "")
         candidate = Candidate(token.text, range(i, i + 1), i, number, "state", kind, "verb" if is_verb else "adjective")
@@ -294,8 +294,13 @@ _GIVING = frozenset(("give", "given", "giving"))
 _DEEDS = frozenset(
     "wipe rinse clean polish stir shake wash scrub dust sweep mop hoover brush iron tidy bath bathe vacuum".split()
 )
+_TRIES = frozenset("check look go try sniff test feel tug once-over inspection".split())
+"""What is given to something, too, and names no thing: "give the monitor a quick *check*"."""
 _LIKELY = frozenset("likely unlikely supposed meant bound supposedly".split())
 """How sure it is that something is so, which is no state: "it's most *likely* in the shed"."""
+
+_HASTE = frozenset("quick quickly fast soon sharpish pronto".split())
+"""How something is to be done, which is no state: "I need the kit, *quick* as you can"."""
 
 
 def is_placed(document: Document, tokens: range) -> bool:
