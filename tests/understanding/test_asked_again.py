@@ -81,3 +81,21 @@ def test_a_condition_said_again_is_of_the_same_place(
     interpreter: Interpreter, text: str, places: list[str | None]
 ) -> None:
     assert told(interpreter, text, "location") == places
+
+
+@pytest.mark.parametrize("encoder", [False, True])
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        (
+            "Take the bottles out. If the grey bin's full, use the red one, and if that's full too, tell me.",
+            "the red bin",
+        ),
+        ("If the first key is bent, try the second one, and if that's bent as well, tell me.", "the second key"),
+        # of another state, too
+        ("If the towel is wet, wring the towel, and if it's dirty as well, wash it.", "the towel"),
+    ],
+)
+def test_what_is_so_as_well_is_something_else(text: str, value: str, encoder: bool) -> None:
+    checks = [t for t in Interpreter.load(encoder=encoder).interpret(text).tasks if t.type == "check_state"]
+    assert checks[-1].value("object") == value

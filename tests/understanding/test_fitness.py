@@ -97,3 +97,40 @@ def test_what_goes_elsewhere_is_not_the_place_that_is_full(text: str) -> None:
 
     assert found.tasks[2].value("object") == "the toys"
     assert found.flow.to_json() == [{"if": 2, "then": [3], "else": [1]}]
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "value"),
+    [
+        ("Scrub the toilet and open the window, but if it's occupied, tell me.", 3, "the toilet"),
+        ("Clean the bathroom and the mirror, but if it's occupied, wait.", 2, "the bathroom"),
+        # what is not asked to be free
+        ("Scrub the toilet and empty the bucket, but if it's cracked, tell me.", 3, "the bucket"),
+    ],
+)
+def test_a_place_is_occupied_and_no_thing(interpreter: Interpreter, text: str, number: int, value: str) -> None:
+    assert interpreter.interpret(text).task(number).value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If there's post on the tray, sort it. If the tray's bare, look in the porch.", None),
+        ("Is there tea in the tin? If the tin is empty, look in the cupboard.", None),
+        ("If the tin is missing, look in the cupboard.", "the tin"),
+    ],
+)
+def test_what_is_empty_is_not_looked_for(interpreter: Interpreter, text: str, value: str | None) -> None:
+    found = interpreter.interpret(text).tasks[-1].value("object")
+    assert found == value or (value is None and found in ("post", "tea"))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("If the milk is sour, pour half of it away.", "the milk"),
+        ("Shut the tap. If the water is cloudy, change a third of it.", "a third of the water"),
+    ],
+)
+def test_so_much_is_of_what_a_case_is_of(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("object") in (value, f"half of {value}")

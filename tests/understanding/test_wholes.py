@@ -33,3 +33,27 @@ def test_a_part_is_put_nowhere_by_itself(interpreter: Interpreter, text: str, va
 def test_if_none_comes_is_of_the_case_in_which_nothing_does(interpreter: Interpreter, text: str) -> None:
     flow = interpreter.interpret(text).flow
     assert [(len(node.then), len(node.orelse)) for node in flow.nodes] == [(0, 1)]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Inspect the doorbell. If it's dead, press its button, and stand the stool under it.", "the doorbell"),
+        ("Check the clock in the hall. Wind its spring and put the box beside it.", "the clock"),
+    ],
+)
+def test_what_stands_by_a_part_stands_by_the_whole(interpreter: Interpreter, text: str, value: str) -> None:
+    assert interpreter.interpret(text).tasks[-1].value("goal") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Get the kit. If the shirt has stains on it, wash the shirt.", "the shirt"),
+        ("If the coat has mud on it, brush it.", "the coat"),
+        ("Find the case. If the purse has money in it, give it to the porter.", "the purse"),
+    ],
+)
+def test_what_has_something_on_it_has_it_on_itself(interpreter: Interpreter, text: str, value: str) -> None:
+    check = next(task for task in interpreter.interpret(text).tasks if task.type == "check_state")
+    assert check.value("location") == value

@@ -9,15 +9,17 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.agreement import PLACES, PUTTING, gender, is_of_other_gender
 from decomplex_bt.understanding.references.bare_names import called_by_name
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
+from decomplex_bt.understanding.references.dismissals import reminded
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.places import place_meant
+from decomplex_bt.understanding.references.repetition import done_before
 from decomplex_bt.understanding.references.undoing import done_contrariwise, undone
 from decomplex_bt.understanding.references.unsaid_goals import goal_instead
 from decomplex_bt.understanding.references.unsaid_recipients import asked
-from decomplex_bt.understanding.references.wholes import whole_meant
+from decomplex_bt.understanding.references.wholes import own_subject, whole_meant
 
 _ANY = frozenset(("a", "an", "one"))
 _OUT_OF = frozenset((("out", "of"), ("empty", "of"), ("short", "of"), ("low", "on"), ("short", "on")))
@@ -39,6 +41,7 @@ def meant(context: Context, gap: Gap) -> range:
         or _vessel(context, gap)
         or _like_it(context, gap)
         or whole_meant(context, gap)
+        or own_subject(context, gap)
         or offered(context, gap)
         or filled_meant(context, gap)
         or _somebody(context, gap)
@@ -47,7 +50,10 @@ def meant(context: Context, gap: Gap) -> range:
         or done_contrariwise(context, gap)
         or goal_instead(context, gap)
         or asked(context, gap)
+        or _shared(context, gap)
+        or reminded(context, gap)
         or called_by_name(context, gap)
+        or done_before(context, gap)
     )
 
 
@@ -262,6 +268,16 @@ def _like_it(context: Context, gap: Gap) -> range:
     things = [c for c in context.arguments(order, "object") if not c.mention]
     things = [c for c in things if c.shape in ("whole", "short") and document.tokens[c.head].tag in ("NN", "NNP")]
     return things[0].tokens if len(things) == 1 else range(0)
+
+
+def _shared(context: Context, gap: Gap) -> range:
+    """What a case is of where so much of "it" is meant right behind: "if *the tea* is cold, pour half of *it* away"."""
+    path = context.paths.get(gap.task.id, ())
+    is_share = gap.form == "part" and gap.word == "it" and gap.type == "object" and gap.is_certain
+    if not is_share or not path or path[-1] != (gap.task.id - 1, "then"):
+        return range(0)
+    asked = [c for c in context.arguments(gap.task.id - 1, "object") if not c.mention and c.shape in ("whole", "long")]
+    return asked[0].tokens if len(asked) == 1 and kind_of(context, asked[0]) not in ANIMATE else range(0)
 
 
 def _lies_within(tokens: range, spans: Sequence[range]) -> bool:

@@ -17,6 +17,7 @@ _SOMEBODY = frozenset("he him she her".split())
 _PRO_VERBS = frozenset("has have had does do did will would can could".split())
 _PLACES = frozenset(("location", "source", "goal"))
 _ALREADY = frozenset(("already", "now"))
+_TOO = frozenset(("too", "also", "either"))
 _NEAR = 3
 """Within so many words around a "there" stands what tells that it is the end of an order [tokens]."""
 
@@ -72,6 +73,26 @@ def _is_of_place_before(context: Context, gap: Gap, first: int) -> bool:
     tokens, start = context.observed.document.tokens, max(0, gap.tokens.start - _NEAR)
     is_done = any(token.lower in _ALREADY for token in tokens[start : gap.tokens.stop + _NEAR])
     return not is_done and any(0 < c.owner <= first and c.type in _PLACES for c in context.pool)
+
+
+def is_other_again(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a check asks if something else is in the same state, too, and a candidate is what it was asked of before:
+    "if the blue bin is full, use the green one, and if *that*'s full as well, ..."."""
+    if gap.type != "object" or gap.word not in ELSEWHERE or gap.task.type != "check_state":
+        return False
+    states = _states(gap.task)
+    tokens, verb = context.observed.document.tokens, context.observed.document.indices(gap.task.span).start
+    end = next((t.i for t in tokens[verb:] if t.text in MARKS), len(tokens))
+    words = [token.lower for token in tokens[verb:end]]
+    if not states or not (_TOO & set(words) or words[-2:] == ["as", "well"]):
+        return False
+    before = (task for task in context.tasks if task.id < gap.task.id and task.type == "check_state")
+    asked = (c for task in before if _states(task) == states for c in context.arguments(task.id, "object"))
+    return any(tokens[c.head].i == candidate.head or c.text.lower() == candidate.text.lower() for c in asked)
+
+
+def _states(task: Task) -> set[str]:
+    return {argument.value.lower() for argument in task.arguments if argument.type == "state"}
 
 
 def _has_object(context: Context, number: int, *, is_living: bool = False) -> bool:

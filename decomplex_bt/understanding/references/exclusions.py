@@ -13,13 +13,22 @@ from decomplex_bt.understanding.references.agreement import (
     is_possessed,
     is_told_of_otherwise,
 )
-from decomplex_bt.understanding.references.asked_again import is_of_own_branch
+from decomplex_bt.understanding.references.asked_again import is_of_own_branch, is_other_again
 from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.references.context import ANIMATE, Context, kind_of
-from decomplex_bt.understanding.references.fitness import is_content, is_support, is_unfit, is_unwarmed
+from decomplex_bt.understanding.references.devices import is_device
+from decomplex_bt.understanding.references.dismissals import is_dismissed
+from decomplex_bt.understanding.references.fitness import (
+    is_content,
+    is_emptied,
+    is_support,
+    is_unfit,
+    is_unoccupied,
+    is_unwarmed,
+)
 from decomplex_bt.understanding.references.gapped import is_torn
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
-from decomplex_bt.understanding.references.offers import FILLING, is_measured
+from decomplex_bt.understanding.references.offers import FILLING, is_filled_for, is_measured
 from decomplex_bt.understanding.references.persons import is_lifeless, is_no_somebody
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
@@ -35,8 +44,15 @@ from decomplex_bt.understanding.references.roles import (
     is_within,
 )
 from decomplex_bt.understanding.references.switching import is_stated_place, is_unshut, is_unswitched
+from decomplex_bt.understanding.references.undoing import is_means_of_it
 from decomplex_bt.understanding.references.unsaid_goals import is_no_goal
-from decomplex_bt.understanding.references.wholes import is_not_on_it, is_on_whole, is_part, is_written
+from decomplex_bt.understanding.references.wholes import (
+    is_beside_part,
+    is_not_on_it,
+    is_on_whole,
+    is_part,
+    is_written,
+)
 from decomplex_bt.understanding.vocabulary import ONES, PLACE_ADVERBS
 
 SOMEBODY = frozenset(("he", "him", "she", "her"))
@@ -66,6 +82,11 @@ _MEANS = {"charge": _SOCKETS | {"cable", "dock"}, "plug": _SOCKETS}
 _NO_AGENTS = frozenset("shutter drawer locker".split())
 """What is called by what it does, and has it done to it all the same."""
 _ABSENT = frozenset(("missing", "gone", "lost"))
+_NOT_MEANT = (
+    is_absent, is_of_other_case, is_used_up, is_device, is_dismissed, is_beside_part, is_other_again, is_filled_for,
+    is_means_of_it,
+)  # fmt: skip
+"""What says of a pronoun and a phrase that it does not mean that."""
 
 
 def done_otherwise(context: Context, gap: Gap, verb: str) -> int:
@@ -90,6 +111,8 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_shut and kind_of(context, candidate) in ANIMATE:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
+        return True
+    if is_emptied(context, gap, candidate):
         return True
     if _is_used_instead(context, gap, candidate) or _is_itself(context, gap, candidate):
         return True
@@ -148,7 +171,10 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_given = gap.type == "recipient" and candidate.type == "object" and candidate.task_type in MOVING
     if (is_ahead or is_given) and kind_of(context, candidate) not in ANIMATE:
         return True
-    if any(is_not(context, gap, candidate) for is_not in (is_support, is_unfit, is_unwarmed, is_content, _is_feature)):
+    if any(
+        is_not(context, gap, candidate)
+        for is_not in (is_support, is_unfit, is_unoccupied, is_unwarmed, is_content, _is_feature)
+    ):
         return True
     if is_immovable(context, gap, candidate):
         return True
@@ -156,18 +182,17 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if is_part(context, gap, candidate) or _is_stuff(context, gap, candidate) or _is_wishing(context, gap, candidate):
         return True
-    if any(is_not(context, gap, candidate) for is_not in (is_absent, is_of_other_case, is_used_up)):
-        return True
-    return _is_beside(context, gap, candidate)
+    return any(is_not(context, gap, candidate) for is_not in _NOT_MEANT) or _is_beside(context, gap, candidate)
 
 
 def _is_used_instead(context: Context, gap: Gap, candidate: Candidate) -> bool:
     """Whether a candidate is the place that another one is used instead of, for what was to go there: "put the toys in
-    *the tub*, and if the tub is full use the box"."""
+    *the tub*, and if the tub is full use the box", "if *the top drawer* is full, use the bottom one"."""
     if (gap.type, gap.word, gap.task.type) != ("object", "", "placing") or context.lemmas[gap.task.id] != "use":
         return False
     document = context.observed.document
-    places = [c for c in context.pool if c.type == "goal" and c.owner and c.owner != gap.task.id]
+    goals = [c for c in context.pool if c.type == "goal" and c.owner]
+    places = [c for c in goals if c.owner != gap.task.id or c.mention in ONES]
     return any(document.tokens[candidate.head].lemma == document.tokens[place.head].lemma for place in places)
 
 

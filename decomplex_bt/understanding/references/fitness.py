@@ -49,6 +49,10 @@ _SURFACES = frozenset("table desk shelf rack bench counter worktop windowsill si
 """What is full where nothing more fits on it."""
 _FLAT = frozenset("plate saucer book towel blanket letter plant lamp cushion".split())
 """What is never full."""
+_TAKEN = frozenset(("occupied", "engaged", "vacant"))
+_SEATS = frozenset("seat chair bench stool sofa armchair bed cubicle toilet loo lavatory shower cell space".split())
+"""What somebody is in or on, beside rooms."""
+_EMPTY = frozenset(("empty", "bare", "emptied"))
 _READY_TO_COOK = frozenset(("preheated", "heated"))
 VESSELS = frozenset(
     "bottle can tin cup mug glass jug jar carton pot pan kettle teapot thermos flask tank bucket pail vase bowl "
@@ -119,6 +123,35 @@ def is_support(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if "done" in words:
         return tokens[candidate.head].lemma in _COOKERS
     return not words.isdisjoint(_TEMPERATURES) and not _gets_warm(context, candidate)
+
+
+def is_unoccupied(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "it" is nothing that somebody can be in or on, since a place that is "occupied" was named: "clean *the
+    loo* and open the window, but if *it*'s occupied, ..."."""
+    words = {word for a in gap.task.arguments if a.type == "state" for word in a.value.lower().split()}
+    is_asked = gap.word == "it" and gap.type == "object" and gap.task.type == "check_state"
+    if not is_asked or words.isdisjoint(_TAKEN) or _is_seat(context, candidate):
+        return False
+    return any(_is_seat(context, c) for c in context.pool if c.tokens.stop <= gap.position)
+
+
+def is_emptied(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what was said to be empty, which is no reason to look for that: "if *the tin* is empty,
+    look in the cupboard"."""
+    if gap.task.type != "searching" or gap.type != "object" or gap.word:
+        return False
+    for check, side in context.paths.get(gap.task.id, ()):
+        task = context.by_number[check]
+        states = {word for a in task.arguments if a.type == "state" for word in a.value.lower().split()}
+        if side == "then" and not states.isdisjoint(_EMPTY):
+            heads = {context.observed.document.tokens[c.head].lemma for c in context.arguments(check, "object")}
+            return context.observed.document.tokens[candidate.head].lemma in heads
+    return False
+
+
+def _is_seat(context: Context, candidate: Candidate) -> bool:
+    noun = context.observed.document.tokens[candidate.head].lemma
+    return noun in _SEATS or context.observed.gazetteer.category(noun) == "room"
 
 
 def _is_filled_by(context: Context, gap: Gap, place: Candidate, states: set[str]) -> bool:

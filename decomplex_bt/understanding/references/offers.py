@@ -38,6 +38,12 @@ def offered(context: Context, gap: Gap) -> range:
     return max((c.tokens for c in found if _is_meant(context, gap, c)), key=len, default=range(0))
 
 
+def is_filled_for(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is what was filled for what "it" is given: "fill *the can* and give *it* a drink"."""
+    is_given = gap.type == "recipient" and gap.word in ("it", "them")
+    return is_given and candidate.type == "object" and context.lemmas.get(candidate.owner) in FILLING
+
+
 def _subject_end(document: Document, stop: int) -> int:
     """Where the subject of a clause that ends before a token is over, if that says that something will do; else 0."""
     tokens = document.tokens

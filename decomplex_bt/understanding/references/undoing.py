@@ -11,6 +11,10 @@ from decomplex_bt.understanding.references.phrases import Candidate
 
 _SET = frozenset("on off open close shut lock unlock bolt unbolt cover uncover plug unplug".split())
 """What is done and undone again, by its verb or the state that it brings about."""
+_LOCKS = frozenset("open unlock lock unbolt bolt".split())
+_SHUT = frozenset("locked bolted shut closed stuck jammed".split())
+_KEYS = frozenset("key keycard code combination password pin fob crowbar screwdriver spanner oil can".split())
+"""What something is opened with, or made to open."""
 _TO_WHOLES = "water"
 """What is done to something for the state of its part: "the fern looks sad; if *the soil* is dry, water it"."""
 
@@ -34,6 +38,26 @@ def undone(context: Context, gap: Gap) -> range:
     named = [c for c in named if c.shape in ("whole", "long") and document.tokens[c.head].tag in tag]
     is_thing = len(named) == 1 and kind_of(context, named[0]) not in ANIMATE
     return named[0].tokens if is_thing else range(0)
+
+
+def is_means_of_it(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is only got for what a case is of, where that is unlocked, or locked again: "if *the safe* is
+    locked, get the code from Ann and open *it*"."""
+    verb = context.lemmas[gap.task.id].split()[0]
+    if gap.type != "object" or gap.word != "it" or gap.task.type != "change_state" or verb not in _LOCKS:
+        return False
+    if candidate.type != "object" or context.types.get(candidate.owner) not in ("taking", "bringing"):
+        return False
+    if context.observed.document.tokens[candidate.head].lemma not in _KEYS:
+        return False
+    return any(
+        side == "then" and check < candidate.owner < gap.task.id and _is_locked(context.by_number[check])
+        for check, side in context.paths.get(gap.task.id, ())
+    )
+
+
+def _is_locked(check: Task) -> bool:
+    return any(a.type == "state" and a.value.lower().split()[-1] in _SHUT for a in check.arguments)
 
 
 def done_contrariwise(context: Context, gap: Gap) -> range:

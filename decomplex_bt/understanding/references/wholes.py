@@ -36,6 +36,10 @@ _TO_FLAWS = frozenset("remove fix repair mend seal plug patch report fill darn t
 _CLEANING = frozenset("wipe rinse clean wash mop sweep polish empty scrub dust".split())
 _WIPING = frozenset("wipe mop sweep scrub".split())
 _AWAY = frozenset(("up", "off", "out", "away"))
+_ON = frozenset(("on", "in", "inside"))
+_HAVING = frozenset(("have", "get", "contain"))
+_BESIDE = frozenset("under underneath beneath below above beside by near to behind".split())
+"""What leads to where something stands by a thing, "next to" and "close to" among it."""
 _HANDLING = _CARRYING | {"taking", "change_state"}
 
 
@@ -100,6 +104,31 @@ def is_written(context: Context, gap: Gap, candidate: Candidate) -> bool:
     is_whole = candidate.head == candidate.tokens.stop - 1 or bool(candidate.mention)
     is_word = is_whole and document.tokens[candidate.head].lemma in _WORDS
     return is_word and (is_moved or is_asked) and any(a.type == "location" for a in check.arguments)
+
+
+def own_subject(context: Context, gap: Gap) -> range:
+    """What has something on or in it where that is asked: "if *the shirt* has stains on *it*"; empty elsewhere."""
+    is_on = gap.type == "location" and gap.word in ("it", "them") and gap.preposition in _ON
+    if not is_on or gap.task.type != "check_state":
+        return range(0)
+    tokens = context.observed.document.tokens
+    own = [c for c in context.arguments(gap.task.id, "object") if c.mention or c.shape in ("whole", "long")]
+    own = [c for c in own if tokens[c.tokens.stop : c.tokens.stop + 1] and c.tokens.stop < gap.position]
+    for subject in own:
+        having = next((i for i in range(subject.tokens.stop, gap.position) if tokens[i].lemma in _HAVING), None)
+        is_near = having is not None and having <= subject.tokens.stop + 2
+        if is_near and any(t.pos in ("NOUN", "PROPN") for t in tokens[subject.tokens.stop : gap.position]):
+            return subject.tokens
+    return range(0)
+
+
+def is_beside_part(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether something would be put under or beside what is only a part, with an "its", of the thing that was spoken
+    of: "press its button and stand the stool under *it*"."""
+    tokens = context.observed.document.tokens
+    is_beside = gap.type in ("goal", "location") and gap.word == "it" and gap.preposition in _BESIDE
+    is_own = not candidate.mention and tokens[candidate.tokens.start].lower == "its"
+    return is_beside and is_own and gap.task.type in ("placing", "bringing", "motion")
 
 
 def whole_meant(context: Context, gap: Gap) -> range:

@@ -10,7 +10,7 @@ from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.spans.goals import CLAUSE_ENDS
-from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import ANIMALS, PERSON_NOUNS, TIME_UNITS
 
 _HANDING = frozenset("give feed hand serve offer pass".split())
 _CARRYING = _HANDING | {"bring", "get", "fetch", "take"}
@@ -144,6 +144,20 @@ def divided(document: Document, arguments: Sequence[FoundArgument], bringing: in
     others = [a for a in arguments if a is not both]
     recipient = replace(both, type="recipient", tokens=range(both.tokens.start, nouns[-1].i))
     return [*others, recipient, replace(both, tokens=range(nouns[-1].i, both.tokens.stop))]
+
+
+def with_gift(document: Document, arguments: Sequence[FoundArgument], giving: int) -> list[FoundArgument]:
+    """The arguments with what stands right behind who gets it as the object, where the order has none: "give it *a
+    drink*", "hand Ann *the keys*"; not how long something goes on ("give it five minutes")."""
+    own = {a.type: a for a in arguments if a.owner == giving}
+    whom = own.get("recipient")
+    if "object" in own or whom is None or whom.tokens.start != giving + 1:
+        return list(arguments)
+    gift = next((chunk for chunk in noun_chunks(document) if chunk.start == whom.tokens.stop), range(0))
+    is_free = bool(gift) and not any(set(gift) & set(a.tokens) for a in arguments)
+    is_thing = is_free and document.tokens[gift[-1]].lemma not in _REGARDS | TIME_UNITS
+    is_giving = document.tokens[giving].lemma in _HANDING
+    return [*arguments, FoundArgument("object", giving, gift, CERTAIN)] if is_thing and is_giving else [*arguments]
 
 
 def accompanied(

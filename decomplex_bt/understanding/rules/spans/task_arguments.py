@@ -32,7 +32,7 @@ from decomplex_bt.understanding.rules.orders.calls import with_called
 from decomplex_bt.understanding.rules.orders.causatives import with_biddings, with_done
 from decomplex_bt.understanding.rules.orders.deeds import without_deed, without_particle
 from decomplex_bt.understanding.rules.orders.doors import admitted
-from decomplex_bt.understanding.rules.orders.handing import called, divided, fed, given, paid, served
+from decomplex_bt.understanding.rules.orders.handing import called, divided, fed, given, paid, served, with_gift
 from decomplex_bt.understanding.rules.orders.idioms import (
     encountered,
     for_somebody,
@@ -106,7 +106,7 @@ def _of_placing(setting: Setting, kept: list[FoundArgument], task: int) -> list[
 
 def _of_bringing(setting: Setting, kept: list[FoundArgument], task: int) -> list[FoundArgument]:
     document = setting.document
-    kept = given(divided(document, kept, task), task, for_somebody(document, task))
+    kept = given(with_gift(document, divided(document, kept, task), task), task, for_somebody(document, task))
     kept = paid(document, served(document, called(document, kept, task), task), task)
     return with_told(kept, task, {"object": said} if (said := troubled(document, task)) else {})
 
