@@ -256,7 +256,8 @@ class Interpreter:
         elif of.type == "check_state":
             own = naming(document, of.token, own)
         chances = [self._calibration.of("argument", chance[argument.tokens.start]) for argument in own]
-        return without_rivals([_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)])
+        found = [_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)]
+        return without_rivals(found, document.tokens[of.token].start if of.type == "check_state" else 0)
 
 
 def check_text(text: str) -> None:
@@ -277,10 +278,15 @@ def _argument(document: Document, argument: FoundArgument, confidence: float, ta
     return Argument(argument.type, span.of(document.text), span, confidence)
 
 
-def without_rivals(arguments: Sequence[Argument]) -> tuple[Argument, ...]:
+def without_rivals(arguments: Sequence[Argument], check: int = 0) -> tuple[Argument, ...]:
     """The arguments of a task, of which it keeps two of one type only where both are likely: "the cup, and the plate,
     too" happens, but where one of the two is doubtful it is a misreading. Two each of two types ("the pan in the oven
-    and the lid on the stove") are no rivals."""
+    and the lid on the stove") are no rivals, nor are who has something and what that is, on both sides of a verb at the
+    character `check` ("if *it* has *my name* on it")."""
+    sides = {a.span.start < check for a in arguments if a.type == "object" and a.span is not None}
+    if check and len(sides) > 1:
+        others = without_rivals([argument for argument in arguments if argument.type != "object"])
+        return (*(argument for argument in arguments if argument.type == "object"), *others)
     counts = Counter(argument.type for argument in arguments)
     if sum(count > 1 for count in counts.values()) > 1:
         return tuple(arguments)

@@ -80,3 +80,15 @@ def test_what_is_on_or_off_stays_so_ahead_of_a_time_or_a_place(
 def test_haste_is_no_state(interpreter: Interpreter) -> None:
     text = "I need the plasters from the car, quick as you can, Ravi has cut his thumb! If there aren't any, tell me."
     assert [task.value("state") for task in interpreter.interpret(text).tasks if task.type == "check_state"] == [None]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Does Ravi have a fever? If he's hot, bring him the syrup, and if he isn't, give him his coat.", "hot"),
+        ("Is Ravi tired? If he's hot, bring him the syrup, and if he isn't, give him his coat.", "hot"),
+    ],
+)
+def test_nobody_is_what_they_have(interpreter: Interpreter, text: str, value: str) -> None:
+    checks = [task for task in interpreter.interpret(text).tasks if task.type == "check_state"]
+    assert checks[-1].value("state") == value

@@ -57,3 +57,8 @@ def test_what_stands_by_a_part_stands_by_the_whole(interpreter: Interpreter, tex
 def test_what_has_something_on_it_has_it_on_itself(interpreter: Interpreter, text: str, value: str) -> None:
     check = next(task for task in interpreter.interpret(text).tasks if task.type == "check_state")
     assert check.value("location") == value
+
+
+def test_who_has_something_and_what_that_is_are_both_told(interpreter: Interpreter) -> None:
+    text = "Take the parcel off the mat. Has it got my name on it? Bring it to me. Ann's name? Leave it at her door."
+    assert interpreter.interpret(text).task(2).values("object") == ("the parcel", "my name")

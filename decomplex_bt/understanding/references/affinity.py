@@ -15,8 +15,10 @@ from decomplex_bt.understanding.references.certainty import is_pointing_back, re
 from decomplex_bt.understanding.references.context import GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.gapped import gapped_pair
 from decomplex_bt.understanding.references.gaps import (
+    DENYING,
     PREDICATE,
     Gap,
+    is_bare_being,
     is_told_one,
     numbered_of,
     says_there_is,
@@ -346,6 +348,9 @@ def _predicates(context: Context, gap: Gap) -> list[Option]:
     """The options of a gap that a state or a place fills. What asks how full something is asks for what the first
     mention of it says; what says that there is a thing says no state of it, and nobody is as another thing is."""
     options = [o for o in _predicate_options(context, gap) if not _is_of_later_mention(context, gap, o)]
+    if is_bare_being(context.observed.document, gap.position):
+        options = [option for option in options if not _is_had(context, option)]
+        options = _of_case_before(context, gap, options) or options
     if degree_asked(context.observed.document, gap.position):
         owners = [c.candidate.owner for c in options if c.candidate and c.type == "state"]
         mentions = [owner for owner in owners if context.relation(owner, gap.task.id) == "mention"]
@@ -359,6 +364,33 @@ def _predicates(context: Context, gap: Gap) -> list[Option]:
     if nobody(context.observed.document, gap.position):
         return [option for option in options if not _is_of_other_check(context, gap, option)]
     return options
+
+
+def _is_had(context: Context, option: Option) -> bool:
+    """Whether an option is what somebody has, which nobody is: "has she *a cold*? If she's hot, ...; if she isn't"."""
+    candidate = option.candidate
+    if candidate is None or option.type != "state" or candidate.task_type != "check_state":
+        return False
+    is_thing = context.observed.document.tokens[candidate.head].pos == "NOUN"
+    return is_thing and context.lemmas.get(candidate.owner, "").split()[:1] == ["have"]
+
+
+def _of_case_before(context: Context, gap: Gap, options: Sequence[Option]) -> list[Option]:
+    """The options of the case that a sentence tells ahead of its "if he isn't", of the same thing: "is he tired? If
+    he's *hot*, bring him the syrup, and if he isn't, ..."; empty where there is none."""
+    document = context.observed.document
+    case = next((t for t in reversed(context.tasks) if t.id < gap.task.id and t.type == "check_state"), None)
+    verb = document.indices(case.span).start if case is not None else 0
+    if case is None or document.sentences[verb] != document.sentences[gap.position]:
+        return []
+    one, other = ({c.text.lower() for c in context.arguments(n, "object")} for n in (gap.task.id, case.id))
+    said = [(o, o.candidate) for o in options if o.candidate is not None]
+    own = [o for o, candidate in said if candidate.owner == case.id and candidate.shape in ("whole", "bare")]
+    return own if one & other and _is_denied(document, gap.position) != _is_denied(document, verb) else []
+
+
+def _is_denied(document: Document, verb: int) -> bool:
+    return any(token.lower in DENYING for token in document.tokens[verb + 1 : verb + 3])
 
 
 def _is_of_later_mention(context: Context, gap: Gap, option: Option) -> bool:
