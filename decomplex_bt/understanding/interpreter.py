@@ -257,7 +257,9 @@ class Interpreter:
             own = naming(document, of.token, own)
         chances = [self._calibration.of("argument", chance[argument.tokens.start]) for argument in own]
         found = [_argument(document, a, chance, taken) for a, chance in zip(own, chances, strict=True)]
-        return without_rivals(found, document.tokens[of.token].start if of.type == "check_state" else 0)
+        is_having = of.type == "check_state" and document.tokens[of.token].lemma in ("have", "get")
+        is_somewhere = any(a.type == "location" for a in found)  # what has it is not where it is
+        return without_rivals(found, document.tokens[of.token].start if is_having and is_somewhere else 0)
 
 
 def check_text(text: str) -> None:
