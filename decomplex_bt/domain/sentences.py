@@ -13,6 +13,7 @@ _LEADS = {"goal": "to", "source": "from", "location": "in", "recipient": "to"}
 """What is put before an argument that has no preposition of its own (referents have none)."""
 _CONDITIONS = (("check that ", "if "), ("look for ", "if I can find "))
 """How a task's sentence starts, and how it starts as a condition; any other: "if I can ..."."""
+_CHECKING = ["check", "that"]
 _RESTING = {"to": "in", "into": "in", "onto": "on"}
 """Prepositions of a place that somebody has gone to, as one says where they are."""
 _ADVERBS = {"here", "there", "home", "back", "away", "outside", "inside", "upstairs", "downstairs", "everywhere"}
@@ -38,6 +39,8 @@ def say_task(task: Task, ontology: Ontology, *, state: str | None = None, prepos
             words.append(be(words[-1]) if word == "is" else word)
             continue
         found = values.pop(match[1], [])
+        if match[1] == "object" and not found and words == _CHECKING:
+            found = ["anybody"]  # "if nobody is in the kitchen" names none
         if words[-1:] == ["for"] and (not found or _first(found[0]) in _known(prepositions)):
             words.pop()  # "look [for {object}] in the drawer", "look [for] for my keys"
         if match[1] == "recipient" and len(words) == 1:

@@ -48,3 +48,25 @@ def test_a_place_that_is_occupied_has_somebody_in_it(interpreter: Interpreter, t
     found = interpreter.interpret(text)
     (case,) = found.flow.to_json()
     assert case[side] == [len(found.tasks)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Try ringing Joe. No answer? Pin a note on the fridge. If he does pick up, tell him to buy oil.",
+        "Ring Joe; if there's no answer, pin a note on the fridge, and if he answers, tell him to buy oil.",
+    ],
+)
+def test_who_picks_up_was_called(interpreter: Interpreter, text: str) -> None:
+    (case,) = flow(interpreter, text)
+    assert [len(case["then"]), len(case["else"])] == [1, 1]
+
+
+def test_who_does_not_come_was_called_in_the_case(interpreter: Interpreter) -> None:
+    text = "If the pup is out, call him, and if he doesn't come, tell me; if he's in, brush him."
+    assert flow(interpreter, text) == [{"if": [1, 5], "then": [2, {"if": 3, "else": [4]}], "else": [6]}]
+
+
+def test_what_somebody_says_is_asked_where_they_are(interpreter: Interpreter) -> None:
+    text = "See if Gran is up. If she is, ask her if she wants her egg now or later, and if she says now, boil it."
+    assert flow(interpreter, text) == [{"if": [1, 2], "then": [3, {"if": 4, "then": [5]}]}]

@@ -245,9 +245,10 @@ class Clause:
     @property
     def says_reply(self) -> bool:
         """Whether it says how somebody takes, or whether they know, what they are asked: "if he refuses", "if she won't
-        do it", "if they don't remember"."""
+        do it", "if they don't remember", "if he doesn't come"."""
+        is_kept_away = self.verb == "come" and self.wording.is_negated and not (self.said_state or self.places)
         is_said = self.verb in _SAYING and not self.wording.is_negated
-        is_reply = self.verb in _REPLYING or is_said or self.is_unwilling or self.says_answer
+        is_reply = self.verb in _REPLYING or is_said or self.is_unwilling or self.says_answer or is_kept_away
         return self.is_check and self.is_of_somebody and not self.is_trailing and is_reply
 
     @property

@@ -37,6 +37,7 @@ _RULES = (
     replies.miss_thing,
     replies.fit_in,
     replies.answer,
+    replies.pick_up,
     orders.repeat,
     orders.call_off,
     orders.choose,

@@ -31,6 +31,7 @@ from decomplex_bt.understanding.control_flow.outcomes import (
 )
 
 _PARTING = frozenset((".", "!", ";"))
+_ANSWERING = frozenset("answer pick reply respond".split())
 _TAKING = frozenset(("refuse", "decline", "accept"))
 """What somebody does with what they are brought."""
 _GOING_ON = frozenset(("keep", "continue"))
@@ -363,6 +364,18 @@ def answer(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
     is_behind = k > 1 and roles[k - 2 : k + 1] == ["task", "task", "mention"]
     if is_behind and is_answer_behind(clauses[k], clauses[k - 1], clauses[k - 2]):
         roles[k] = "condition"
+
+
+def pick_up(clauses: Sequence[Clause], roles: list[str], k: int) -> None:
+    """That somebody answers tells how the call went that was to be made and has its other case told before ("ring Dad.
+    No answer? Leave a note. *If he does pick up*, ...")."""
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+        return
+    call, clause = clauses[first], clauses[k]
+    is_answered = clause.is_check and clause.verb in _ANSWERING and clause.is_of_somebody and not clause.said_state
+    if call.task.type == "informing" and not call.is_forbidden and is_answered and not clause.is_trailing:
+        roles[k] = "mention"
 
 
 def replied_to(clauses: Sequence[Clause], roles: Sequence[str], k: int) -> int | None:
