@@ -10,13 +10,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 from threading import Lock
-from typing import Any
+from typing import Any, TypeVar
 
 from decomplex_bt.domain.dialects import is_clipped, joined
 from decomplex_bt.errors import DecomplexError
 from decomplex_bt.instruction import Span
 from decomplex_bt.understanding.attributes import KnownMatches
 
+Result = TypeVar("Result")
 ENDS = frozenset((".", "?", "!", ";"))
 """Marks that end a sentence."""
 MARKS = ENDS | {",", ":", "-", "–", "—"}
@@ -96,6 +97,17 @@ class Document:
             numbers.append(current)
             previous = token
         return tuple(numbers)
+
+    def once(self, find: Callable[[Document], Result]) -> Result:
+        """What `find` makes of the document, asked of it once: for what many rules look up."""
+        if find not in self._found:
+            self._found[find] = find(self)
+        found: Result = self._found[find]
+        return found
+
+    @cached_property
+    def _found(self) -> dict[Callable[[Document], Any], Any]:
+        return {}
 
     def ancestors(self, i: int) -> Iterator[int]:
         """The heads above a token, nearest first; safe where the parse has a cycle."""

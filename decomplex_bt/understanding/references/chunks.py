@@ -9,9 +9,17 @@ from decomplex_bt.understanding.references.compounds import ends_compound
 from decomplex_bt.understanding.vocabulary import PREPOSITIONS, PRONOUNS, WHOLE
 
 
-def noun_chunks(document: Document) -> Iterator[range]:
+def noun_chunks(document: Document) -> Sequence[range]:
     """Base noun phrases by tags: determiners, possessives and modifiers up to the last noun of a run; without times
     ("pete" of "pete yesterday")."""
+    return document.once(_noun_chunks)
+
+
+def _noun_chunks(document: Document) -> tuple[range, ...]:
+    return tuple(_chunked(document))
+
+
+def _chunked(document: Document) -> Iterator[range]:
     start: int | None = None
     for i in range(len(document) + 1):
         if i < len(document) and document.tokens[i].lower not in _TIMES and _is_nominal(document, i, start is not None):
