@@ -21,6 +21,7 @@ _HEAVENS = frozenset("heaven god goodness pete christ crying".split())
 _THINGS = frozenset("it they he she".split())
 _BEING = frozenset("is are 's \u2019s 're \u2019re be should must will 'll \u2019ll ought to probably usually".split())
 _GOING_BY = frozenset("if in otherwise then else".split())
+_ANYHOW = frozenset(("however", "whichever"))
 _DETERMINERS = frozenset("the my our your his her their that this".split())
 
 
@@ -35,6 +36,8 @@ def digressions(said: Said) -> Iterator[range]:
         yield from _indifferent(said)
     if not {cause[0] for cause in _CAUSES}.isdisjoint(words):
         yield from _caused(said)
+    if not _ANYHOW.isdisjoint(words):
+        yield from _anyhow(said)
     if "sake" in words:
         yield from _sworn(said)
     if "unless" in words:
@@ -89,6 +92,20 @@ def _indifferent(said: Said) -> Iterator[range]:
         goes_on = stop < len(words) and words[stop] == ","
         if is_led and is_behind and goes_on and words[i + 2] in _SUBJECTS and tokens[stop - 1].pos != "AUX":
             yield range(i - 1, stop)
+
+
+def _anyhow(said: Said) -> Iterator[range]:
+    """ "However hot it is", "whichever way you find it", with the marks that set it off."""
+    words, tokens = said.words, said.document.tokens
+    for i in range(len(words) - 2):
+        is_degree = words[i] == "however" and tokens[i + 1].pos in ("ADJ", "ADV") and words[i + 1] not in MARKS
+        if not (is_degree or words[i : i + 2] == ["whichever", "way"]):
+            continue
+        stop = _end(said, i)
+        is_led = i == 0 or words[i - 1] in MARKS | ENDS | {"and", "but", "then"}
+        if is_led and any(token.tag in FINITE or token.lower in _BEING for token in tokens[i:stop]):
+            is_first = i == 0 or words[i - 1] not in MARKS
+            yield range(i - (not is_first), stop + (is_first and stop < len(words) and words[stop] in MARKS))
 
 
 def _caused(said: Said) -> Iterator[range]:
