@@ -3,7 +3,7 @@ beside them is done either way."""
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.document import MARKS, Document
+from decomplex_bt.understanding.document import FINITE, MARKS, Document
 
 _NO_MATTER = tuple(
     tuple(phrase.split())
@@ -17,6 +17,9 @@ _NO_MATTER = tuple(
 _OPENERS = frozenset(phrase[0] for phrase in _NO_MATTER) | {"whether"}
 _TELLING = frozenset("whether matter regardless irrespective independently independent".split())
 """Words of which every concession has one."""
+_BEING = frozenset("'s \u2019s 're \u2019re s".split())
+_LEADING_ON = frozenset("TO MD VBP VBZ VBD PRP".split())
+"""Tags of what a bare verb may hang on: "to find", "can find", "do find"."""
 _JOINTS = frozenset(("and", "but", "so"))
 _NOT = frozenset(("not", "no", "n't", "n\u2019t", "nt"))
 _CONTRACTED = _NOT - {"not", "no"}
@@ -55,15 +58,27 @@ def concessions(document: Document) -> tuple[range, ...]:
 
 
 def _end(document: Document, inside: int) -> int:
-    """Where a clause ends: at a mark, or at an "and" or the like."""
+    """Where a clause ends: at a mark, or at an "and" or the like, or at an order behind its verb that no mark sets off
+    ("whether or not it's hot *put* the bread in")."""
     tokens, sentences = document.tokens, document.sentences
-    behind = range(inside, len(tokens))
-    ends = (
-        i
-        for i in behind
-        if tokens[i].text in MARKS or tokens[i].lower in _JOINTS or sentences[i] != sentences[inside - 1]
-    )
-    return next(ends, len(tokens))
+    is_said = False
+    for i in range(inside, len(tokens)):
+        if tokens[i].text in MARKS or tokens[i].lower in _JOINTS or sentences[i] != sentences[inside - 1]:
+            return i
+        is_led = tokens[i - 1].tag in _LEADING_ON or tokens[i - 1].lower in _NOT
+        if is_said and not is_led and _is_order(document, i):
+            return i
+        is_said = is_said or tokens[i].tag in FINITE or tokens[i].lower in _BEING
+    return len(tokens)
+
+
+def _is_order(document: Document, i: int) -> bool:
+    """Whether a bare verb begins there that has an object, and no subject ahead of it that it agrees with."""
+    token, following = document.tokens[i], document.tokens[i + 1 : i + 2]
+    has_object = any(t.tag in ("DT", "PRP", "PRP$") for t in following)
+    is_bare = token.tag in ("VB", "VBP", "VBD") and token.lower == token.lemma
+    subjects = [document.tokens[j].tag for j in document.children[i] if j < i and document.tokens[j].dep == "nsubj"]
+    return is_bare and has_object and {"NN", "NNP"}.issuperset(subjects)
 
 
 def _other_case(document: Document, clause: range) -> int | None:

@@ -102,10 +102,11 @@ def _anyhow(said: Said) -> Iterator[range]:
         if not (is_degree or words[i : i + 2] == ["whichever", "way"]):
             continue
         stop = _end(said, i)
-        is_led = i == 0 or words[i - 1] in MARKS | ENDS | {"and", "but", "then"}
+        is_led = not is_degree or i == 0 or words[i - 1] in MARKS | ENDS | {"and", "but", "then"}
         if is_led and any(token.tag in FINITE or token.lower in _BEING for token in tokens[i:stop]):
-            is_first = i == 0 or words[i - 1] not in MARKS
-            yield range(i - (not is_first), stop + (is_first and stop < len(words) and words[stop] in MARKS))
+            is_first = i == 0 or words[i - 1] in ENDS
+            is_parted = is_first and stop < len(words) and words[stop] in MARKS
+            yield range(i - (i > 0 and words[i - 1] in MARKS), stop + is_parted)
 
 
 def _caused(said: Said) -> Iterator[range]:
