@@ -25,7 +25,7 @@ def parser() -> Parser:
         ("No matter if she is, sweep the shed.", "No matter if she is"),
         ("Sweep the shed regardless of whether Lea comes.", "regardless of whether Lea comes"),
         ("Whether you find the key or not sweep the shed.", "Whether you find the key or not"),
-        ("whether or not you can find the key sweep the shed", "whether or not you can find the key"),
+        ("whether or not you can find the key bring me the saw", "whether or not you can find the key"),
         ("whether or not the stove's hot put the pie in", "whether or not the stove 's hot"),
         ("whether joe is in or out leave the mail there", "whether joe is in or out"),
     ],

@@ -102,7 +102,8 @@ def _anyhow(said: Said) -> Iterator[range]:
         if not (is_degree or words[i : i + 2] == ["whichever", "way"]):
             continue
         stop = _end(said, i)
-        is_led = not is_degree or i == 0 or words[i - 1] in MARKS | ENDS | {"and", "but", "then"}
+        is_last = i > 0 and (stop == len(words) or words[stop] in ENDS)  # "whichever way it goes, ..." is a cue
+        is_led = is_last if not is_degree else i == 0 or words[i - 1] in MARKS | ENDS | {"and", "but", "then"}
         if is_led and any(token.tag in FINITE or token.lower in _BEING for token in tokens[i:stop]):
             is_first = i == 0 or words[i - 1] in ENDS
             is_parted = is_first and stop < len(words) and words[stop] in MARKS
