@@ -23,6 +23,7 @@ from decomplex_bt.understanding.rules.speech.edits import (
 )
 
 _PLACEHOLDERS = frozenset("whatsit wotsit thingy thingummy thingamajig whatchamacallit".split())
+_ADDING = frozenset("too also well another more as".split())
 _DETERMINERS = UNFINISHED | frozenset("his her its this that these those some any".split())
 _COORDINATING = frozenset(("and", "or", "then", "but"))
 _WISHERS = frozenset(("i", "we"))
@@ -61,8 +62,22 @@ def _stub(said: Said, run: range) -> range:
 def puts_right(said: Said, run: range) -> bool:
     """Whether an order behind a run stands in place of the one before: that is taken back, or breaks off and the
     speaker thinks again."""
-    is_instead = said.has(run, TURNING) and "instead" in _clause_behind(said, run.stop)
-    return said.is_strong(run) or is_instead or (bool(_stub(said, run)) and said.has(run, ("well", "just", "actually")))
+    is_other = said.has(run, TURNING) or (said.has(run, ("actually",)) and run.start > 0)
+    is_instead = is_other and "instead" in _clause_behind(said, run.stop)
+    is_broken_off = bool(_stub(said, run)) and said.has(run, ("well", "just", "actually"))
+    return said.is_strong(run) or is_instead or is_broken_off or (is_other and _says_verb_again(said, run))
+
+
+def _says_verb_again(said: Said, run: range) -> bool:
+    """Whether an "actually" begins a sentence that gives the last order of the one before with other words: "put it
+    in the hall. *Actually, put it in the shed*", not "actually, open the shed, too"."""
+    words, tokens = said.words, said.document.tokens
+    if run.start == 0 or words[run.start - 1] not in ENDS or words[run.start] != "actually":
+        return False
+    order, right = order_before(said, run), _order_behind(said, run)
+    is_same = bool(order) and tokens[order.start].lemma == tokens[right].lemma
+    end = next((i for i in range(right, len(words)) if not said.are_together(i, right)), len(words))
+    return is_same and _ADDING.isdisjoint(words[right:end])
 
 
 def _clause_behind(said: Said, start: int) -> Sequence[str]:
@@ -285,7 +300,7 @@ def _order_behind(said: Said, run: range) -> int:
     words, right = said.words, run.stop
     if right < len(words) and words[right] in ASKING_FOR and words[right + 1 : right + 2] == ["you"]:
         right += 2
-    while right < len(words) and words[right] in ("just", "please", "then"):
+    while right < len(words) and words[right] in ("just", "only", "please", "then"):
         right += 1
     return right
 
