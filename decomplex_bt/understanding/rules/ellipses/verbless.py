@@ -1,5 +1,5 @@
 """Verbless cases: checks that say only a noun ("if *no bread*, ...", "unless *Sunday*, ...", "in case
-of *frost*, ...", "*any bread*?") or how something is ("when *dark*, ...")."""
+of *frost*, ...", "*any bread*?") or how something is ("when *dark*, ...", "*too dark*?")."""
 
 from __future__ import annotations
 
@@ -82,24 +82,31 @@ def _bare_states(observed: Observed) -> Iterator[Fragment]:
 def _asked_states(observed: Observed) -> Iterator[Fragment]:
     """The states that are all that a sentence asks, behind another one: "*too cold*? Add hot water", "*too cold for a
     child*?", "*crying*?", "*amber*?"; other single words are left to the models."""
-    tokens, sentences = observed.document.tokens, observed.document.sentences
+    document, tokens, sentences = observed.document, observed.document.tokens, observed.document.sentences
     for first in (i for i in range(1, len(tokens)) if sentences[i] != sentences[i - 1]):
         stop = next((j for j in range(first, len(tokens)) if tokens[j].text in MARKS), len(tokens))
-        at = first
-        while at < stop and tokens[at].lower in _DEGREES:
-            at += 1
-        is_asked = stop + 1 < len(tokens) and tokens[stop].text == "?" and first < stop <= first + _LONGEST
-        if is_asked and _is_comparison(observed.document, range(first, stop)):
-            yield Fragment(range(first, stop), first, range(0), range(0), state=range(first, stop))
-        if is_asked and stop == first + 1 and (tokens[first].tag == "VBG" or tokens[first].lower in _COLOURS):
-            yield Fragment(range(first, stop), first, range(0), range(0))
-        is_state = (
-            is_asked and first < at and (tokens[at].pos == "ADJ" or tokens[at].lower in observed.gazetteer.states)
-        )
-        is_whole = is_state and (at + 1 == stop or tokens[at + 1].lower == "for")
-        if is_whole and _NO_CASES.isdisjoint((tokens[at].lemma, tokens[at].lower)):
+        phrase = range(first, stop)
+        if stop + 1 >= len(tokens) or tokens[stop].text != "?" or not 0 < len(phrase) <= _LONGEST:
+            continue
+        if _is_comparison(document, phrase):
+            yield Fragment(phrase, first, range(0), range(0), state=phrase)
+        elif len(phrase) == 1 and (tokens[first].tag == "VBG" or tokens[first].lower in _COLOURS):
+            yield Fragment(phrase, first, range(0), range(0))
+        elif (at := _state_in(observed, phrase)) is not None:
             state = range(first, at + 1) if tokens[first].lower == "too" else range(0)
-            yield Fragment(range(first, stop), at, range(0), range(0), state=state)
+            yield Fragment(phrase, at, range(0), range(0), state=state)
+
+
+def _state_in(observed: Observed, phrase: range) -> int | None:
+    """The state that a phrase is of, behind words for how much so, if it says no more: "fast *asleep*", "too *cold*
+    for a child"."""
+    tokens = observed.document.tokens
+    at = next((i for i in phrase if tokens[i].lower not in _DEGREES), None)
+    if at is None or at == phrase.start:
+        return None
+    is_state = tokens[at].pos == "ADJ" or tokens[at].lower in observed.gazetteer.states
+    is_whole = at + 1 == phrase.stop or tokens[at + 1].lower == "for"
+    return at if is_state and is_whole and _NO_CASES.isdisjoint((tokens[at].lemma, tokens[at].lower)) else None
 
 
 def _is_comparison(document: Document, phrase: range) -> bool:
