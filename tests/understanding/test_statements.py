@@ -22,6 +22,8 @@ def _sources(interpreter: Interpreter, text: str) -> list[str]:
         "Grandma is in the garden. Fetch me the newspaper.",
         "There's a wasp on the window, get a glass.",
         "the dog is on the sofa bring me a blanket",
+        "The kitten's stuck in the tree. Get the ladder.",
+        "Dad is asleep on the couch. Bring me the tray.",
         "Lisa's in the kitchen. Grab my phone.",
     ],
 )

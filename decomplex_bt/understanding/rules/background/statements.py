@@ -18,6 +18,8 @@ BELONGING = frozenset(("belong", "belongs"))
 _BEING = frozenset(("be", "'s", "\u2019s"))
 _TO_BE = BELONGING | frozenset("due expected wanted needed awaited required".split())
 """What is said of things that are to be somewhere."""
+_BEING_SO = frozenset(("JJ", "VBN", "VBG"))
+"""How somebody is somewhere: stuck, asleep, sitting."""
 _NOUNS = frozenset(("NOUN", "PROPN"))
 _NAMING = frozenset(("NN", "NNS", "NNP", "NNPS"))
 _OWNED = frozenset("his her its their 's \u2019s '".split())
@@ -173,11 +175,17 @@ def _stated(document: Document, tasks: Container[int], source: FoundArgument) ->
     verb = tokens[source.tokens.start].head
     if tokens[verb].dep == "attr":  # "there's *a wasp on the window*"
         verb = tokens[verb].head
-    if verb in tasks or tokens[verb].lemma not in _BEING:
-        return None
+    if tokens[verb].dep == "acomp":  # "the dog is asleep *on the rug*"
+        verb = tokens[verb].head
     parts = {tokens[i].dep: i for i in document.children[verb]}
+    # of "the cat's stuck *on the roof*" the tagger may make somebody's
+    owner = parts.get("poss") if tokens[verb].tag in _BEING_SO else None
+    inner = (*document.children[verb], *(document.children[owner] if owner is not None else ()))
+    is_being = tokens[verb].tag in _BEING_SO and any(tokens[i].lemma in _BEING for i in inner)
+    if verb in tasks or not (is_being or tokens[verb].lemma in _BEING):
+        return None
     is_there = "expl" in parts
-    subject = parts.get("attr" if is_there else "nsubj")
+    subject = parts.get("attr") if is_there else parts.get("nsubj", parts.get("nsubjpass", owner))
     if subject is None or tokens[subject].tag not in _NAMING:
         return None
     words = range(min((subject, *document.children[subject])), subject + 1)

@@ -54,6 +54,7 @@ def with_features(
         rest = [_behind(a, whole) for a in kept if a is not thing]
         others = [a for a in rest if a is not None]
         is_put = tasks[thing.owner] == "placing" and thing.type == "object"
+        is_put = is_put and document.tokens[thing.owner].lemma != "keep"  # what is kept goes nowhere
         if not is_put or any((a.owner, a.type) == (thing.owner, "goal") for a in others):
             kept = [*others, replace(thing, tokens=whole)]
     return kept
