@@ -18,6 +18,8 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Get the butter out of the fridge and close it.", "close", "the fridge"),
         ("If the safe is open, put the tray inside and close it.", "close", "the safe"),
         ("Is the gate open? If so, carry the box to the shed and close it.", "close", "the gate"),
+        ("Put the pie in the oven, and when it's done, turn it off.", "turn", "the oven"),
+        ("Take the spade back to the shed and lock it.", "lock", "the shed"),
         # what has a switch, or is shut, itself
         ("If Max is at home, get the parasol in and close it.", "close", "the parasol"),
         ("Take the batteries out of the remote and turn it off.", "turn", "the remote"),

@@ -32,6 +32,14 @@ _ON_OR_OFF = frozenset(("on", "off"))
 _SHUTTING = frozenset(("close", "shut"))
 _FOLDING = frozenset("book umbrella parasol laptop piano lid pen notebook diary album".split())
 """What is shut itself, and no opening of anything."""
+_LOCKING = frozenset("lock unlock bolt".split())
+_LOCKED = frozenset(
+    "bicycle bike box briefcase case cash chest cabinet car caravan cupboard desk drawer locker moped motorbike phone "
+    "safe scooter suitcase tablet trunk van wheelchair".split()
+)
+"""What has a lock, and is no room or building."""
+_ROOFED = frozenset("shed garage barn cabin hut greenhouse summerhouse workshop stable cellar attic house".split())
+"""Where things are kept and what is locked, of which no room is known to the domain."""
 _HANDLING = frozenset(("placing", "taking", "bringing"))
 _TOLD = frozenset(("location", "source", "goal"))
 
@@ -56,12 +64,28 @@ def is_unshut(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_shut and candidate.task_type in _HANDLING and _is_open_there(context, gap, candidate):
         return True
     noun = context.observed.document.tokens[candidate.head].lemma
+    if _is_unlocked(context, gap, candidate, noun):
+        return True
     if not is_shut or noun in VESSELS | _FOLDING or "aperture" in context.observed.gazetteer.changeable.get(noun, ()):
         return False
     places = (
         c for c in context.pool if c.tokens.stop <= gap.position and has_inside(context, c) and c.head != candidate.head
     )
     return any(_is_beside(context, gap, candidate, place) and _is_place(place) for place in places)
+
+
+def _is_unlocked(context: Context, gap: Gap, candidate: Candidate, noun: str) -> bool:
+    """Whether "it" is locked, and a candidate is what was put in the place that can be: "take *the ladder* to the shed
+    and lock *it*"."""
+    is_locked = gap.word == "it" and gap.type == "object" and context.lemmas[gap.task.id].split()[0] in _LOCKING
+    gazetteer = context.observed.gazetteer
+    is_handled = candidate.task_type in _HANDLING and candidate.type == "object"
+    if not is_locked or not is_handled or noun in _LOCKED | _ROOFED or "aperture" in gazetteer.changeable.get(noun, ()):
+        return False
+    tokens = context.observed.document.tokens
+    places = (c for c in context.pool if c.tokens.stop <= gap.position and c.type in _TOLD)
+    able = (c for c in places if tokens[c.head].lemma in _ROOFED or gazetteer.category(tokens[c.head].lemma) == "room")
+    return any(_is_beside(context, gap, candidate, place) for place in able)
 
 
 def _is_open_there(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -111,7 +135,8 @@ def _is_beside(context: Context, gap: Gap, candidate: Candidate, device: Candida
     is_part = device.tokens.start < candidate.tokens.stop and candidate.tokens.start < device.tokens.stop
     if is_part or device.shape.endswith("cut"):
         return False
-    if device.owner and device.owner in (candidate.owner, gap.task.id, gap.task.id - 1):
+    named = {c.owner for c in context.pool if c.text == candidate.text}  # "put the pie in the oven. When *it*'s done, "
+    if device.owner and device.owner in (named | {gap.task.id, gap.task.id - 1}):
         return True
     of = context.observed.document.sentences
     return not device.owner and of[device.head] == of[candidate.head]
