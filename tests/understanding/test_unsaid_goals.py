@@ -22,6 +22,9 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("Sweep the mat and let the cat back in.", None),
         ("Give Nina her bear and tuck her in.", None),
         ("Load the washer, but leave out the blue shirt.", None),
+        # in what it is a part of, and not where that was
+        ("Find the radio in the cupboard; if the batteries are flat, put new ones in.", "the radio"),
+        ("Get the lantern out of the shed. If its bulb's gone, put a new one in.", "the lantern"),
         # what holds something
         ("Open the oven and put the loaf in.", "the oven"),
         ("Take the jar from the shelf and spoon some oats in.", "the jar"),

@@ -3,6 +3,8 @@ was just taken out of, into what was taken out itself, or into its like), and wh
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.fitness import VESSELS
@@ -14,6 +16,8 @@ _STIRRED = frozenset("stir drain taste whisk serve eat drink".split())
 """What is done with food, which nothing is put on or in for good."""
 _LAYING = frozenset("set lay spread".split())
 """What is done with things in no vessel."""
+_GETTING = frozenset(("searching", "taking", "bringing"))
+_RENEWED = frozenset(("ones", "one", "some", "another"))
 _INTO = frozenset(("in", "inside"))
 _JOINING = frozenset("and but or then if unless when before after until".split())
 
@@ -30,13 +34,18 @@ def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if verb in _LAYING and not is_in and (has_inside(context, candidate) or candidate.task_type == "placing"):
         return has_inside(context, candidate) or candidate.type == "object"
-    if candidate.type == "object" and not _holds(context, candidate):
+    if candidate.head in context.verbs and candidate.head == candidate.tokens.start:  # "if its bulb's *gone*"
+        return True
+    is_renewed = any(c.mention in _RENEWED for c in things)  # in what it is a part of
+    if candidate.type == "object" and not is_renewed and not _holds(context, candidate):
         is_from = bool(context.arguments(candidate.owner, "source"))
         is_out = is_from or "out" in context.lemmas[candidate.owner].split()[1:]
         is_taken = candidate.task_type in ("taking", "bringing") and is_out and "on" not in said
         is_stirred = not _STIRRED.isdisjoint(context.lemmas.get(candidate.owner, "").split()[:1])
         is_somebody = kind_of(context, candidate) in ("person", "name") and candidate.head == candidate.tokens.stop - 1
         return is_taken or is_stirred or is_somebody
+    if is_in and _is_where_it_lay(context, things, candidate):
+        return True
     if candidate.type != "source" or candidate.mention or "back" in said or verb == "leave":
         return False
     tokens = context.observed.document.tokens
@@ -44,6 +53,17 @@ def is_no_goal(context: Context, gap: Gap, candidate: Candidate) -> bool:
     taken = {c.head for c in context.arguments(candidate.owner, "object")}
     is_same = any(c.head in taken for c in things)
     return before == ["out", "of"] and (is_same or (verb in _LAYING | {"hang"} and not is_in))
+
+
+def _is_where_it_lay(context: Context, things: Sequence[Candidate], candidate: Candidate) -> bool:
+    """Whether a candidate is where a thing was looked for or got, some of whose own are to be renewed: "look for the
+    torch in *the drawer*; if the batteries are dead, put new ones in"."""
+    is_renewed = any(c.mention in _RENEWED for c in things)
+    is_place = candidate.type in ("location", "source") and candidate.task_type in _GETTING
+    holding = context.arguments(candidate.owner, "object") if is_renewed and is_place else []
+    tokens = context.observed.document.tokens
+    heads = {tokens[c.head].lemma for c in things}
+    return any(not c.mention and tokens[c.head].lemma not in heads for c in holding)
 
 
 def goal_instead(context: Context, gap: Gap) -> range:
