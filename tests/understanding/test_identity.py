@@ -23,14 +23,16 @@ def parser() -> Parser:
         ("If that awful noise is the dryer, stop it.", [("that awful noise", "the dryer", None)]),
         ("If it is the postman open, go.", [("it", "the postman", None)]),
         ("If it is open, go.", []),
-        ("If it's a postman, go.", []),
+        ("If it's a postman, let them in.", [("it", "a postman", None)]),
+        ("If it's a bit cold, go.", []),
+        ("If it's a parcel, go.", []),
         ("If it is the lid of the pot, wash it.", []),
         ("If that is the case, go.", []),
         ("If it's the weekend, go.", []),
         ("It is the postman.", []),
     ],
 )
-def test_a_definite_phrase_behind_a_condition_tells_who_or_what_it_is(
+def test_a_definite_phrase_or_somebody_behind_a_condition_tells_who_or_what_it_is(
     parser: Parser, text: str, found: list[tuple[str, str, str | None]]
 ) -> None:
     read = parser.parse(text)

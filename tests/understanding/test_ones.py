@@ -18,6 +18,12 @@ from decomplex_bt.understanding.interpreter import Interpreter
         # one of several
         ("Look for the brownies and bring me one.", "a brownie"),
         ("Get the mugs and fill one.", "a mug"),
+        ("If there are any pears in the basket, bring me one.", "a pear"),
+        ("Change the filter in the pump and bin the old one.", "the old filter"),
+        # of what is brought in any case, not only where there is none of the first
+        ("Bring me a cocoa, or a milk if there's no cocoa left, and take one up to Ann.", "a cocoa"),
+        # what is left of some
+        ("Give Rex some of the mince and bring me the rest of it.", "the rest of the mince"),
         # so many more
         ("Take the blue shelf to Ben and put the other two in the loft.", "two shelves"),
         ("When both jars are empty, bring me two more.", "two jars"),

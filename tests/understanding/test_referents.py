@@ -221,3 +221,27 @@ def test_nothing_is_put_on_what_is_only_felt(interpreter: Interpreter, text: str
 )
 def test_nobody_looks_in_a_place_for_what_is_only_felt(interpreter: Interpreter, text: str, value: str | None) -> None:
     assert interpreter.interpret(text).task(1).value("object") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "word", "kind", "value"),
+    [
+        # one person of any gender
+        ("Go to the back door. If it's a neighbour, let them in.", "them", "object", "a neighbour"),
+        ("If there's a box, put it on the bench. If it's a visitor, show them up.", "them", "object", "a visitor"),
+        # what is made or brought, of which there may be none
+        ("Switch the kettle on and make a pot of coffee, unless there isn't any.", "any", "object", "coffee"),
+        ("Find two bowls and put a spoon in each.", "each", "goal", "two bowls"),
+        ("The jug on the sill is cracked, so take it to the shed.", "it", "object", "The jug"),
+        ("The jug is cracked, so put the milk in another one.", "one", "goal", "another jug"),
+    ],
+)
+def test_what_goes_on_about_a_thing_in_other_words(
+    interpreter: Interpreter, text: str, word: str, kind: str, value: str
+) -> None:
+    assert values(interpreter, text, word, kind)[-1:] == [value]
+
+
+def test_what_a_verb_says_it_is_done_with_is_not_what_it_is_done_to(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Take the hoover up to the landing and hoover there.")
+    assert found.tasks[-1].value("object") != "the hoover"

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.agreement import pair_meant
+from decomplex_bt.understanding.references.agreement import OWN, pair_meant
 from decomplex_bt.understanding.references.antecedents import meant, other_place
 from decomplex_bt.understanding.references.asked_again import asked_before
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
@@ -18,6 +18,7 @@ from decomplex_bt.understanding.references.gaps import (
     DENYING,
     PREDICATE,
     Gap,
+    asks_there_is,
     is_bare_being,
     is_told_one,
     numbered_of,
@@ -27,7 +28,7 @@ from decomplex_bt.understanding.references.gaps import (
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.ordinals import one_of_two
 from decomplex_bt.understanding.references.phrases import Candidate, degree_asked, nobody
-from decomplex_bt.understanding.vocabulary import ONES, SHARES
+from decomplex_bt.understanding.vocabulary import ONES, QUANTIFIERS, SHARES
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,8 +99,8 @@ def options_of(context: Context, gap: Gap) -> list[Option]:
                     f"way:{way}.{word}.{contrast}.{determiner}",
                 )
                 options.append(Option(candidate, gap.type, text, features, more))
-    if _is_of_somebody(document, gap) and options:
-        return options  # "bring me Mum's" leaves its noun to those before
+    if (_is_of_somebody(document, gap) or (gap.word in OWN and gap.type == "object")) and options:
+        return options  # "bring me Mum's" and "bring me mine" leave their noun to those before
     if not options or not (
         pair
         or halved
@@ -134,15 +135,19 @@ def _worded(observed: Observed, gap: Gap, candidate: Candidate, is_contrasted: b
         worded = [(text, way) for text, way in worded if way != "modified.head"]
     if _is_of_somebody(observed.document, gap):  # "Anna's" is none of those named
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if words == {"mine"}:  # none of those named, but the speaker's of that kind
+        worded = [(text, way) for text, way in worded if way == "own"] or worded
     if words == {"some"} and tokens[candidate.tokens.start].lower == "enough":
         worded = [(text, way) for text, way in worded if way != "same"] or worded
+    if _is_one_of_several(observed.document, gap, candidate):  # "any pears? Bring me *one*" brings a pear
+        worded = [(text, way) for text, way in worded if way in ("a", "one")] or worded
     if _is_bare_one(observed.document, gap) and _is_halved(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way == "one"] or worded
     if gap.form == "part" and _is_counted_out(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if _is_counted(observed.document, gap, candidate):
         worded = [(text, way) for text, way in worded if way.startswith("counted")] or worded
-    if numbered_of(observed.document, gap) or _is_one_of_several(observed.document, gap, candidate):
+    if numbered_of(observed.document, gap):
         worded = [(text, way) for text, way in worded if way != "same"] or worded
     if is_told_one(observed.document, gap.tokens):
         worded = [(text, way) for text, way in worded if way == "a"] or worded
@@ -227,7 +232,8 @@ def _is_one_of_several(document: Document, gap: Gap, candidate: Candidate) -> bo
         return False
     first = document.tokens[candidate.tokens.start].lower
     is_plural = document.tokens[candidate.head].tag in ("NNS", "NNPS")
-    is_several = is_plural and first in _CERTAIN | {"a"} and not candidate.mention
+    is_open = first in QUANTIFIERS or candidate.tokens.start == candidate.head
+    is_several = is_plural and (is_open or first in _CERTAIN | {"a"}) and not candidate.mention
     return first in _EACH or (is_several and gap.task.type != "check_state")
 
 
@@ -359,11 +365,18 @@ def _predicates(context: Context, gap: Gap) -> list[Option]:
         ]
     if says_there_is(context.observed.document, gap.task):
         return [option for option in options if option.type != "state"]
+    if asks_there_is(context.observed.document, gap.task):  # "boil the kettle if there isn't any" is of no boiling
+        options = [o for o in options if o.type != "state" or o.candidate is None or not _is_ordered(o.candidate)]
     if answers := _answers(context, gap, options):
         return answers
     if nobody(context.observed.document, gap.position):
         return [option for option in options if not _is_of_other_check(context, gap, option)]
     return options
+
+
+def _is_ordered(candidate: Candidate) -> bool:
+    """Whether a state is what an order brings about."""
+    return candidate.task_type not in ("", "check_state")
 
 
 def _is_had(context: Context, option: Option) -> bool:

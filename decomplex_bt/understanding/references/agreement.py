@@ -68,6 +68,8 @@ _LIFELESS = frozenset(
     "station church".split()
 )
 """Places, of the domain or not, which are never "she"."""
+OWN = frozenset("mine his hers yours ours theirs".split())
+"""What stands for a thing by whose it is."""
 _NEAR = 3
 """Within so many words before a participle stands who has done it."""
 _WITHIN = frozenset("in into inside on onto under behind off out".split())
@@ -143,7 +145,7 @@ def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if group not in _PERSONAL or kind_of(context, candidate) in ANIMATE:
         return False
     if candidate.mention:
-        return candidate.mention in _NOBODY or GROUPS.get(candidate.mention) == "it"
+        return candidate.mention in _NOBODY | OWN or GROUPS.get(candidate.mention) == "it"
     behind = document.tokens[candidate.tokens.stop :][:1]
     words = document.tokens[candidate.tokens.start : candidate.tokens.stop]
     owning = [token.tag == "PRP$" and _OWNING.get(token.lower) == group for token in words]
@@ -197,7 +199,8 @@ def is_no_single_thing(context: Context, gap: Gap, candidate: Candidate) -> bool
     is_told = (candidate.task_type, candidate.type) == ("informing", "recipient")
     if not candidate.mention and candidate.text.lower() in _NO_ONE:
         return True
-    if GROUPS.get(candidate.mention) == "he" or is_told or _is_person(context, candidate):
+    is_he = GROUPS.get(candidate.mention) == "he" and candidate.mention not in OWN
+    if is_he or is_told or _is_person(context, candidate):
         return True
     if kind_of(context, candidate) in ANIMATE:
         return _is_given_to(context, gap, candidate)

@@ -13,17 +13,25 @@ from decomplex_bt.understanding.references.dismissals import reminded
 from decomplex_bt.understanding.references.gaps import Gap, asks_there_is, is_beside
 from decomplex_bt.understanding.references.offers import filled_meant, offered
 from decomplex_bt.understanding.references.ordinals import one_of_two
+from decomplex_bt.understanding.references.owners import asked_of, by_owner, kind_of_it
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.places import place_meant
 from decomplex_bt.understanding.references.repetition import done_before
+from decomplex_bt.understanding.references.told import number_of, subject_of
 from decomplex_bt.understanding.references.undoing import done_contrariwise, undone
 from decomplex_bt.understanding.references.unsaid_goals import goal_instead
 from decomplex_bt.understanding.references.unsaid_recipients import asked
 from decomplex_bt.understanding.references.wholes import own_subject, whole_meant
+from decomplex_bt.understanding.vocabulary import ONES
 
 _ANY = frozenset(("a", "an", "one"))
 _OUT_OF = frozenset((("out", "of"), ("empty", "of"), ("short", "of"), ("low", "on"), ("short", "on")))
 """What stands before the thing of which there is too little."""
+_MAKING = PUTTING | {"change_state"}
+"""The types of orders that make or bring something."""
+_CHANGING = tuple([verb] for verb in "change replace swap renew".split())
+_WORN = frozenset("old broken dead dirty used empty worn spent".split())
+"""How a thing is that was changed for another."""
 _BEING_WITHOUT = frozenset("be 's \u2019s 're \u2019re run go".split())
 """What is said with `_OUT_OF`, of which "take the milk out of the fridge" is none."""
 
@@ -40,6 +48,12 @@ def meant(context: Context, gap: Gap) -> range:
         or _lacked(context, gap)
         or _vessel(context, gap)
         or _like_it(context, gap)
+        or _any_of_it(context, gap)
+        or _renewed(context, gap)
+        or by_owner(context, gap)
+        or kind_of_it(context, gap)
+        or asked_of(context, gap)
+        or _told(context, gap)
         or whole_meant(context, gap)
         or own_subject(context, gap)
         or offered(context, gap)
@@ -282,3 +296,52 @@ def _shared(context: Context, gap: Gap) -> range:
 
 def _lies_within(tokens: range, spans: Sequence[range]) -> bool:
     return any(tokens.start in span and tokens[-1] in span for span in spans)
+
+
+def _told(context: Context, gap: Gap) -> range:
+    """What a message says is ready or somewhere, where the order right behind it, or behind a case of who is told, goes
+    on about a thing and none was named before: "tell Ann *dinner*'s ready; if she doesn't come, take *it* up"."""
+    document = context.observed.document
+    if gap.type != "object" or gap.task.type == "check_state" or len(gap.tokens) != 1:
+        return range(0)
+    before = next((task for task in reversed(context.tasks[: gap.task.id - 1]) if task.type != "check_state"), None)
+    subject = subject_of(document, before) if before is not None else range(0)
+    if not subject or not number_of(document, gap.word, subject):
+        return range(0)
+    things = (c for c in context.pool if c.type in ("object", *PLACES) and c.tokens.stop <= gap.position)
+    is_only = all(kind_of(context, c) in ANIMATE for c in things if c.owner != gap.task.id)
+    found = any(c.tokens == subject and not c.mention for c in context.pool)
+    return subject if is_only and found else range(0)
+
+
+def _any_of_it(context: Context, gap: Gap) -> range:
+    """What is made or brought by the order on which it hangs whether there is any: "make a pot of *tea* unless there
+    isn't *any*"."""
+    document, order = context.observed.document, gap.task.id - 1
+    is_asked = gap.word == "any" and len(gap.tokens) == 1 and asks_there_is(document, gap.task)
+    is_new = context.first.get(gap.task.id) == gap.task.id and context.paths.get(order, ())[-1:] != ()
+    if not is_asked or not is_new or context.paths[order][-1][0] != gap.task.id or context.types[order] not in _MAKING:
+        return range(0)
+    named = [c for c in context.arguments(order, "object") if not c.mention and not c.shape.endswith("list")]
+    # "heat the soup and bring me a plate if there's any" is of no plate
+    some = [c for c in named if document.tokens[c.tokens.start].lower not in _ANY and c.head == c.tokens.stop - 1]
+    return min((c.tokens for c in some), key=lambda words: (-words.stop, len(words)), default=range(0))
+
+
+def _renewed(context: Context, gap: Gap) -> range:
+    """What was changed for another, where it is said what becomes of the old one: "change *the bulb* in the hall and
+    bin the old *one*"."""
+    words = [context.observed.document.tokens[i].lower for i in gap.tokens]
+    is_worn = len(words) == 3 and words[0] == "the" and words[1] in _WORN and words[2] in ONES
+    if gap.form != "one" or not is_worn:
+        return range(0)
+    changed = [
+        c
+        for c in context.pool
+        if c.type == "object"
+        and not c.mention
+        and c.owner < gap.task.id
+        and c.shape in ("whole", "short")
+        and context.lemmas.get(c.owner, "").split()[:1] in _CHANGING
+    ]
+    return changed[-1].tokens if changed else range(0)

@@ -33,6 +33,8 @@ INSTRUMENTS = frozenset(
     "stepladder stool steps".split()
 )
 """What things are cleaned with."""
+_OF_ANY_NUMBER = frozenset("they them em 'em".split())
+"""What may be said of one person whose gender is open: "if it's a neighbour, let *them* in"."""
 _TELLING = frozenset(("check_state", "change_state"))
 _STATING = frozenset("is are 's \u2019s looks smells needs has".split())
 _GUARDING = frozenset(("if", "unless"))
@@ -49,7 +51,7 @@ def referable(context: Context, gap: Gap) -> list[Candidate]:
     is_pointed = is_pointing_back(document, gap)
     one = _last_one(context, gap) if is_pointed else None
     settled = meant(context, gap)
-    if not settled and is_weather(context, gap):
+    if not settled and (is_weather(context, gap) or gap.form == "kind"):
         return []
     again = asked_before(context, gap)
     order = 0 if settled or again else _guarded(context, gap)
@@ -105,7 +107,8 @@ def _identity(context: Context, gap: Gap) -> range:
         named = said["state"] if document.tokens[said["state"][-1]].pos in ("NOUN", "PROPN") else named
     elif identity is not None and not identity.is_of_order(document):
         is_who = identity.is_of_person(document) or (identity.is_pronoun(document) and asks_who_calls(context, check))
-        is_meant = is_who if gap.word in SOMEBODY else not identity.is_pronoun(document)
+        is_one = gap.word in _OF_ANY_NUMBER and document.tokens[identity.name[-1]].tag in ("NN", "NNP")
+        is_meant = is_who if gap.word in SOMEBODY or (is_who and is_one) else not identity.is_pronoun(document)
         named = identity.name if is_meant else named
     found = [c for c in context.pool if c.tokens == named]
     return named if found and not any(is_no_somebody(context, gap, c) for c in found) else range(0)
@@ -154,7 +157,12 @@ def _reasoned(context: Context, gap: Gap) -> range:
     if said is not None and (is_unswitched(context, gap, said) or is_unshut(context, gap, said)):
         return range(0)
     is_said = said is not None and tokens[said.tokens.stop].lower in _STATING and tokens[said.head].tag in tag
-    return said.tokens if said is not None and is_said else range(0)
+    if said is None or not is_said:
+        return range(0)
+    # "*the vase* on the landing is cracked, so move it", where the place is another argument
+    thing = range(said.tokens.start, said.head + 1)
+    is_apart = "across" in said.shape and any(c.tokens == thing for c in context.pool)
+    return thing if is_apart else said.tokens
 
 
 def _done_before(context: Context, gap: Gap) -> int:

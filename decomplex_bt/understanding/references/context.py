@@ -16,6 +16,7 @@ from decomplex_bt.understanding.references.identity import identities
 from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, predicates_of
 from decomplex_bt.understanding.references.subjects import Subject, subjects
+from decomplex_bt.understanding.references.told import told_things
 from decomplex_bt.understanding.vocabulary import ONES, PERSON_NOUNS
 
 GROUPS = {
@@ -50,6 +51,7 @@ class Context:
         told_by = {i for look in (*looks(document), *shouts(document)) for i in look.words}
         self.pool = [c for c in candidates_of(self.observed, self.tasks) if c.tokens.start not in told_by]
         self.pool += _identified(document, self.pool)
+        self.pool += told_things(self.observed, self.tasks, self.pool)
         for candidate in self.pool:
             if candidate.owner:
                 self.fillings.setdefault(candidate.owner, set()).add(candidate.text.lower())
@@ -92,6 +94,8 @@ class Context:
             return
         self.mentions.setdefault(text.lower(), []).append(GROUPS.get(gap.word, gap.word))
         tokens = gap.tokens or range(gap.position, gap.position + 1)
+        if gap.form == "kind":  # else "it" might be "white", and not white wine
+            self.pool = [c for c in self.pool if c.tokens != tokens]
         self.pool.append(
             replace(
                 candidate,

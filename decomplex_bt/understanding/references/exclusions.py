@@ -112,6 +112,12 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
         return True
     if gap.type == "object" and not gap.word and _is_of_the_house(context, gap, candidate):
         return True
+    if gap.form == "own" and _is_some_person(context, candidate):
+        return True  # "mine" and "Dad's" are things
+    if _is_single(context, gap, candidate):
+        return True
+    if _is_in_the_verb(context, gap, candidate) or _is_second_choice(context, gap, candidate):
+        return True
     if is_emptied(context, gap, candidate):
         return True
     if _is_used_instead(context, gap, candidate) or _is_itself(context, gap, candidate):
@@ -194,6 +200,52 @@ def _is_used_instead(context: Context, gap: Gap, candidate: Candidate) -> bool:
     goals = [c for c in context.pool if c.type == "goal" and c.owner]
     places = [c for c in goals if c.owner != gap.task.id or c.mention in ONES]
     return any(document.tokens[candidate.head].lemma == document.tokens[place.head].lemma for place in places)
+
+
+def _is_some_person(context: Context, candidate: Candidate) -> bool:
+    """Whether a candidate is somebody, by a noun or a name without an article, or ends in one ("my mug and Tom's")."""
+    kind = kind_of(context, candidate)
+    first = context.observed.document.tokens[candidate.tokens.start]
+    return kind == "person" or (kind == "name" and first.tag != "DT")
+
+
+def _is_single(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is a single known thing, where a case asks of one of several that were named: "feed the
+    rabbits and clean *their hutch*, and if *one*'s ill, ..."."""
+    tokens = context.observed.document.tokens
+    is_asked = gap.form == "one" and len(gap.tokens) == 1 and gap.is_certain and gap.task.type == "check_state"
+    if not is_asked or tokens[candidate.head].tag != "NN" or tokens[candidate.tokens.start].tag not in ("DT", "PRP$"):
+        return False
+    is_known = tokens[candidate.tokens.start].lower not in ("a", "an")
+    named = (c for c in context.pool if c.type == "object" and not c.mention and c.tokens.stop <= gap.position)
+    return is_known and any(tokens[c.head].tag == "NNS" for c in named)
+
+
+def _is_in_the_verb(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a verb without an object says what it is done with, which is not what it is done to: "take *the hoover*
+    up and hoover the landing"."""
+    verb = context.lemmas[gap.task.id].split()[0]
+    is_unsaid = (gap.type, gap.word, gap.task.type) == ("object", "", "change_state")
+    return is_unsaid and context.observed.document.tokens[candidate.head].lemma == verb
+
+
+def _is_second_choice(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is only what is brought where the first cannot be, and "one" is meant in either case: "bring
+    me a coffee, or *a tea* if there's none, and take *one* to Ann"."""
+    number, path = candidate.owner, context.paths.get(candidate.owner, ())
+    if gap.form != "one" or len(gap.tokens) != 1 or not path or max(number, path[-1][0]) >= gap.task.id:
+        return False
+    case, side = path[-1]
+    if any(condition == case for condition, _ in context.paths.get(gap.task.id, ())):
+        return False
+    kind = candidate.type
+    return any(
+        other.id < min(number, case)
+        and other.type == candidate.task_type
+        and context.paths.get(other.id, ())[-1:] == ((case, "then" if side == "else" else "else"),)
+        and any(not c.mention for c in context.arguments(other.id, kind))
+        for other in context.tasks
+    )
 
 
 def _is_itself(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -28,7 +28,9 @@ _LEADING = frozenset(
     "place machine inside where".split()
 )
 _DEMONSTRATIVES = frozenset("this that these those".split())
-_ALONE = frozenset("inside five six both either none".split())
+_KINDS = frozenset("white red brown black green wholemeal rye plain semi-skimmed decaf".split())
+"""What tells kinds of food and drink apart, which the tagger may take for nouns."""
+_ALONE = frozenset("inside five six both either each none".split())
 _SINGLE = frozenset("it them him her this that these those".split())
 _AMOUNTS = frozenset(
     "glass cup mug bowl plate jug bottle pan pot spoonful bit piece slice drop bucket bag box tin packet pinch splash "
@@ -90,7 +92,7 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
         return Gap(task, argument.type, joined, document.tokens[joined].lower, "joined", "", range(joined, joined + 1))
     if is_placed(document, inner):
         inner = inner[:1]
-    form = _form(document, inner)
+    form = _form(document, inner) or ("kind" if _is_kind(document, task, argument, inner) else None)
     if form is None:
         return None
     before = inner.start - 1
@@ -98,10 +100,18 @@ def gap_of(document: Document, task: Task, argument: Argument) -> Gap | None:
     head = document.tokens[inner.stop - 1] if form == "part" else document.tokens[_head(document, inner)]
     word = "'s" if form == "own" and head.lower not in _OWN else head.lower
     is_of_it = form == "part" and word == "it" and argument.type == "object" and _is_amount(document, inner)
-    is_one = form == "one" and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
-    is_subject = is_one and document.indices(task.span).start == inner.stop  # "if *one* is chipped"
-    is_certain = is_of_it or is_subject or is_told_one(document, inner)
+    is_alone = form in ("one", "own") and len(inner) == 1 and (task.type, argument.type) == ("check_state", "object")
+    # "if *one* is chipped", "when *his* is full"
+    is_subject = is_alone and document.indices(task.span).start == inner.stop
+    is_another = [document.tokens[i].lower for i in inner] == ["another", "one"]
+    is_certain = is_of_it or is_subject or is_another or is_told_one(document, inner)
     return Gap(task, argument.type, inner.start, word, form, preposition, inner, is_certain=is_certain)
+
+
+def _is_kind(document: Document, task: Task, argument: Argument, tokens: range) -> bool:
+    """Whether an adjective alone tells of what kind there is some: "any wine? If there's *white*, ..."."""
+    is_asked = argument.type == "object" and len(tokens) == 1 and asks_there_is(document, task)
+    return is_asked and (document.tokens[tokens.start].pos == "ADJ" or document.tokens[tokens.start].lower in _KINDS)
 
 
 def _landmark(document: Document, tokens: range) -> range:
@@ -188,7 +198,8 @@ def _form(document: Document, tokens: range) -> str | None:
         return None
     if head in ONES:  # in "the red mug and the blue one" the words themselves say which noun is meant
         return "one" if not {"and", "or"} & set(words) else None
-    if last.tag == "POS":
+    is_owner = last.lower in ("'s", "\u2019s") and document.tokens[tokens.stop - 2].pos in ("NOUN", "PROPN")
+    if (last.tag == "POS" or is_owner) and "and" not in words:  # "my mug and Tom's" says of what kind both are
         return "own"
     if len(words) > 2 and words[-2] == "of" and words[-1] in PRONOUNS:
         return "part"
@@ -289,8 +300,8 @@ def last_word(document: Document, verb: int) -> str:
 
 def says_there_is(document: Document, task: Task) -> bool:
     """Whether a check says that there is, or is not, something that it names: "if there's a letter for me"."""
-    named = (gap_of(document, task, a) is None for a in task.arguments if a.type == "object" and a.span is not None)
-    return asks_there_is(document, task) and any(named)
+    gaps = (gap_of(document, task, a) for a in task.arguments if a.type == "object" and a.span is not None)
+    return asks_there_is(document, task) and any(gap is None or gap.form == "kind" for gap in gaps)
 
 
 def asks_there_is(document: Document, task: Task) -> bool:
@@ -345,6 +356,8 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
     is_open = document.tokens[candidate.tokens.start].lower in QUANTIFIERS | {"a", "an"} and len(candidate.tokens) > 1
     if gap.form == "part":
         whole = bare_of(document, candidate, is_plural=None) if is_open else text  # of "any milk", "a cup of milk"
+        if is_open and text.split()[0].lower() == "some" and text.split()[1] == "of":
+            whole = text.split(" ", 2)[2]  # of "some of the milk"
         yield f"{_text(document, gap.tokens[:-1])} {whole}", "of"
         first = document.tokens[gap.tokens.start]
         is_amount = first.lower in ("some", "any", "few") or (first.pos == "NUM" and first.lower != "one")
@@ -353,6 +366,9 @@ def spellings(document: Document, gap: Gap, candidate: Candidate) -> Iterator[tu
             told = text if is_told_bare else bare_of(document, candidate, is_plural=None)
             yield f"{first.text} {told}", "counted"
         yield text, "same"
+        return
+    if gap.form == "kind":
+        yield f"{gap.word} {noun_of(document, candidate, is_plural=None)}", "kind"
         return
     if gap.form == "own":
         own = _OWN.get(gap.word) or _text(document, gap.tokens)

@@ -15,6 +15,7 @@ _POINTING = frozenset("it that this those these they".split())
 _BE = frozenset("is was are were 's \u2019s 're \u2019re".split())
 _BETWEEN = frozenset("only just really indeed actually still even merely n't n\u2019t not".split())
 _DEFINITE = frozenset("the my your his her our their".split())
+_INDEFINITE = frozenset(("a", "an"))
 _POINTING_AT = frozenset("that this those these the".split())
 _PARTS = frozenset(("ADJ", "NUM", "NOUN", "PROPN"))
 _NAMES = frozenset(("NOUN", "PROPN"))
@@ -50,7 +51,8 @@ class Identity:
 
 
 def identities(document: Document) -> Iterator[Identity]:
-    """All conditions of who or what something is, as far as a definite phrase tells it, in text order."""
+    """All conditions of who or what something is, as far as a definite phrase or "a neighbour"
+    tells it, in text order."""
     tokens = document.tokens
     for i, token in enumerate(tokens):
         if token.lower not in _OPENING or i + 3 >= len(tokens):
@@ -99,7 +101,8 @@ def _end(document: Document, start: int) -> int:
     tokens = document.tokens
     if start + 1 < len(tokens) and tokens[start].lower in ANYBODY:
         return start + 2 if tokens[start + 1].lower == "else" else start
-    if start >= len(tokens) or tokens[start].lower not in _DEFINITE:
+    is_some = start < len(tokens) and tokens[start].lower in _INDEFINITE
+    if start >= len(tokens) or not (is_some or tokens[start].lower in _DEFINITE):
         return start
     stop = start + 1
     while stop < len(tokens) and (tokens[stop].pos in _PARTS or tokens[stop].tag in ("POS", "VBG")):
@@ -111,4 +114,5 @@ def _end(document: Document, start: int) -> int:
     is_marked = is_verbal or stop == len(tokens) or tokens[stop].lower in MARKS
     end = heads[-1] + 1 if heads else stop if is_marked else start
     is_more = end < len(tokens) and tokens[end].lower == "of"
-    return start if is_more or tokens[end - 1].lower in _NO_NAMES else end
+    is_no_person = is_some and tokens[end - 1].lemma not in PERSON_NOUNS  # "if it's a bit cold"
+    return start if is_more or is_no_person or tokens[end - 1].lower in _NO_NAMES else end

@@ -44,6 +44,7 @@ _DEFINITE = frozenset("the my your his her our their this that".split())
 _SOMEBODY = frozenset("him her them 'em em".split())
 _LEADING_AWAY = frozenset("to from into onto for of off out with toward towards".split())
 _NOT_REFERENTS = frozenset(("message", "manner", "state", "direction"))
+_EITHER = frozenset(("either", "each"))
 _NO_NOUNS = frozenset("one ones other others case cases luck joy half".split())
 """Last words of phrases that name nothing themselves ("the spare one", "in that case", "no luck")."""
 _CALLS = frozenset("hey hi hello ok okay oh dear please listen right".split())
@@ -311,7 +312,7 @@ def is_placed(document: Document, tokens: range) -> bool:
 
 
 def is_pronoun(document: Document, tokens: range) -> bool:
-    return len(tokens) == 1 and document.tokens[tokens.start].lower in PRONOUNS
+    return len(tokens) == 1 and document.tokens[tokens.start].lower in PRONOUNS | _EITHER
 
 
 def is_pointing(document: Document, tokens: range) -> bool:
