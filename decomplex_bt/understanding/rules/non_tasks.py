@@ -32,6 +32,7 @@ _CASES = frozenset("if unless when only_if until before after".split())
 _NAMED = ("RB", "DT", "PRP$", "JJ", "NN", "NNP", "NNS")
 _FAVOURS = frozenset("favour favor kindness".split())
 _BESIDE_FAVOURS = _FAVOURS | frozenset("me us the a an of and to by please , big huge great".split())
+_PICKED = (frozenset("any anything all those ones".split()), frozenset(("that", "which")))
 _LOOKS = frozenset(("check_state", "searching"))
 
 
@@ -71,6 +72,15 @@ def _is_event(document: Document, at: int) -> bool:
         start -= 1
     is_named = start > 1 and (tokens[start - 1].tag == "PRP$" or tokens[start - 1].lower in ("the", "a", "an"))
     return is_named and tokens[start - 2].lower in ("before", "after", "during")
+
+
+def _is_of_any(document: Document, at: int) -> bool:
+    """Whether a "be" only tells which of several are meant: "close any that *'s* open"."""
+    ahead = [token.lower for token in document.tokens[max(0, at - 2) : at]]
+    is_be = document.tokens[at].lower in ("'s", "\u2019s", "is", "are")
+    return (
+        is_be and len(ahead) == len(_PICKED) and all(word in known for word, known in zip(ahead, _PICKED, strict=True))
+    )
 
 
 def _is_beside(document: Document, at: int) -> bool:
@@ -228,6 +238,7 @@ def _is_case(observed: Observed, at: int) -> bool:
 
 
 _ALONE: tuple[Callable[[Document, int], bool], ...] = (
+    _is_of_any,
     _is_musing,
     _is_event,
     _is_either_way,

@@ -139,6 +139,7 @@ _RULES = (
     continuations.ask_of_own_thing,
     resumptions.gather,
     guards.bind_behind,
+    guards.bind_so,
     guards.confine,
     guards.withhold,
     guards.guard_handing,

@@ -81,12 +81,27 @@ def bind_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
         return
     order, clause, later = clauses[k - 1 : k + 2]
     is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.is_check and not clause.far
-    is_parted = order.boundary != "none" and later.boundary == "," and not (later.near or later.far)
+    is_parted = order.boundary != "none" and later.boundary == "," and TURNING.isdisjoint({*later.near, *later.far})
     is_one = order.sentence == clause.sentence == later.sentence and order.task.type not in _FINDING_OUT
     if is_behind and is_parted and is_one and sides[k - 1 : k + 2] == ["top", "top", HOLDS]:
         sides[k - 1] = ">1+"
         for j in takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))):
             sides[j] = "top"
+
+
+def bind_so(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:
+    """An "if so" behind an order is of that alone, not of what a "then" goes on with ("look if the filter is full and
+    clean it *if so then* run the dryer")."""
+    before, clause = clauses[k - 1], clauses[k]
+    is_next = (roles[k - 1], roles[k]) == ("task", "task") and before.behind[:1] == ("so",) and sides[k - 1] == HOLDS
+    first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
+    is_run_on = clause.boundary == "none" and clause.near[-1:] == ("then",) and before.sentence == clause.sentence
+    if first is None or not (is_next and is_run_on):
+        return
+    for j in range(k, len(clauses)):
+        if not (j == k or goes_on(clauses, roles, sides, j, clause.sentence)) or sides[j] != HOLDS:
+            return
+        sides[j] = beside(sides[first])
 
 
 def list_all(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k: int) -> None:

@@ -18,7 +18,9 @@ _WHERE = frozenset("in on at under behind inside by near beside outside".split()
 _NOUNS = ("NN", "VBZ", "VBG")
 """Tags of nouns, and those that a tagger gives some of them in a list: "*forks* in the drawer"."""
 _PUT = frozenset("in on into onto under behind inside by".split())
-_BEHIND = frozenset("then still yet today now already or not please robot , all again anymore there".split())
+_BEHIND = frozenset(
+    "then still yet today now already or not please robot , all again anymore there underneath below".split()
+)
 _IDLE = frozenset(
     "chance idea luck problem need time reason point doubt sign trace news way hope thoughts plan".split()
 )

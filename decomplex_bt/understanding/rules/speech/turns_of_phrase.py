@@ -106,6 +106,22 @@ def _levels(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
             yield from ((i, "and"), (i + 1, "if"), (i + 2, "neither"))
 
 
+def _answers(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
+    """ "For tea, ... For coffee, ..." behind "tea or coffee"; "in the event he's out"."""
+    for i in range(len(words) - 3):
+        is_first = i == 0 or lower[i - 1] in ENDS
+        if is_first and lower[i] == "for" and lower[i + 2] == "," and _is_offered(lower[:i], lower[i + 1]):
+            yield (i, "if")
+        is_event = lower[i : i + 3] == ["in", "the", "event"]
+        if is_event and (lower[i + 3] in _SUBJECTS - {"that"} or words[i + 3][0].isupper()):
+            yield from ((i, "on"), (i + 1, "condition"), (i + 2, "that"))
+
+
+def _is_offered(before: Sequence[str], word: str) -> bool:
+    """Whether a word is one of two that an "or" joined before."""
+    return any(before[i] == "or" and word in (before[i - 1], *before[i + 1 : i + 3]) for i in range(1, len(before)))
+
+
 def _absences(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
     """ "In the absence of milk", "not unless it's dry"."""
     for i in range(len(words)):
@@ -116,5 +132,5 @@ def _absences(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
 
 
 _PHRASES: tuple[Callable[[Sequence[str], Sequence[str]], Iterator[Change]], ...] = (
-    _instants, _inversions, _verdicts, _levels, _absences,
+    _instants, _inversions, _verdicts, _levels, _answers, _absences,
 )  # fmt: skip
