@@ -27,3 +27,9 @@ def test_a_thing_told_by_its_owner_or_kind_has_its_noun(interpreter: Interpreter
 def test_only_what_there_is_has_a_kind(interpreter: Interpreter) -> None:
     found = interpreter.interpret("Is the lamp in the hall? If it's white, bring it to me.")
     assert found.tasks[-1].value("object") == "the lamp"
+
+
+def test_anything_of_ours_is_said_in_full(interpreter: Interpreter) -> None:
+    found = interpreter.interpret("Look under the bunks and if there's anything of ours, put it in the red bag.")
+    assert found.tasks[1].value("object") == "anything of ours"
+    assert found.tasks[2].value("object") == "anything of ours"

@@ -201,6 +201,8 @@ def _form(document: Document, tokens: range) -> str | None:
     is_owner = last.lower in ("'s", "\u2019s") and document.tokens[tokens.stop - 2].pos in ("NOUN", "PROPN")
     if (last.tag == "POS" or is_owner) and "and" not in words:  # "my mug and Tom's" says of what kind both are
         return "own"
+    if len(words) > 1 and words[-2] == "of" and words[-1] in _OWN:
+        return None  # "anything of ours" says whose
     if len(words) > 2 and words[-2] == "of" and words[-1] in PRONOUNS:
         return "part"
     if words[-1] in _COUNTS and len(words) == 2 and words[0] == "a":
