@@ -46,5 +46,6 @@ ONES = frozenset(("one", "ones"))
 ROOM = frozenset(("room", "space"))
 """What there may be none of for something to be put."""
 TIME_UNITS = frozenset("second minute hour day week month".split())
+LEVELS = frozenset("below above under over".split())
 SHARES = frozenset(("half", "all", "both"))
 """What stands ahead of "the" or "a" for how much of something is meant."""

@@ -30,6 +30,10 @@ from decomplex_bt.understanding.rules.speech.turns_of_phrase import plain_phrase
         ("Go , but not unless it 's dry", "Go , but only if it 's dry"),
         ("Anything under ten , light it", "If under ten , light it"),
         ("Bring anything under the sink", None),
+        ("Tea or milk ? For tea , boil it", "Tea or milk ? If tea , boil it"),
+        ("For Ann , boil it", None),
+        ("In the event he 's out , stop", "On condition that he 's out , stop"),
+        ("In the event of rain , stop", None),
     ],
 )
 def test_phrases_are_replaced_word_for_word(said: str, meant: str | None) -> None:

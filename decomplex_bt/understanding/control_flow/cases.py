@@ -9,10 +9,10 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, JOINTS
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.control_flow.contrasts import is_case_beside
 from decomplex_bt.understanding.states import OPPOSITES, are_alike, are_apart
+from decomplex_bt.understanding.vocabulary import LEVELS
 
 _MANY = 3
 """From so many cases on even opposites are states among others: "hot", "lukewarm", "cold"."""
-_LEVELS = frozenset("below above under over".split())
 _OPENING = frozenset(("if", "when"))
 _TURNING = frozenset(("unless", "only_if", "even_if", "or"))
 
@@ -76,7 +76,7 @@ def _are_of_one_matter(run: Sequence[Clause]) -> bool:
     somebody wishes."""
     states = [clause.wording.state or "" for clause in run]
     is_wish = len(run) > 1 and all(clause.is_wish for clause in run)
-    levels = {clause.said_state[0] for clause in run if clause.said_state and clause.said_state[0] in _LEVELS}
+    levels = {clause.said_state[0] for clause in run if clause.said_state and clause.said_state[0] in LEVELS}
     return (
         is_wish
         or len(levels) > 1

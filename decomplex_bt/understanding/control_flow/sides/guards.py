@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES, is_flipped
-from decomplex_bt.understanding.control_flow.clause import Clause
+from decomplex_bt.understanding.control_flow.clause import FINDING_OUT, Clause
 from decomplex_bt.understanding.control_flow.contrasts import asks_of
 from decomplex_bt.understanding.control_flow.failures import is_kept_from
 from decomplex_bt.understanding.control_flow.outcomes import (
@@ -34,7 +34,7 @@ _SAYING = frozenset(("not", "there", "still"))
 _WATCHING = frozenset("keep watch mind supervise stay remain sit stand wait".split())
 _SETTING_OUT = frozenset("go leave want need wish like".split())
 _LISTING = frozenset(("and", "please"))
-_FINDING_OUT = frozenset(("informing", "searching", "check_state"))
+_OF_MATTERS = FINDING_OUT | {"informing"}
 """Orders that an "if" may open the matter of: "tell me *if she's in*"."""
 _AND_ONLY = (("but", "but"), ("and", "but"))
 """The cues of "but only" and "and only" ahead of a verb."""
@@ -82,7 +82,7 @@ def bind_behind(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str
     order, clause, later = clauses[k - 1 : k + 2]
     is_behind = clause.boundary == "none" and clause.near == ("if",) and clause.is_check and not clause.far
     is_parted = order.boundary != "none" and later.boundary == "," and TURNING.isdisjoint({*later.near, *later.far})
-    is_one = order.sentence == clause.sentence == later.sentence and order.task.type not in _FINDING_OUT
+    is_one = order.sentence == clause.sentence == later.sentence and order.task.type not in _OF_MATTERS
     if is_behind and is_parted and is_one and sides[k - 1 : k + 2] == ["top", "top", HOLDS]:
         sides[k - 1] = ">1+"
         for j in takewhile(lambda j: goes_on(clauses, roles, sides, j, clause.sentence), range(k + 1, len(clauses))):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.states import OPPOSITES
+from decomplex_bt.understanding.vocabulary import LEVELS
 
 STOPS = frozenset((".", "?", "!", ";", ":", "...", "…"))
 _FILLERS = frozenset("and oh so hey ok okay well but , - then also still".split())
@@ -32,7 +33,6 @@ _SIGNS = frozenset(("sign",))
 
 _PERCEIVING = frozenset("see spot notice find".split())
 _ALL = frozenset("all every each both".split())
-_LEVELS = frozenset("below above over under".split())
 _DEGREES = frozenset("less more fewer colder hotter warmer higher lower".split())
 _LONGEST_AMOUNT = 3
 """The most words of an amount: "four degrees Celsius"."""
@@ -147,7 +147,7 @@ def _threshold(document: Document, words: range, first: int) -> Fragment | None:
     """The question whether what was looked at is above or below so much: "*below four degrees*?"."""
     tokens = document.tokens
     amount = first + 1 + (first + 1 < words.stop and tokens[first + 1].lower == "than")
-    is_compared = tokens[first].lower in _LEVELS if amount == first + 1 else tokens[first].lower in _DEGREES
+    is_compared = tokens[first].lower in LEVELS if amount == first + 1 else tokens[first].lower in _DEGREES
     is_amount = amount < words.stop <= amount + _LONGEST_AMOUNT and tokens[amount].pos == "NUM"
     if first >= words.stop or not (is_compared and is_amount) or words.stop + 1 >= len(document):
         return None

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from decomplex_bt.understanding.document import ENDS, FINITE, Document
 from decomplex_bt.understanding.rules.speech.edits import is_order_at
 from decomplex_bt.understanding.states import OPPOSITES, SCALES
+from decomplex_bt.understanding.vocabulary import LEVELS
 
-_LEVELS = frozenset("below above under over".split())
 _DEGREES_OF = frozenset("more less fewer".split())
 _SHARES = frozenset("half quarter third zero".split())
 _NUMBERS = frozenset(
@@ -127,7 +127,7 @@ def _begins_clause(document: Document, i: int) -> bool:
 
 def _is_level(words: list[str]) -> bool:
     is_amount = any(word.isdigit() or word in _SHARES or word in _NUMBERS for word in words[1:])
-    is_compared = words[0] in _LEVELS or (words[0] in _DEGREES_OF and words[1:2] == ["than"])
+    is_compared = words[0] in LEVELS or (words[0] in _DEGREES_OF and words[1:2] == ["than"])
     return is_compared and is_amount
 
 

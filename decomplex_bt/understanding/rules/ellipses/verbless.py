@@ -12,6 +12,7 @@ from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of
 from decomplex_bt.understanding.rules.ellipses.fragments import Fragment
+from decomplex_bt.understanding.vocabulary import LEVELS
 
 _OPENING = frozenset(("if", "unless"))
 _IN_CASE = (("in", "case", "of"), ("in", "the", "event", "of"))
@@ -19,7 +20,6 @@ _TAKING_UP = frozenset("if otherwise else then yes no not when".split())
 """First words behind a question that say what comes of it."""
 _UNHEEDED = frozenset("still only just ever then".split())
 _DEGREES = frozenset("too still not very quite fast sound all nearly almost slightly completely totally".split())
-_LEVELS = frozenset("below above under over".split())
 _SHARES = frozenset("half quarter third zero freezing".split())
 _COLOURS = frozenset("red green amber yellow orange blue white".split())
 _DENYING, _ASKING = "no", "any"
@@ -113,7 +113,7 @@ def _is_comparison(document: Document, phrase: range) -> bool:
     """Whether words say no more than that there is more or less than so much: "fewer than six", "below ten degrees"."""
     words = [document.tokens[i] for i in phrase]
     is_led = len(words) > 2 and words[0].lower in ("fewer", "less", "more") and words[1].lower == "than"
-    is_level = len(words) > 1 and words[0].lower in _LEVELS
+    is_level = len(words) > 1 and words[0].lower in LEVELS
     is_led = is_led or (is_level and any(word.pos == "NUM" or word.lower in _SHARES for word in words))
     return is_led and len(words) <= _LONGEST and not any(word.pos in ("VERB", "AUX") for word in words)
 

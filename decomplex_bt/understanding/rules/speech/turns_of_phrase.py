@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from decomplex_bt.understanding.document import ENDS, MARKS
+from decomplex_bt.understanding.vocabulary import LEVELS
 
 _INSTANTS = frozenset("minute moment instant second".split())
 _TIMES = frozenset(("each", "every", "any"))
@@ -18,7 +19,6 @@ _REASONS = frozenset("because cause cos since as for".split())
 _JOINING = frozenset("and but or so then otherwise".split())
 _INVERTED = 6
 """The most words between a "were" and its "to"."""
-_LEVELS = frozenset("below above under over".split())
 _POINTING = frozenset(("that", "this"))
 _SOMEBODY = frozenset("he she they it".split())
 _BEING = frozenset("'s \u2019s s is are 're \u2019re isn't isnt".split())
@@ -100,26 +100,31 @@ def _levels(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
     for i in range(len(words) - 3):
         is_first = i == 0 or lower[i - 1] in MARKS or lower[i - 1] in _JOINING
         stop = next((j for j in range(i + 2, min(i + _INVERTED, len(words))) if lower[j] in MARKS - {"-"}), i)
-        if is_first and lower[i] == "anything" and lower[i + 1] in _LEVELS and stop > i + 2 and lower[stop] == ",":
+        if is_first and lower[i] == "anything" and lower[i + 1] in LEVELS and stop > i + 2 and lower[stop] == ",":
             yield (i, "if")
         if is_first and lower[i : i + 4] == ["anything", "in", "between", ","]:
             yield from ((i, "and"), (i + 1, "if"), (i + 2, "neither"))
 
 
 def _answers(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
-    """ "For tea, ... For coffee, ..." behind "tea or coffee"; "in the event he's out"."""
-    for i in range(len(words) - 3):
+    """ "For tea, ... For coffee, ..." behind "tea or coffee"."""
+    for i in range(len(words) - 2):
         is_first = i == 0 or lower[i - 1] in ENDS
         if is_first and lower[i] == "for" and lower[i + 2] == "," and _is_offered(lower[:i], lower[i + 1]):
             yield (i, "if")
-        is_event = lower[i : i + 3] == ["in", "the", "event"]
-        if is_event and (lower[i + 3] in _SUBJECTS - {"that"} or words[i + 3][0].isupper()):
-            yield from ((i, "on"), (i + 1, "condition"), (i + 2, "that"))
 
 
 def _is_offered(before: Sequence[str], word: str) -> bool:
     """Whether a word is one of two that an "or" joined before."""
     return any(before[i] == "or" and word in (before[i - 1], *before[i + 1 : i + 3]) for i in range(1, len(before)))
+
+
+def _events(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
+    """ "In the event he's out", which lacks a "that"."""
+    for i in range(len(words) - 3):
+        is_clause = lower[i + 3] in _SUBJECTS - {"that"} or words[i + 3][0].isupper()
+        if lower[i : i + 3] == ["in", "the", "event"] and is_clause:
+            yield from ((i, "on"), (i + 1, "condition"), (i + 2, "that"))
 
 
 def _absences(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
@@ -132,5 +137,5 @@ def _absences(words: Sequence[str], lower: Sequence[str]) -> Iterator[Change]:
 
 
 _PHRASES: tuple[Callable[[Sequence[str], Sequence[str]], Iterator[Change]], ...] = (
-    _instants, _inversions, _verdicts, _levels, _answers, _absences,
+    _instants, _inversions, _verdicts, _levels, _answers, _events, _absences,
 )  # fmt: skip
