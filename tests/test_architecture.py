@@ -17,7 +17,7 @@ import decomplex_bt
 SOURCE = Path(decomplex_bt.__file__).parent
 ENVS = Path(sys.modules["decomplex_bt.envs"].__path__[0])
 
-BASIC = frozenset({"errors", "flow", "instruction", "phrases", "domain", "corpus"})
+BASIC = frozenset({"errors", "flow", "instruction", "phrases", "domain", "corpus", "processes"})
 MAY_IMPORT: dict[str, frozenset[str]] = {
     "errors": frozenset({"instruction"}),
     "flow": frozenset({"errors"}),
@@ -25,6 +25,7 @@ MAY_IMPORT: dict[str, frozenset[str]] = {
     "phrases": frozenset({"instruction"}),
     "domain": frozenset({"errors", "flow", "instruction", "domains"}),
     "domains": frozenset(),
+    "processes": frozenset(),
     "corpus": frozenset({"errors", "flow", "instruction", "domain"}),
     "formats": BASIC,
     "understanding": BASIC,

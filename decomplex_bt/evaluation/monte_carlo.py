@@ -25,6 +25,7 @@ from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
 from decomplex_bt.evaluation.row import Outcome, Row
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.planner import Planner
+from decomplex_bt.processes import results
 
 AGENTS = ("tree", "oracle", "random", "idle")
 """The policies an environment offers; only "tree" understands text, the others are given the gold flow."""
@@ -274,13 +275,12 @@ def run_episodes(
     planned: Sequence[Episode], setup: Setup, *, jobs: int = 1, progress: Progress | None = None
 ) -> Iterator[Row]:
     """The rows of the episodes, in their order, as they come."""
-    from joblib import Parallel, delayed
+    from joblib import delayed
 
     size = 1 if jobs == 1 else CHUNK
     chunks = [planned[start : start + size] for start in range(0, len(planned), size)]
-    run = Parallel(n_jobs=jobs, return_as="generator")
     done = 0
-    for rows in run(delayed(_run_chunk)(chunk, setup) for chunk in chunks):
+    for rows in results((delayed(_run_chunk)(chunk, setup) for chunk in chunks), jobs):
         for row in rows:
             done += 1
             if progress is not None:

@@ -11,6 +11,7 @@ import numpy as np
 
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import InputError
+from decomplex_bt.processes import results
 from decomplex_bt.reproduction.dataset import (
     PROTOCOLS,
     Dataset,
@@ -153,7 +154,7 @@ def _measure_all(
     example: Observed,
     progress: Progress,
 ) -> list[Measures]:
-    import joblib
+    from joblib import delayed
 
     features, text = tuple(paper.features), paper.example
 
@@ -162,16 +163,13 @@ def _measure_all(
         test = [dataset.samples[i] for i in job.split.test]
         is_first = job.number == 0 and job.protocol == settings.protocols[0]
         if job.kind == "paper":
-            return joblib.delayed(measure_paper)(train, test, features, example if is_first else None)
+            return delayed(measure_paper)(train, test, features, example if is_first else None)
         documents = KnownDocuments(dataset.documents, dataset.language_model)
         draws = np.random.default_rng([settings.seed, k])
-        return joblib.delayed(measure_interpreter)(
-            train, test, settings.domain, documents, text if is_first else None, draws
-        )
+        return delayed(measure_interpreter)(train, test, settings.domain, documents, text if is_first else None, draws)
 
-    parallel = joblib.Parallel(n_jobs=settings.jobs, return_as="generator")
     measured = []
-    for k, measures in enumerate(parallel(call(k, job) for k, job in enumerate(jobs))):
+    for k, measures in enumerate(results((call(k, job) for k, job in enumerate(jobs)), settings.jobs)):
         job = jobs[k]
         what = "default interpreter" if job.kind == "interpreter" else "the paper's systems"
         progress(f"{k + 1}/{len(jobs)}: {what}, left out: {job.split.left_out}")

@@ -10,13 +10,13 @@ from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
 from typing import TypeVar
-from warnings import catch_warnings
 
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.domain.verbs import sense_of
 from decomplex_bt.errors import InputError, check_jobs, quoted
 from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Alternative, Argument, Instruction, Span, Task
+from decomplex_bt.processes import results
 from decomplex_bt.understanding.advice import missing_arguments, warnings_of
 from decomplex_bt.understanding.arguments import FoundArgument
 from decomplex_bt.understanding.confidence import CALIBRATION_FILE, Belief, Calibration, belief_of, shrunk
@@ -136,18 +136,13 @@ class Interpreter:
             for document in self._parser.parse_batch(usable, spelling=self._spelling):
                 yield self._understand(document)
             return
-        from joblib import Parallel, delayed
+        from joblib import delayed
 
         waiting = iter(list(usable))
         chunks = iter(lambda: tuple(islice(waiting, CHUNK)), ())
         read = delayed(partial(_interpret_chunk, self.domain.folder, self._models, self._has_encoder))
-        found = Parallel(n_jobs=jobs, return_as="generator")(map(read, chunks))
-        try:
-            for instructions in found:
-                yield from instructions
-        finally:
-            with catch_warnings(action="ignore"):  # joblib's, of what is cancelled where the caller has seen enough
-                found.close()
+        for instructions in results(map(read, chunks), jobs):
+            yield from instructions
 
     def tokens(self, text: str) -> tuple[Span, ...]:
         """Where the tokens of a text stand; every span of a reading begins and ends with one."""

@@ -16,6 +16,7 @@ from decomplex_bt.corpus import Example, read_corpus, read_voices
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError
 from decomplex_bt.instruction import Instruction
+from decomplex_bt.processes import results
 from decomplex_bt.understanding.arguments import gold_tasks, train_arguments
 from decomplex_bt.understanding.confidence import KINDS, Belief, belief_of, train_calibration
 from decomplex_bt.understanding.coreference import REFERENCES_FILE, ReferenceModel, train_references
@@ -335,7 +336,7 @@ def _train_stages(
 
 def _held_out_readings(data: Corpus, domain: Domain, jobs: int, progress: Progress) -> Iterator[Held]:
     """Every instruction with its readings by stages that never saw its voice."""
-    from joblib import Parallel, delayed
+    from joblib import delayed
 
     held_out = _folds(data.voices)
     count = max(held_out) + 1
@@ -343,7 +344,7 @@ def _held_out_readings(data: Corpus, domain: Domain, jobs: int, progress: Progre
         (data.only([f != fold for f in held_out]), data.only([f == fold for f in held_out])) for fold in range(count)
     )
     progress("readings")
-    found = Parallel(n_jobs=jobs, return_as="generator")(delayed(_read_by_others)(*fold, domain) for fold in folds)
+    found = results((delayed(_read_by_others)(*fold, domain) for fold in folds), jobs)
     for k, readings in enumerate(found, start=1):
         progress(f"readings {k}/{count}")
         yield from readings
