@@ -9,6 +9,7 @@ from functools import lru_cache
 from pydantic import Field, field_validator
 
 from decomplex_bt.domain.document import Format, Record
+from decomplex_bt.domain.pddl import Signatures, Types
 from decomplex_bt.errors import among
 
 Filled = tuple[str, ...]
@@ -77,17 +78,17 @@ def _parts(atom: str) -> Filled:
 
 def check_goals(
     goals: Goals,
-    predicates: Mapping[str, int],
-    types: Collection[str],
+    predicates: Signatures,
+    types: Types,
     values: Collection[str],
     arguments: Collection[str],
 ) -> None:
-    """Raises `ValueError` where a template or a state value has no fluent, or one with another number of objects, and
-    where a role or its type is unknown. `arguments`: the argument types, which are roles."""
+    """Raises `ValueError` where a template or a state value has no fluent, or one with other objects, and where a role
+    or its type is unknown. `arguments`: the argument types, which are roles."""
     if unknown := [value for value in goals.fluents if value not in values]:
         raise ValueError(f"fluents: {unknown[0]!r} is no state value of kinds.yaml{among(unknown[0], values)}")
     for value in values:
-        if predicates.get(goals.fluent(value)) != 1:
+        if len(predicates.get(goals.fluent(value), ())) != 1:
             raise ValueError(f"the state {value!r} has no fluent ({goals.fluent(value)} ?object) in domain.pddl")
     for task_type, templates in goals.goals.items():
         for template in templates:
@@ -97,8 +98,8 @@ def check_goals(
 def _check_template(
     where: str,
     template: GoalTemplate,
-    predicates: Mapping[str, int],
-    types: Collection[str],
+    predicates: Signatures,
+    types: Types,
     arguments: Collection[str],
 ) -> None:
     for role, of in template.of.items():
@@ -109,5 +110,12 @@ def _check_template(
     for predicate, *terms in template.parts():
         if unknown := [term for term in terms if term.strip("{}") not in template.of]:
             raise ValueError(f"{where}: {unknown[0]} stands for none of the roles {sorted(template.of)}")
-        if predicate != f"{{{STATE}}}" and predicates.get(predicate) != len(terms):
+        if predicate == f"{{{STATE}}}":
+            continue
+        signature = predicates.get(predicate)
+        if signature is None or len(signature) != len(terms):
             raise ValueError(f"{where}: domain.pddl has no ({predicate} ...) of {len(terms)} objects")
+        for term, takes in zip(terms, signature, strict=True):
+            of = template.of[term.strip("{}")]
+            if not types.is_a(of, takes):
+                raise ValueError(f"{where}: {term} is of the type {of!r}; ({predicate} ...) takes {takes!r}")

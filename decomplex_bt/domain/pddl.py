@@ -2,15 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
 from decomplex_bt.domain.sexpr import Sexpr, read_sexpr, typed_list
 from decomplex_bt.errors import among
 
 ROOT = "object"
 """The type of everything."""
+Signatures = Mapping[str, tuple[str, ...]]
+"""The type of each object of a predicate, by its name."""
 _SECTIONS = ("domain", ":requirements", ":types", ":predicates", ":action")
 _PARTS = [":parameters", ":precondition", ":effect"]
+
+
+@dataclass(frozen=True, slots=True)
+class Types:
+    """The types of a PDDL domain; `supers`: of each but the root the type it is one of."""
+
+    supers: Mapping[str, str]
+
+    def __contains__(self, name: object) -> bool:
+        return name == ROOT or name in self.supers
+
+    def names(self) -> list[str]:
+        return sorted({ROOT, *self.supers})
+
+    def is_a(self, special: str, general: str) -> bool:
+        """Whether everything of the type `special` is of the type `general`."""
+        return general in self._upwards(special)
+
+    def cyclic(self) -> str | None:
+        """A type that is one of its own, by way of others or not."""
+        return next((name for name in self.supers if self.is_a(self.supers[name], name)), None)
+
+    def _upwards(self, name: str) -> list[str]:
+        """The type and all above it, the root last, as far as none comes twice."""
+        found: list[str] = []
+        while name not in found:
+            found.append(name)
+            name = self.supers.get(name, ROOT)
+        return found
 
 
 def pddl_sections(text: str) -> dict[str, list[tuple[Sexpr, ...]]]:
@@ -23,15 +55,16 @@ def pddl_sections(text: str) -> dict[str, list[tuple[Sexpr, ...]]]:
     return sections
 
 
-def pddl_types(text: str) -> set[str]:
-    """The types of a PDDL domain, the root included. Raises `ValueError`."""
-    return {ROOT} | {name for section in pddl_sections(text).get(":types", []) for name, _ in typed_list(section)}
+def pddl_types(text: str) -> Types:
+    """The types of a PDDL domain. Raises `ValueError`."""
+    sections = pddl_sections(text).get(":types", [])
+    return Types({name: of for section in sections for name, of in typed_list(section) if name != ROOT})
 
 
-def pddl_predicates(text: str) -> dict[str, int]:
-    """The predicates of a PDDL domain with their numbers of objects. Raises `ValueError`."""
+def pddl_predicates(text: str) -> dict[str, tuple[str, ...]]:
+    """The predicates of a PDDL domain with the types of their objects. Raises `ValueError`."""
     return {
-        str(predicate[0]): len(list(typed_list(predicate[1:])))
+        str(predicate[0]): tuple(of for _, of in typed_list(predicate[1:]))
         for section in pddl_sections(text).get(":predicates", [])
         for predicate in section
         if isinstance(predicate, tuple)
@@ -53,14 +86,16 @@ def check_pddl(text: str) -> None:
     types, predicates = pddl_types(text), pddl_predicates(text)
     for section in sections.get(":types", []):
         _check_types(":types", section, types)
+        _check_once(":types", (name for name, _ in typed_list(section)))
+    if (name := types.cyclic()) is not None:
+        raise ValueError(f":types: {name} is a type of its own kind, by way of {types.supers[name]}")
     for section in sections.get(":predicates", []):
         for predicate in section:
             if not isinstance(predicate, tuple) or not predicate:
                 raise ValueError(f":predicates: {predicate!r} stands outside of parentheses")
             _check_types(f"the predicate {predicate[0]}", predicate[1:], types)
-    names = pddl_actions(text)
-    if twice := next((name for name in names if names.count(name) > 1), None):
-        raise ValueError(f"action {twice}: it stands twice")
+        _check_once(":predicates", (_said(predicate[0]) for predicate in section))
+    _check_once(":action", pddl_actions(text))
     for action in sections.get(":action", []):
         _check_action(action, types, predicates)
 
@@ -74,7 +109,7 @@ def conjuncts(expression: Sexpr) -> Iterator[tuple[Sexpr, ...]]:
         yield items
 
 
-def _check_action(action: tuple[Sexpr, ...], types: set[str], predicates: Mapping[str, int]) -> None:
+def _check_action(action: tuple[Sexpr, ...], types: Types, predicates: Signatures) -> None:
     where = f"action {action[0] if action else '?'}"
     if list(action[1::2]) != _PARTS or len(action) != 1 + 2 * len(_PARTS):
         raise ValueError(f"{where}: expected {', '.join(_PARTS)} in this order, each with its parentheses")
@@ -82,30 +117,48 @@ def _check_action(action: tuple[Sexpr, ...], types: set[str], predicates: Mappin
     if not isinstance(parameters, tuple):
         raise ValueError(f"{where}: its parameters stand outside of parentheses")
     _check_types(where, parameters, types)
-    variables = [name for name, _ in typed_list(parameters)]
+    variables = dict(typed_list(parameters))
+    _check_once(where, (name for name, _ in typed_list(parameters)))
     for atom in conjuncts(precondition):
         if atom[:1] == ("not",):
             raise ValueError(f"{where}: {_said(atom)} in its precondition; the planner knows positive ones alone")
-        _check_atom(where, atom, variables, predicates)
+        _check_atom(where, atom, variables, types, predicates)
     for atom in conjuncts(effect):
         if atom[:1] == ("not",):
             atom = atom[1] if len(atom) == 2 and isinstance(atom[1], tuple) else ()
-        _check_atom(where, atom, variables, predicates)
+        _check_atom(where, atom, variables, types, predicates)
 
 
-def _check_atom(where: str, atom: tuple[Sexpr, ...], variables: Sequence[str], predicates: Mapping[str, int]) -> None:
+def _check_atom(
+    where: str, atom: tuple[Sexpr, ...], variables: Mapping[str, str], types: Types, predicates: Signatures
+) -> None:
     name, *terms = atom or ("",)
     if name not in predicates:
         raise ValueError(f"{where}: unknown predicate in {_said(atom)}{among(_said(name), predicates)}")
-    if len(terms) != predicates[str(name)]:
-        raise ValueError(f"{where}: {_said(atom)} has {len(terms)} objects instead of {predicates[str(name)]}")
+    signature = predicates[str(name)]
+    if len(terms) != len(signature):
+        raise ValueError(f"{where}: {_said(atom)} has {len(terms)} objects instead of {len(signature)}")
     if unknown := [term for term in terms if term not in variables]:
         raise ValueError(f"{where}: {_said(unknown[0])} in {_said(atom)} is none of its parameters")
+    for term, of in zip(terms, signature, strict=True):
+        if not types.is_a(variables[str(term)], of):
+            raise ValueError(
+                f"{where}: {_said(term)} in {_said(atom)} is of the type {variables[str(term)]!r}; the predicate takes "
+                f"{of!r}"
+            )
 
 
-def _check_types(where: str, items: tuple[Sexpr, ...], types: set[str]) -> None:
+def _check_types(where: str, items: tuple[Sexpr, ...], types: Types) -> None:
     if unknown := [of for _, of in typed_list(items) if of not in types]:
-        raise ValueError(f"{where}: unknown type {unknown[0]!r}; known: {', '.join(sorted(types))}")
+        raise ValueError(f"{where}: unknown type {unknown[0]!r}; known: {', '.join(types.names())}")
+
+
+def _check_once(where: str, names: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            raise ValueError(f"{where}: {name} stands twice")
+        seen.add(name)
 
 
 def _said(expression: Sexpr) -> str:

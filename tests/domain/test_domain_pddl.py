@@ -49,12 +49,12 @@ def test_a_thing_is_in_one_place(name: str) -> None:
 
 @pytest.mark.parametrize("name", sorted(ACTIONS))
 def test_preconditions_are_positive_and_predicates_declared(name: str) -> None:
-    arity = pddl_predicates(DOMAIN.domain_pddl)
+    signatures = pddl_predicates(DOMAIN.domain_pddl)
     for literal in part(ACTIONS[name], ":precondition"):
         assert literal[0] != "not"
-        assert arity[literal[0]] == len(literal) - 1
+        assert len(signatures[literal[0]]) == len(literal) - 1
     adds, deletes = effects(ACTIONS[name])
-    assert all(arity[atom[0]] == len(atom) - 1 for atom in adds | deletes)
+    assert all(len(signatures[atom[0]]) == len(atom) - 1 for atom in adds | deletes)
 
 
 def test_schemas_and_values_after_say_what_the_effects_say() -> None:
