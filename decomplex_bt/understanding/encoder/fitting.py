@@ -13,6 +13,8 @@ from decomplex_bt.understanding.encoder.pieces import Pieced
 
 BATCH = 16
 WARM_UP = 0.1
+MEAN_OF = 0.15
+"""The last part of the steps, of whose weights the mean is taken."""
 
 
 class HasPieces(Protocol):
@@ -58,8 +60,10 @@ def fit(
     rng: random.Random,
     progress: Callable[[str], None],
 ) -> None:
-    """Fits a torch network, whose pretrained part is its `encoder`, by AdamW."""
+    """Fits a torch network, whose pretrained part is its `encoder`, by AdamW; its weights become the mean of the last
+    ones, which is right a little more often than the very last."""
     import torch
+    from torch.optim.swa_utils import AveragedModel
 
     encoder = [p for name, p in network.named_parameters() if name.startswith("encoder.")]
     heads = [p for name, p in network.named_parameters() if not name.startswith("encoder.")]
@@ -72,10 +76,11 @@ def fit(
         (found, min(len(found), int(share * len(lessons.plain))))
         for found, share in ((lessons.noised, pace.noised), (lessons.recombined, pace.recombined))
     ]
-    steps = pace.epochs * math.ceil((len(lessons.plain) + sum(count for _, count in copies)) / BATCH + 1)
+    steps = pace.epochs * math.ceil((len(lessons.plain) + sum(count for _, count in copies)) / BATCH)
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda t: min(t / (WARM_UP * steps), max(0.0, (steps - t) / steps))
     )
+    mean, step = AveragedModel(network), 0
     network.train()
     for epoch in range(pace.epochs):
         total = 0.0
@@ -88,8 +93,12 @@ def fit(
             torch.nn.utils.clip_grad_norm_([*encoder, *heads], 1.0)
             optimizer.step()
             schedule.step()
+            step += 1
+            if step > (1 - MEAN_OF) * steps:
+                mean.update_parameters(network)
             total += float(loss.detach()) / len(batches)
         progress(f"encoder {epoch + 1}/{pace.epochs}, loss {total:.2f}")
+    network.load_state_dict(mean.module.state_dict())
     network.eval()
 
 
