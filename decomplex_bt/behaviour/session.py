@@ -9,14 +9,12 @@ from typing import Any
 from decomplex_bt.behaviour.embodiment import Embodiment
 from decomplex_bt.behaviour.failure import Failure
 from decomplex_bt.behaviour.foresight import leads_to_goal
-from decomplex_bt.domain.loader import Domain
-from decomplex_bt.errors import quoted
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
-from decomplex_bt.planning.planner import Planner, PlanResult, PlanStatus
+from decomplex_bt.planning.plan_check import checked
+from decomplex_bt.planning.planner import Planner, PlanResult
 from decomplex_bt.planning.problem import Problem, belief_problem
 from decomplex_bt.planning.pursuit import Bindings
-from decomplex_bt.planning.schemas import read_schemas
 
 Fingerprint = tuple[str | None, ...]
 
@@ -69,28 +67,8 @@ class Session:
         return leads_to_goal(self.make_problem(self.belief, goal_atoms), steps)
 
     def plan(self, goal_atoms: tuple[Atom, ...], forbidden: tuple[GroundAction, ...] = ()) -> PlanResult:
-        """A plan from what is believed now, without the forbidden steps."""
+        """A plan from what is believed now, without the forbidden steps; UNSUPPORTED where the planner gave none that can
+        be carried out."""
         self.plans += 1
         problem = self.make_problem(self.belief, goal_atoms, forbidden=forbidden)
-        result = self.planner.solve(problem)
-        if not isinstance(result, PlanResult):
-            return PlanResult(PlanStatus.UNSUPPORTED, reason=f"the planner gave {quoted(result)}, no PlanResult")
-        for step in result.steps:
-            if (fault := _fault_of(step, problem, self.belief.domain)) is not None:
-                return PlanResult(PlanStatus.UNSUPPORTED, reason=f"{step} {fault}")
-        return result
-
-
-def _fault_of(step: GroundAction, problem: Problem, domain: Domain) -> str | None:
-    """Why a step cannot be one of this problem's plan, nor of another one's in this house; None where it can."""
-    schemas = read_schemas(problem.domain_pddl)
-    if step.name not in schemas:
-        return f"is no action of this domain; one is {min(schemas)!r}"
-    if len(step.objects) != (count := schemas[step.name].arity):
-        return f"has {len(step.objects)} objects; {step.name} takes {count}"
-    strange = [name for name in step.objects if name not in problem.names]
-    if not strange:
-        return None
-    house = domain.house
-    strange = [name for name in strange if name not in {*house.entities(), *house.rooms, *house.doorways}]
-    return f"is about {strange[0]!r}, which is no object of this problem" if strange else None
+        return checked(self.planner.solve(problem), problem, self.belief.domain)

@@ -17,9 +17,9 @@ Lifted = tuple[str, tuple[int, ...]]
 
 @dataclass(frozen=True, slots=True)
 class Schema:
-    """An action of the domain: how many objects it takes, what it needs, what it makes true and what it makes false."""
+    """An action of the domain: the types of the objects it takes, what it needs, what it makes true and what false."""
 
-    arity: int
+    types: tuple[str, ...]
     preconditions: tuple[Lifted, ...]
     adds: tuple[Lifted, ...]
     deletes: tuple[Lifted, ...]
@@ -37,10 +37,11 @@ def read_schemas(domain_pddl: str) -> Mapping[str, Schema]:
     schemas: dict[str, Schema] = {}
     for section in pddl_sections(domain_pddl)[":action"]:
         parts = {str(key): value for key, value in zip(section[1::2], section[2::2], strict=True)}
-        parameters = [name for name, _ in typed_list(_as_tuple(parts[":parameters"]))]
+        typed = list(typed_list(_as_tuple(parts[":parameters"])))
+        parameters = [name for name, _ in typed]
         effects = list(conjuncts(parts[":effect"]))
         schemas[str(section[0])] = Schema(
-            len(parameters),
+            tuple(of for _, of in typed),
             tuple(_lift(atom, parameters) for atom in conjuncts(parts[":precondition"])),
             tuple(_lift(atom, parameters) for atom in effects if atom[0] != "not"),
             tuple(_lift(_as_tuple(atom[1]), parameters) for atom in effects if atom[0] == "not"),
