@@ -150,7 +150,8 @@ class PlannedTask(Behaviour):
         if pursuit.status is not PursuitStatus.ONGOING:
             return self._finish(pursuit)
         if self._attempts >= MAX_PLANS:
-            truth = None if self.task.type in UNDECIDABLE_TYPES else False
+            is_open = self.task.type in UNDECIDABLE_TYPES or session.belief.unanswered(self._goal, since=self._since)
+            truth = None if is_open else False
             reason = f"gave up after {self._attempts} plans: {self._last_problem[1] or pursuit.doing}"
             return self._finish(Pursuit(PursuitStatus.FAILED, truth=truth, reason=reason))
         if self._has_plan and (pursuit.goal_atoms != self._goal or not self._still_works()):
@@ -175,9 +176,10 @@ class PlannedTask(Behaviour):
         self._attempts += 1
         session.replans += self._attempts > 1
         if result.status is not PlanStatus.SOLVED:
-            if self._last_problem[0] is None:
+            is_final = result.status.is_final
+            if self._last_problem[0] is None or not is_final:
                 self._last_problem = (None, str(result))
-            session.belief.give_up(self._goal, str(result))
+            session.belief.give_up(self._goal, str(result), is_final=is_final)
             return False
         self._has_plan, self._steps, self._position, self._waited = True, tuple(result.steps), 0, 0
         self._known = session.fingerprint(self._steps)
@@ -250,15 +252,15 @@ class PlannedTask(Behaviour):
 
     def _failure(self, pursuit: Pursuit) -> Failure:
         step, problem = self._last_problem
-        has_tried = step is not None
+        has_tried = step is not None and not pursuit.gave_up
         observed = pursuit.reason or problem or "nothing is left to try"
-        if not has_tried and problem not in observed:
+        if not has_tried and not pursuit.gave_up and problem not in observed:
             observed += f"; the planner: {problem}"
         return Failure(
             stage="execution" if has_tried else "planning",
             task=self.task.number,
             words=self.task.span,
-            action=step,
+            action=step if has_tried else None,
             expected=" ".join(str(atom) for atom in self._goal),
             observed=observed,
             attempts=self._attempts,

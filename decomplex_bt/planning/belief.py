@@ -9,7 +9,7 @@ from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.percept import Percept
 from decomplex_bt.planning.prior import UNEXPECTED, Prior
-from decomplex_bt.planning.schemas import values_after
+from decomplex_bt.planning.schemas import news_after, values_after
 
 LOOKS = 2
 """Looks in a row that must agree before a thing that was not seen counts as not there: one look may miss it."""
@@ -50,7 +50,7 @@ class Belief:
         self._noted: dict[Atom, int] = {}
         self._attempts: Counter[GroundAction] = Counter()
         self._blocked: dict[GroundAction, str] = {}
-        self._given_up: dict[tuple[Atom, ...], tuple[int, str]] = {}
+        self._given_up: dict[tuple[Atom, ...], tuple[int, str, bool]] = {}
         self._floors = {room: domain.house.floor_of(room) for room in domain.house.rooms}
         self._is_settled = False
         self._is_doubting = False
@@ -124,7 +124,7 @@ class Belief:
             ],
             "tag-along": lambda: [Atom("accompanied", step.objects)],
         }.get(step.name, list)()
-        for atom in noted:
+        for atom in (*noted, *news_after(step, self.domain)):
             self._noted[atom] = self.tick
         if step.name in ("place", "give") and self._place.get(step.objects[0]) in (None, ROBOT):
             self._place[step.objects[0]] = step.objects[1]
@@ -148,9 +148,9 @@ class Belief:
             self._blocked[step] = reason
         self.revision += 1
 
-    def give_up(self, goal_atoms: Iterable[Atom], reason: str) -> None:
-        """Notes that no plan brings this about any more."""
-        self._given_up[tuple(goal_atoms)] = (self.tick, reason)
+    def give_up(self, goal_atoms: Iterable[Atom], reason: str, *, is_final: bool = True) -> None:
+        """Notes that no plan brings this about any more; `is_final`: it is known, not only that none was found."""
+        self._given_up[tuple(goal_atoms)] = (self.tick, reason, is_final)
         self.revision += 1
 
     # -- what is believed ---------------------------------------------------------------------------------------------
@@ -260,8 +260,20 @@ class Belief:
 
     def given_up(self, goal_atoms: Iterable[Atom], *, since: int) -> str | None:
         """Why no plan was found for this goal at or after a tick; None if it was not given up then."""
-        tick, reason = self._given_up.get(tuple(goal_atoms), (NEVER, ""))
+        tick, reason, _ = self._given_up.get(tuple(goal_atoms), (NEVER, "", True))
         return reason if tick >= max(since, 0) else None
+
+    def unanswered(self, goal_atoms: Iterable[Atom], *, since: int) -> str | None:
+        """Why a goal was given up at or after a tick though it may be possible: no part of it is known not to be.
+
+        None where it was not given up then, or for a reason that is final.
+        """
+        goal = tuple(goal_atoms)
+        reason = self.given_up(goal, since=since)
+        if reason is None:
+            return None
+        parts = (part for part, (tick, _, is_final) in self._given_up.items() if is_final and tick >= max(since, 0))
+        return None if any(set(part) <= set(goal) for part in parts) else reason
 
     def last_reason(self, names: Iterable[str]) -> str | None:
         """What went wrong last for good with a step about one of these; None if nothing did."""

@@ -48,7 +48,7 @@ class Looking(Standing):
         if place is not None:
             return self._inspect(place, self._objects_phrase())
         inspected = [place for place in self.wheres if self._was_inspected(place)]
-        if len(inspected) == len(self.wheres) or (inspected and may_be_partial):
+        if len(inspected) == len(self.wheres) or (inspected and may_be_partial and not self._unanswered()):
             return self._not_there()
         raise NothingLeftError(self._why("not all places could be inspected", self.wheres), truth=None)
 
@@ -106,7 +106,9 @@ class Looking(Standing):
             left = [name for name in self._fitting(referent) if name not in seen and self._may_be_seen(name)]
             if self._may_be_there() and not any(self._is_open(place) for place in self.wheres):
                 left = [name for name in left if self._is_there(name)]  # what is elsewhere was not asked about
-            if referent.is_all and (not_so or not left) and seen:
+            has_given_up = not left and self._unanswered() is not None
+            is_all_seen = not left and not has_given_up
+            if referent.is_all and (not_so or is_all_seen) and seen:
                 if not_so:
                     return self._false({})
                 settled[referent] = so
@@ -114,8 +116,10 @@ class Looking(Standing):
                 settled[referent] = so[: self._needed(referent)]
             elif not_so and not referent.is_any:
                 return self._false({referent: not_so[:1]})
-            elif not left and referent.is_any and (not_so or self.task.places):
+            elif is_all_seen and referent.is_any and (not_so or self.task.places):
                 return self._false({})
+            elif has_given_up:
+                raise self._unseen(referent)
             else:
                 return self._look_at(left, pair, referent)
         return self._done(settled)
@@ -150,9 +154,11 @@ class Looking(Standing):
         place = next_place(unknown, self.belief, open_places)
         if place is not None:
             return self._inspect(place, referent.phrase)
-        raise NothingLeftError(
-            self._why(f"the state of {referent.phrase!r} could not be seen", referent.candidates), truth=None
-        )
+        raise self._unseen(referent)
+
+    def _unseen(self, referent: Referent) -> NothingLeftError:
+        why = self._why(f"the state of {referent.phrase!r} could not be seen", referent.candidates)
+        return NothingLeftError(why, truth=None)
 
     def _may_be_there(self) -> bool:
         """Whether a place that the task names is still to be looked at, or has one of the objects."""

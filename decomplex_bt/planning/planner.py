@@ -11,12 +11,17 @@ from decomplex_bt.planning.problem import Problem
 
 
 class PlanStatus(Enum):
-    """How a search for a plan ended."""
+    """How a search for a plan ended. Only UNSOLVABLE shows that there is no plan: after TIMEOUT there may be one."""
 
     SOLVED = "solved"
     UNSOLVABLE = "unsolvable"
     TIMEOUT = "timeout"
     UNSUPPORTED = "unsupported"
+
+    @property
+    def is_final(self) -> bool:
+        """Whether it settles whether there is a plan."""
+        return self in (PlanStatus.SOLVED, PlanStatus.UNSOLVABLE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,4 +51,7 @@ class Planner(Protocol):
     """Anything that finds plans."""
 
     def solve(self, problem: Problem) -> PlanResult:
-        """A plan for the problem. Never raises for a problem that is well formed: what went wrong is in the status."""
+        """A plan for the problem. Never raises for a problem that is well formed: what went wrong is in the status.
+
+        UNSOLVABLE only where it is shown that there is no plan: whether something can be done is judged by it.
+        """

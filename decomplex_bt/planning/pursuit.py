@@ -9,7 +9,8 @@ tick when the task became due):
     if pursuit.status is ONGOING:                        # keep the running plan while pursuit.goal_atoms stay the same
         problem = belief_problem(belief, pursuit.goal_atoms)     # planning/problem.py
         result = planner.solve(problem)                          # planning/planner.py
-        if result.status is not SOLVED: belief.give_up(pursuit.goal_atoms, result.reason)   # and pursue again
+        if result.status is not SOLVED:                              # and pursue again
+            belief.give_up(pursuit.goal_atoms, result.reason, is_final=result.status.is_final)
         else run the skills of result.steps in order; a skill's end is reported by
             belief.succeeded(step)   or   belief.failed(step, reason)                        # and pursue again
 
@@ -40,7 +41,7 @@ def pursue(task: GroundTask, belief: Belief, bindings: Bindings, *, since: int) 
         pursuer.settle_all()
         return _BY_TYPE.get(task.type, _Pursuer._other)(pursuer)
     except NothingLeftError as error:
-        return Pursuit(PursuitStatus.FAILED, truth=error.truth, reason=str(error), bindings=bindings)
+        return replace(pursuer.nothing_left(error), bindings=bindings)
 
 
 class _Pursuer(Handling):
@@ -91,6 +92,8 @@ class _Pursuer(Handling):
         try:
             return self._look_for(self._missing(self._was_seen))
         except NothingLeftError as error:
+            if self._unanswered():
+                raise
             # All was looked at in vain: that is an answer.
             return Pursuit(PursuitStatus.DONE, truth=False, reason=str(error), bindings=self.bindings)
 
@@ -171,7 +174,7 @@ class _Pursuer(Handling):
         roles |= {"goal": self.task.goal} if self.task.goal is not None else {}
         roles |= {"recipient": self.task.recipients[0]} if self.task.recipients else {}
         goal = self._goal({role: self._meant(referent)[0] for role, referent in roles.items()})
-        if all(self.belief.noted(atom) > self.since for atom in goal) or self._is_so(goal):
+        if all(self.belief.noted(atom) > self.since or self._is_so((atom,)) for atom in goal):
             return self._done({})
         return self._bring_about([goal], self.task.phrase)
 

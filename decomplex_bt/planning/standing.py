@@ -32,14 +32,15 @@ class Pursuit:
 
     `goal_atoms` (ONGOING): the goal of the next plan. `truth` (DONE, FAILED): what the task is as a condition: true,
     false, or None where it is neither, which is a failure with the `reason` whatever the flow. As a plain step DONE is
-    success and FAILED failure. `doing`: in words what is being done now, for feedback. `bindings` replaces the bindings
-    that were handed in.
+    success and FAILED failure. `gave_up` (FAILED): a planner did, on what may be possible; there is no truth then.
+    `doing`: in words what is being done now, for feedback. `bindings` replaces the bindings that were handed in.
     """
 
     status: PursuitStatus
     goal_atoms: tuple[Atom, ...] = ()
     truth: bool | None = None
     reason: str = ""
+    gave_up: bool = False
     doing: str = ""
     bindings: Bindings = field(default_factory=dict)
 
@@ -62,6 +63,7 @@ class Standing:
         self.wheres = self._places_of([self._meant(referent) for referent in task.places])
         lost = self._lost_landmarks() if task.type in FINDING_OUT else ()
         self.theres = self.wheres if not lost else self._known_wheres(lost)
+        self._refused: dict[tuple[Atom, ...], None] = {}  # the goals asked about that were given up, in order
 
     # -- referents ----------------------------------------------------------------------------------------------------
 
@@ -235,7 +237,24 @@ class Standing:
         return tuple(Atom(predicate, tuple(objects)) for predicate, *objects in filled)
 
     def _is_possible(self, goal: tuple[Atom, ...]) -> bool:
-        return self.belief.given_up(goal, since=self.since) is None
+        if self.belief.given_up(goal, since=self.since) is None:
+            return True
+        self._refused[goal] = None
+        return False
+
+    def _unanswered(self) -> str | None:
+        """What a planner gave up on of what was still to be tried, and why; None where all that failed had to fail.
+
+        That no plan was found in time says nothing of whether there is one.
+        """
+        open_goals = {
+            goal: reason for goal in self._refused if (reason := self.belief.unanswered(goal, since=self.since))
+        }
+        if not open_goals:
+            return None
+        goal, reason = next(iter(open_goals.items()))
+        more = f" and {len(open_goals) - 1} more" if len(open_goals) > 1 else ""
+        return f"the planner gave up on {' '.join(map(str, goal))}{more}: {reason}"
 
     def _first_open(self, goals: Iterable[tuple[Atom, ...]]) -> tuple[Atom, ...] | None:
         return next((goal for goal in goals if goal and self._is_possible(goal)), None)
@@ -247,6 +266,13 @@ class Standing:
                 self._why(f"no way was found to {doing}", [n for g in goals for a in g for n in a.objects])
             )
         return self._ongoing(goal, doing)
+
+    def nothing_left(self, error: NothingLeftError) -> Pursuit:
+        """The failure of a task for which nothing is left to try; neither true nor false where a planner gave up."""
+        unanswered = self._unanswered()
+        if unanswered is None:
+            return Pursuit(PursuitStatus.FAILED, truth=error.truth, reason=str(error), bindings=self.bindings)
+        return Pursuit(PursuitStatus.FAILED, reason=unanswered, gave_up=True, bindings=self.bindings)
 
     def _ongoing(self, goal: tuple[Atom, ...], doing: str) -> Pursuit:
         return Pursuit(PursuitStatus.ONGOING, goal, doing=doing, bindings=self.bindings)

@@ -258,6 +258,13 @@ def test_it_does_not_plan_for_ever(make):
     assert "gave up" in session.failures[0].observed
 
 
+@pytest.mark.parametrize(("status", "is_undecided"), [(PlanStatus.TIMEOUT, True), (PlanStatus.UNSOLVABLE, False)])
+def test_a_condition_that_no_plan_was_found_for_is_false_only_where_there_is_none(make, status, is_undecided):
+    leaf, session = make(lambda belief: ONGOING, [PlanResult(status)], is_condition=True)
+    run(leaf, session, [None] * (3 * MAX_PLANS))
+    assert (leaf.status, leaf.is_undecided, len(session.failures)) == (Status.FAILURE, is_undecided, is_undecided)
+
+
 def test_a_plan_without_effect_counts_as_a_failed_step(make):
     failed = []
     leaf, session = make(lambda belief: ONGOING)
