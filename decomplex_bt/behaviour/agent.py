@@ -11,7 +11,7 @@ from py_trees.composites import Sequence as InOrder
 from py_trees.trees import BehaviourTree
 
 from decomplex_bt.behaviour.compiler import CompiledTree, compile_flow
-from decomplex_bt.behaviour.conditional import IfThenElse
+from decomplex_bt.behaviour.conditional import IfThenElse, undecorated
 from decomplex_bt.behaviour.embodiment import Embodiment
 from decomplex_bt.behaviour.export import TraceRecorder
 from decomplex_bt.behaviour.failure import Failure
@@ -122,6 +122,8 @@ class TreeAgent:
     def act(self, observation: Any) -> Any:
         """The action for this observation: ticks the tree once. The last action is the one that ends the episode.
 
+        A tree that goes on without saying what to do, as a `Retry` whose child has just failed, rests for this tick.
+
         Raises `InputError` for what is no observation of the body's environment.
         """
         session = self.session
@@ -129,8 +131,7 @@ class TreeAgent:
             return self._body.finish()
         self._tick(session, observation)
         if self.tree.root.status is Status.RUNNING:
-            assert session.action is not None
-            return session.action
+            return self._body.rest() if session.action is None else session.action
         self._has_finished = True
         return self._body.finish()
 
@@ -218,15 +219,21 @@ class TreeAgent:
     def branches(self) -> tuple[tuple[int, bool | None, str | None], ...]:
         """The conditions judged so far, in order: the task, whether it held (None: undecided), the branch taken.
 
+        Where decorators stand around the condition, whether the task held is what the task itself came to, and the
+        branch the one that the tree took: under an `Inverter` that is the other one.
+
         Raises `RuntimeError` before the first `reset`, as `failures` does.
         """
         nodes = self.compiled.nodes
         self._conclude()
         judged = []
-        for _, node in sorted(nodes.items()):
+        for path, node in sorted(nodes.items()):
             if isinstance(node, IfThenElse) and node.condition.status in (Status.SUCCESS, Status.FAILURE):
-                assert isinstance(node.condition, PlannedTask)
-                judged.append((node.condition.task.number, node.truth, node.taken))
+                leaf, compiled = undecorated(node.condition), nodes[*path, "if"]
+                if isinstance(leaf, PlannedTask):
+                    judged.append((leaf.task.number, leaf.truth, node.taken))
+                elif isinstance(compiled, PlannedTask):  # what stands in its place has no task of its own
+                    judged.append((compiled.task.number, node.truth, node.taken))
         return tuple(judged)
 
     def record(self) -> TraceRecorder:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite
+from py_trees.decorators import Decorator, Inverter
 
 _ROLES = ("condition", "then", "orelse")
 _NO_ROLE = "{!r} is neither condition nor branch of {!r}; replace one of these, or construct the node anew"
@@ -27,7 +28,8 @@ class IfThenElse(Composite):
 
     `orelse` runs when the condition fails, never when `then` fails. The condition is judged once, when the node is
     reached, and its outcome (`truth`) stays until the node is entered anew: there is memory, always. A condition that
-    can tell "no" from "cannot be known" has an attribute `is_undecided`; where that is true, its FAILURE is neither.
+    can tell "no" from "cannot be known" has an attribute `is_undecided`; where that is true, its FAILURE is neither,
+    nor is what a decorator makes of it by handing it on or turning it round.
     Stopped from outside (INVALID) it has judged nothing. Its children can be replaced and its branches removed; further
     ones have no role here and are refused with `TypeError`.
 
@@ -126,8 +128,8 @@ class IfThenElse(Composite):
 
     def _judge(self) -> Status | None:
         """Takes the condition's outcome down and moves on to its branch; the final status where there is none."""
-        if self.condition.status == Status.FAILURE and getattr(self.condition, "is_undecided", False):
-            self.feedback_message = f"cannot be decided: {self.condition.feedback_message}"
+        if _is_undecided(self.condition):
+            self.feedback_message = f"cannot be decided: {undecorated(self.condition).feedback_message}"
             return Status.FAILURE
         self.truth = self.condition.status == Status.SUCCESS
         branch = self._branch()
@@ -139,3 +141,22 @@ class IfThenElse(Composite):
 
     def _branch(self) -> Behaviour | None:
         return self.then if self.truth else self.orelse
+
+
+def undecorated(node: Behaviour) -> Behaviour:
+    """The node that decorators stand around; itself where none does."""
+    while isinstance(node, Decorator):
+        node = node.decorated
+    return node
+
+
+def _is_undecided(condition: Behaviour) -> bool:
+    """Whether a condition that has ended has come out neither way.
+
+    The opposite of what cannot be known cannot be known either. A decorator that makes another status of it, such as
+    FailureIsSuccess, has decided.
+    """
+    if isinstance(condition, Decorator):
+        is_handed_on = condition.status == condition.decorated.status or isinstance(condition, Inverter)
+        return is_handed_on and _is_undecided(condition.decorated)
+    return condition.status == Status.FAILURE and getattr(condition, "is_undecided", False)

@@ -67,7 +67,7 @@ class Session:
         return leads_to_goal(self.make_problem(self.belief, goal_atoms), steps)
 
     def plan(self, goal_atoms: tuple[Atom, ...], forbidden: tuple[GroundAction, ...] = ()) -> PlanResult:
-        """A plan from what is believed now, without the forbidden steps; UNSUPPORTED where nobody could carry it out."""
+        """A plan from what is believed now, without the forbidden steps; UNSUPPORTED where it cannot be one."""
         self.plans += 1
         problem = self.make_problem(self.belief, goal_atoms, forbidden=forbidden)
         return checked(self.planner.solve(problem), problem, self.belief.domain)

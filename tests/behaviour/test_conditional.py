@@ -2,6 +2,7 @@ import pytest
 from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 from py_trees.composites import Selector
+from py_trees.decorators import FailureIsSuccess, Inverter, PassThrough, Retry
 
 from decomplex_bt.behaviour.conditional import IfThenElse
 
@@ -80,6 +81,28 @@ def test_undecided_condition_is_failure_with_its_reason():
     assert node.truth is None
     assert orelse.ticks == 0
     assert "cannot be decided" in node.feedback_message
+
+
+@pytest.mark.parametrize(
+    "decorate",
+    [
+        lambda child: Inverter("not", child),
+        lambda child: PassThrough("same", child),
+        lambda child: Inverter("not", Inverter("not", child)),
+        lambda child: Retry("once", child, 1),
+    ],
+)
+def test_what_cannot_be_decided_is_not_decided_by_turning_it_round(decorate):
+    condition = Recorder("condition", F, is_undecided=True)
+    condition.feedback_message = "the fridge cannot be reached"
+    node = make(decorate(condition), Recorder("then", S), Recorder("else", S))
+    assert (tick(node), node.truth, node.then.ticks, node.orelse.ticks) == (F, None, 0, 0)
+    assert node.feedback_message == "cannot be decided: the fridge cannot be reached"
+
+
+def test_a_decorator_that_makes_something_else_of_it_decides():
+    node = make(FailureIsSuccess("yes", Recorder("condition", F, is_undecided=True)), Recorder("then", S))
+    assert (tick(node), node.taken) == (S, "then")
 
 
 def test_entered_anew_it_judges_anew():
