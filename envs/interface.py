@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from enum import IntEnum
 
+from decomplex_bt.domain.kinds import STATE_VALUES
+
 
 class Interaction(IntEnum):
     """The `interact` part of an action; `target` names the row it is about."""
@@ -41,7 +43,7 @@ class Result(IntEnum):
     OPEN = 12
 
 
-STATE_PAIRS = ("power", "aperture", "temperature", "cleanliness", "fill")
+STATE_PAIRS = tuple(STATE_VALUES)
 """State columns of the entity table, in order: 1 the positive value, 0 the negative, -1 not seen or not applicable."""
 
 COLUMNS = ("visible", "x", "y", "heading", "place", "inspected", *STATE_PAIRS)

@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from decomplex_bt.corpus import Example
+from decomplex_bt.domain.kinds import STATE_VALUES
 from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.envs.chance import POWER, Draw
 from decomplex_bt.envs.config import REWARDS
@@ -307,7 +308,7 @@ def _devices(wanted: Any, geometry: Geometry) -> tuple[str, ...] | None:
 
 def _check_switched(options: Options, geometry: Geometry) -> None:
     """Raises `InputError` for a device that is to be broken and on."""
-    on = geometry.kinds.state_pairs[STATE_PAIRS[POWER]].values[0]
+    on, _ = STATE_VALUES["power"]
     for name in options.broken or ():
         if on in (options.states or {}).get(name, ()):
             raise InputError(f"{name} cannot be broken and {on}: what is broken stays off; give one of them")

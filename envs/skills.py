@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from decomplex_bt.behaviour.embodiment import Skill, SkillStatus, SkillTick
+from decomplex_bt.domain.contract import check_parameters
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.pddl import pddl_actions
 from decomplex_bt.envs.approach import Script, SkillError, move, pass_doorway
@@ -77,11 +78,15 @@ SKILLS: dict[str, Callable[..., Script]] = {
     "follow": follow,
     "tag-along": tag_along,
 }
-"""By the name of the PDDL action; called with the body and the action's objects in order."""
+"""By the name of the PDDL action; called with the body and the action's objects in order (`domain/contract.py`)."""
 
 
 def check_skills(domain: Domain) -> None:
-    """Raises `DataFileError` where an action of the domain has no skill."""
+    """Raises `DataFileError` where an action of the domain has no skill, or other parameters than its skill takes."""
     if unknown := [name for name in pddl_actions(domain.domain_pddl) if name not in SKILLS]:
         problem = f"action {unknown[0]}: the robot has no skill for it; it has {', '.join(SKILLS)}"
         raise DataFileError(domain.folder / "domain.pddl", problem)
+    try:
+        check_parameters(domain.domain_pddl)
+    except ValueError as error:
+        raise DataFileError(domain.folder / "domain.pddl", str(error)) from None

@@ -128,7 +128,7 @@ def check_record(value: Any, model: type[Model], path: str | Path, *, line: int 
 def _in_yaml(said: str) -> str:
     """What pydantic says, in the words of a data file instead of Python's."""
     said = re.sub(r"valid (mapping|dictionary)( or instance of \w+)?", "mapping", said)
-    return said.replace("valid tuple", "list")
+    return said.replace("valid tuple", "list").replace("Tuple", "List").replace(" after validation", "")
 
 
 def _keys_at(model: Any, location: Sequence[int | str]) -> list[str]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import lru_cache
+from typing import Annotated
 
 from pydantic import Field, field_validator
 
 from decomplex_bt.domain.document import Format, Record
 from decomplex_bt.domain.pddl import Signatures, Types
-from decomplex_bt.errors import among
+from decomplex_bt.errors import InputError, among
 
 Filled = tuple[str, ...]
 """A filled atom: predicate and objects."""
@@ -45,7 +46,7 @@ class Goals(Record):
 
     format: Format
     fluents: dict[str, str] = {}
-    goals: dict[str, tuple[GoalTemplate, ...]]
+    goals: dict[str, Annotated[tuple[GoalTemplate, ...], Field(min_length=1)]]
 
     def fluent(self, value: str) -> str:
         """The predicate that says a thing is in this state."""
@@ -57,12 +58,17 @@ class Goals(Record):
         """The goal of a task whose roles are filled with these objects.
 
         `has_type` says whether an object is of a PDDL type; the role `state` takes a state value and needs none.
-        Raises `KeyError` where no template of the task type fits.
+        Raises `InputError` where no template of the task type fits.
         """
-        for template in self.goals[task_type]:
+        templates = self.goals.get(task_type, ())
+        for template in templates:
             if all(role in roles and (role == STATE or has_type(roles[role], of)) for role, of in template.of.items()):
                 return _filled(template.atoms, *roles.items(), (STATE, self.fluent(roles.get(STATE, ""))))
-        raise KeyError(f"no goal of {task_type} takes {dict(roles)}")
+        known = "; or ".join(", ".join(f"{role}: {of}" for role, of in template.of.items()) for template in templates)
+        raise InputError(
+            f"there is no goal of {task_type} with {', '.join(f'{role}: {name}' for role, name in roles.items())}; "
+            f"goals.yaml has {f'those with {known}' if known else 'none'}: add one, or say the instruction otherwise"
+        )
 
 
 @lru_cache(maxsize=4096)
@@ -87,7 +93,13 @@ def check_goals(
     or its type is unknown. `arguments`: the argument types, which are roles."""
     if unknown := [value for value in goals.fluents if value not in values]:
         raise ValueError(f"fluents: {unknown[0]!r} is no state value of kinds.yaml{among(unknown[0], values)}")
+    called: dict[str, str] = {}
     for value in values:
+        if (other := called.setdefault(goals.fluent(value), value)) != value:
+            raise ValueError(
+                f"fluents: {other!r} and {value!r} are both called {goals.fluent(value)}; each state value has a "
+                "fluent of its own"
+            )
         if len(predicates.get(goals.fluent(value), ())) != 1:
             raise ValueError(f"the state {value!r} has no fluent ({goals.fluent(value)} ?object) in domain.pddl")
     for task_type, templates in goals.goals.items():

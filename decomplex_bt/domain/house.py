@@ -5,12 +5,13 @@ World frame: origin bottom left, x to the right, y up, metres; headings in radia
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, model_validator
 
 from decomplex_bt.domain.document import Format, Probability, Record, Weights, Word
-from decomplex_bt.domain.kinds import Kind, Kinds
+from decomplex_bt.domain.kinds import STATE_VALUES, Kind, Kinds
 from decomplex_bt.errors import among
 
 ROBOT = "robot"
@@ -19,6 +20,8 @@ USER = "user"
 """The kind that only the user may have."""
 Rect = tuple[float, float, float, float]
 Side = Literal["north", "east", "south", "west"]
+_RESERVED = re.compile(rf"slot_\d+|(?:{'|'.join(STATE_VALUES)})__\w+")
+"""What a planning problem calls the slots of the tray, and what there is to know of an entity."""
 Length = Annotated[float, Field(gt=0)]
 
 
@@ -113,6 +116,11 @@ class House(Record):
                     raise ValueError(
                         f"{key}: {name!r} is no lower-case identifier; expected letters, digits and underscores, "
                         "as in living_room"
+                    )
+                if _RESERVED.fullmatch(name):
+                    raise ValueError(
+                        f"{key}: the name {name!r} is taken by planning, as slot_1 is for a slot of the tray; give "
+                        "another one"
                     )
                 if name in taken:
                     raise ValueError(f"{key}: the name {name!r} stands twice, it is that of {taken[name]}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -14,6 +15,18 @@ Category = Literal["room", "floor", "furniture", "fixture", "thing", "person"]
 Shape = Literal["disc", "cup", "bottle", "plate", "bar", "book", "box", "paper", "ball", "ring", "cloth", "pan"]
 LARGEST = 0.25
 """[m] The radius of the largest thing that the gripper carries; the robot's own is 0.22."""
+STATE_VALUES: Mapping[str, tuple[str, str]] = {
+    "power": ("on", "off"),
+    "aperture": ("open", "closed"),
+    "temperature": ("hot", "cold"),
+    "cleanliness": ("clean", "dirty"),
+    "fill": ("full", "empty"),
+}
+"""The state pairs that the simulated world has, each with its (positive, negative) value.
+
+Observations have a column for each, in this order (`envs/interface.py`), so a domain may leave one out, but neither
+rename nor turn it round nor add to them.
+"""
 _OF_WHAT_IS_FIXED = frozenset(("power", "aperture"))
 """State pairs that only furniture and fixtures have: nothing in a hand is switched on or opened."""
 
@@ -85,6 +98,8 @@ class Kinds(Record):
 
     @model_validator(mode="after")
     def _check(self) -> Kinds:
+        for name, both in self.state_pairs.items():
+            _check_pair(name, both)
         for name, kind in self.kinds.items():
             if kind.category not in ("furniture", "fixture") and (pairs := _OF_WHAT_IS_FIXED & set(kind.states)):
                 raise ValueError(
@@ -104,6 +119,11 @@ class Kinds(Record):
             for poured in kind.pours:
                 if poured not in self.kinds:
                     raise ValueError(f"kind {name!r} pours the unknown kind {poured!r}{among(poured, self.kinds)}")
+            if kind.pours and not kind.fills:
+                raise ValueError(
+                    f"kinds.{name}.pours: it says what things are filled with, and this kind fills none; give it "
+                    "`fills` with the tags of what it fills, or leave it out"
+                )
             for place in kind.places:
                 if place not in self.kinds:
                     raise ValueError(
@@ -124,3 +144,25 @@ class Kinds(Record):
         """The other value of its pair. Raises `KeyError`."""
         positive, negative = self.state_pairs[self.pair_of(value)].values
         return negative if value == positive else positive
+
+
+def _check_pair(name: str, pair: StatePair) -> None:
+    """Raises `ValueError` for a state that the world does not have, and for words that do not tell its values apart."""
+    key = f"state_pairs.{name}"
+    if name not in STATE_VALUES:
+        raise ValueError(f"{key}: the simulated world has no such state{among(name, STATE_VALUES)}; leave it out")
+    if pair.values != STATE_VALUES[name]:
+        expected, found = (f"[{', '.join(values)}]" for values in (STATE_VALUES[name], pair.values))
+        raise ValueError(
+            f"{key}.values: expected {expected} in this order, as observations have it; what people call them goes "
+            f"under words (got {found})"
+        )
+    meant: dict[str, str] = {value: value for value in pair.values}
+    for value, words in pair.words.items():
+        if value not in pair.values:
+            raise ValueError(f"{key}.words: {value!r} is none of its values, {' and '.join(pair.values)}")
+        for word in map(str.casefold, words):
+            if meant.setdefault(word, value) != value:
+                raise ValueError(
+                    f"{key}.words.{value}: {word!r} means {meant[word]!r}, too; leave it out at one of them"
+                )

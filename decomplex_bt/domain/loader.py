@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib.resources import files
 from pathlib import Path
 
+from decomplex_bt.domain.abilities import check_abilities
+from decomplex_bt.domain.contract import check_deeds, check_goal_types, check_names
 from decomplex_bt.domain.document import Model, check_record, load_yaml, read_text
 from decomplex_bt.domain.goals import Goals, check_goals
 from decomplex_bt.domain.house import House
@@ -16,12 +18,11 @@ from decomplex_bt.domain.kinds import Kind, Kinds
 from decomplex_bt.domain.lexicon import Lexicon
 from decomplex_bt.domain.nouns import Nouns
 from decomplex_bt.domain.ontology import Ontology
-from decomplex_bt.domain.pddl import check_pddl, pddl_predicates, pddl_types
+from decomplex_bt.domain.pddl import Types, check_pddl, pddl_predicates, pddl_types
 from decomplex_bt.domain.survey import check_house
 from decomplex_bt.errors import DataFileError, InputError, among
 
 _FILES = ("ontology.yaml", "kinds.yaml", "house.yaml", "words.yaml", "goals.yaml", "domain.pddl")
-_ABILITIES = ("heats", "cools", "washes", "rinses", "fills", "drains", "wipes")
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +54,8 @@ class Domain:
         return room if room in self.house.rooms else None
 
     def pddl_type(self, name: str) -> str:
-        """The most special PDDL type of an entity, room or doorway. Raises `KeyError` where there is none."""
+        """The most special PDDL type of an entity, room or doorway: one of `contract.OBJECT_TYPES`. Raises `KeyError`
+        where there is none."""
         house = self.house
         if name in house.things:
             return "thing"
@@ -73,7 +75,11 @@ class Domain:
             special = self.pddl_type(name)
         except KeyError:
             return False
-        return of in (special, "object") or (of == "position" and special in ("place", "person", "doorway"))
+        return self._types.is_a(special, of)
+
+    @cached_property
+    def _types(self) -> Types:
+        return pddl_types(self.domain_pddl)
 
 
 def load_domain(domain: str | Path = "household") -> Domain:
@@ -121,18 +127,22 @@ def _load(folder: Path, texts: tuple[str, ...]) -> Domain:
     goals = record("goals.yaml", Goals)
     domain_pddl = text_of["domain.pddl"]
     with _blame(folder / "kinds.yaml"):
-        _check_tags(kinds)
+        check_abilities(kinds)
     with _blame(folder / "house.yaml"):
         check_house(house, kinds, lexicon.colours)
     with _blame(folder / "words.yaml"):
         _check_words(lexicon, ontology, kinds)
     with _blame(folder / "domain.pddl"):
         check_pddl(domain_pddl)
+        check_names(domain_pddl)
     with _blame(folder / "goals.yaml"):
         _check_task_types(goals, ontology)
         values = tuple(value for pair in kinds.state_pairs.values() for value in pair.values)
         predicates, types = pddl_predicates(domain_pddl), pddl_types(domain_pddl)
         check_goals(goals, predicates, types, values, ontology.argument_types)
+        check_goal_types(goals, types)
+    with _blame(folder / "domain.pddl"):
+        check_deeds(domain_pddl, goals, kinds)
     nouns = Nouns.of(house, kinds)
     return Domain(folder.name, folder, ontology, kinds, house, lexicon, goals, domain_pddl, nouns)
 
@@ -144,17 +154,6 @@ def _blame(path: Path) -> Iterator[None]:
         yield
     except ValueError as error:
         raise DataFileError(path, str(error)) from None
-
-
-def _check_tags(kinds: Kinds) -> None:
-    tags = {tag for kind in kinds.kinds.values() for tag in kind.tags}
-    for name, kind in kinds.kinds.items():
-        for ability in _ABILITIES:
-            for tag in getattr(kind, ability):
-                if tag not in tags:
-                    raise ValueError(
-                        f"kinds.{name}.{ability}: no kind has the tag {tag!r}; known: {', '.join(sorted(tags))}"
-                    )
 
 
 def _check_words(lexicon: Lexicon, ontology: Ontology, kinds: Kinds) -> None:

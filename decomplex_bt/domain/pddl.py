@@ -76,6 +76,18 @@ def pddl_actions(text: str) -> tuple[str, ...]:
     return tuple(str(action[0]) for action in pddl_sections(text).get(":action", []) if action)
 
 
+def pddl_parameters(text: str) -> dict[str, tuple[tuple[str, str], ...]]:
+    """The parameters of a PDDL domain's actions, each a variable and its type. Raises `ValueError`."""
+    return {name: tuple(typed_list(_tuple(parts[0]))) for name, parts in _parts_of_actions(text)}
+
+
+def pddl_adds(text: str) -> dict[str, tuple[tuple[Sexpr, ...], ...]]:
+    """The atoms that a PDDL domain's actions make true. Raises `ValueError`."""
+    return {
+        name: tuple(atom for atom in conjuncts(parts[2]) if atom[0] != "not") for name, parts in _parts_of_actions(text)
+    }
+
+
 def check_pddl(text: str) -> None:
     """Raises `ValueError` that names the action and what is wrong with it, or else the section."""
     sections = pddl_sections(text)
@@ -114,6 +126,8 @@ def _check_action(action: tuple[Sexpr, ...], types: Types, predicates: Signature
     if list(action[1::2]) != _PARTS or len(action) != 1 + 2 * len(_PARTS):
         raise ValueError(f"{where}: expected {', '.join(_PARTS)} in this order, each with its parentheses")
     parameters, precondition, effect = action[2::2]
+    if empty := next((key for key, part in zip(_PARTS[1:], (precondition, effect), strict=True) if part == ()), None):
+        raise ValueError(f"{where}: its {empty} is (), which planners do not read; write (and) for none")
     if not isinstance(parameters, tuple):
         raise ValueError(f"{where}: its parameters stand outside of parentheses")
     _check_types(where, parameters, types)
@@ -146,6 +160,15 @@ def _check_atom(
                 f"{where}: {_said(term)} in {_said(atom)} is of the type {variables[str(term)]!r}; the predicate takes "
                 f"{of!r}"
             )
+
+
+def _parts_of_actions(text: str) -> Iterator[tuple[str, tuple[Sexpr, ...]]]:
+    """The name of each action with its parameters, precondition and effect."""
+    yield from ((str(action[0]), action[2::2]) for action in pddl_sections(text).get(":action", []))
+
+
+def _tuple(expression: Sexpr) -> tuple[Sexpr, ...]:
+    return expression if isinstance(expression, tuple) else (expression,)
 
 
 def _check_types(where: str, items: tuple[Sexpr, ...], types: Types) -> None:
