@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from decomplex_bt.domain.abilities import ABILITIES
 from decomplex_bt.domain.loader import Domain
+from decomplex_bt.planning.schemas import read_schemas
 
 _BY = {  # abilities of kinds of places that bring about a value of a thing's state
     "hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",), "empty": ("drains",),
 }  # fmt: skip
-_ACTIONS = {"heats": "heat", "cools": "chill", "washes": "wash", "rinses": "rinse", "fills": "fill", "drains": "drain"}
-"""The actions of `domain.pddl` by these abilities."""
 
 
 @lru_cache(maxsize=4096)
@@ -46,7 +46,7 @@ def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
 
 def steps_at(place: str, value: str, domain: Domain) -> tuple[str, ...]:
     """The names of the actions by which things are brought into a state at a place."""
-    return tuple(_ACTIONS[by] for by in _BY.get(value, ()) if getattr(domain.kind(place), by))
+    return tuple(ABILITIES[by].action for by in _BY.get(value, ()) if getattr(domain.kind(place), by))
 
 
 @lru_cache(maxsize=4096)
@@ -54,6 +54,29 @@ def runs_shut(name: str, value: str | None, domain: Domain) -> bool:
     """Whether to bring something into a state is to have it run behind its door: "start the washing machine"."""
     pairs = states_of(name, domain)
     return value == "on" and "power" in pairs and "aperture" in pairs
+
+
+@lru_cache(maxsize=4096)
+def tools_for(name: str, fluent: str, domain: Domain) -> tuple[str, ...]:
+    """The places at which an action makes a fluent true of a thing, or the things with which it does so of a place."""
+    abilities = _abilities_for(fluent, domain.domain_pddl)
+    if not abilities:
+        return ()
+    kind = domain.kind(name)
+    tags, abilities = frozenset(kind.tags), tuple(by for by in abilities if kind.category in ABILITIES[by].on)
+    tools = (*domain.house.places(), *domain.house.things)
+    return tuple(tool for tool in tools if any(tags & set(getattr(domain.kind(tool), by)) for by in abilities))
+
+
+@lru_cache(maxsize=256)
+def _abilities_for(fluent: str, domain_pddl: str) -> tuple[str, ...]:
+    """The abilities that an action asks for which makes a fluent true of what the tool works on, and of that alone."""
+    return tuple(
+        by
+        for schema in read_schemas(domain_pddl).values()
+        for by, objects in schema.preconditions
+        if by in ABILITIES and (fluent, objects[1:]) in schema.adds
+    )
 
 
 @lru_cache(maxsize=4096)

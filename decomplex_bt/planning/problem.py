@@ -12,13 +12,11 @@ from decomplex_bt.domain.house import House
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.pddl import pddl_sections
 from decomplex_bt.domain.sexpr import typed_list
-from decomplex_bt.planning.abilities import devices_for, wipers_of
+from decomplex_bt.planning.abilities import tools_for
 from decomplex_bt.planning.belief import ROBOT, Belief
 from decomplex_bt.planning.pddl import Atom, GroundAction
 from decomplex_bt.planning.symbolic import SymbolicState
 
-TOOLED = ("hot", "cold", "clean", "full", "empty")
-"""Fluents that a thing comes by at a device or a place, a place by a rag."""
 _FACT_SEPARATOR = "__"
 _DOMAIN = re.compile(r"\(\s*define\s+\(\s*domain\s+([^\s()]+)", re.IGNORECASE)
 
@@ -164,15 +162,15 @@ class _Scene:
         return None if place == ROBOT else place
 
     def _tools(self, atom: Atom) -> Iterator[str]:
-        """The devices and places, or the rag, that can bring about a state."""
-        if len(atom.objects) != 1 or atom.predicate not in TOOLED:
+        """The devices and places, or the rag, that can bring about what holds of one thing or place."""
+        if len(atom.objects) != 1:
             return
         name = atom.objects[0]
+        tools = tools_for(name, atom.predicate, self.domain)
         if name in self.house.things:
-            yield from devices_for(name, atom.predicate, self.domain)
-        elif atom.predicate == "clean":
-            rags = wipers_of(name, self.domain)
-            yield from sorted(rags, key=lambda rag: self.state.place_of(rag) is None)[:1]
+            yield from tools
+        else:
+            yield from sorted(tools, key=lambda rag: self.state.place_of(rag) is None)[:1]
 
     def _position(self, named: Iterable[str], floor: str) -> str:
         """The position the robot is at: of those it is near, one that matters, else the floor it stands on."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
+from decomplex_bt.domain.contract import FLUENTS
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.domain.pddl import conjuncts, pddl_sections
 from decomplex_bt.domain.sexpr import Sexpr, typed_list
@@ -59,6 +60,14 @@ def values_after(step: GroundAction, domain: Domain) -> dict[tuple[str, str], st
         for atom in adds
         if atom.predicate in of_fluent
     }
+
+
+def news_after(step: GroundAction, domain: Domain) -> tuple[Atom, ...]:
+    """What a step makes true in fluents of the domain's own, of which nothing but the step tells."""
+    schema = read_schemas(domain.domain_pddl).get(step.name)
+    adds = ground_atoms(schema.adds, step) if schema is not None else ()
+    known = FLUENTS.keys() | _values_of_fluents(domain).keys()
+    return tuple(atom for atom in adds if atom.predicate not in known)
 
 
 @lru_cache(maxsize=32)
