@@ -42,8 +42,9 @@ class Geometry:
     `names` are the rows of the entity table and `row` their inverse; `rooms` the room names in order. `footprints`:
     `(places, 4)` x0, y0, x1, y1, a floor's being its room. `place_room`: room index of each place; `room_of_place` the
     same with -1 at its end, which is for nowhere.
-    `walls`: centre lines. `leaves`: door name to the line that its closed leaf stands on. `blocks`: footprints of
-    furniture with a body.
+    `walls`: centre lines of their bodies, which have round ends. `barriers`: the same walls as what no hand and no
+    voice gets past, right up to the openings. `leaves`: door name to the line that its closed leaf stands on.
+    `blocks`: footprints of furniture with a body.
     """
 
     def __init__(self, house: House, kinds: Kinds) -> None:
@@ -66,7 +67,8 @@ class Geometry:
         self.footprints = self._footprints()
         self.place_room = np.array([self.room_index[self._room_of(name)] for name in self.names[: self.place_count]])
         self.room_of_place = np.append(self.place_room, -1)
-        self.walls = tuple(_walls(house, openings.values()))
+        self.walls = tuple(_walls(house, openings.values(), recess=WALL_RADIUS))
+        self.barriers = tuple(_walls(house, openings.values(), recess=0.0))
         self.wall_lines = np.array(self.walls)
         self.blocks = tuple(
             piece.footprint
@@ -117,12 +119,15 @@ class Geometry:
         return min(max(x, x0), x1), min(max(y, y0), y1)
 
     def is_free_line(self, start: tuple[float, float], end: tuple[float, float], leaves: Iterable[str]) -> bool:
-        """Whether no wall and none of these closed `leaves` stands between two points."""
+        """Whether no wall and none of these closed `leaves` stands between two points.
+
+        A wall and the leaf of a door meet in one point, and so do two walls: what touches one of them is not free.
+        """
         stretch = (*start, *end)
-        for wall in self.walls:  # asked in many steps, where `any` takes half as long again
-            if crosses(stretch, wall):
+        for wall in self.barriers:  # asked in many steps, where `any` takes half as long again
+            if meets(stretch, wall):
                 return False
-        return not any(crosses(stretch, self.leaves[leaf]) for leaf in leaves)
+        return not any(meets(stretch, self.leaves[leaf]) for leaf in leaves)
 
     def _footprints(self) -> Floats:
         rects: list[Rect] = [piece.footprint for piece in self.house.furniture.values()]
@@ -164,17 +169,17 @@ def distance_to_rect(x: float, y: float, rect: Rect) -> float:
     return hypot(max(x0 - x, 0.0, x - x1), max(y0 - y, 0.0, y - y1))
 
 
-def crosses(first: Segment, second: Segment) -> bool:
-    """Whether two segments cross properly (touching ends do not count)."""
+def meets(first: Segment, second: Segment) -> bool:
+    """Whether two segments cross or touch; of two on one line, which never part two rooms, it may say either."""
     ax, ay, bx, by = first
     cx, cy, dx, dy = second
     one = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     two = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax)
-    if not one * two < 0:
+    if one * two > 0:
         return False
     three = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx)
     four = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx)
-    return three * four < 0
+    return three * four <= 0
 
 
 def _opening(house: House, name: str) -> Segment:
@@ -196,8 +201,12 @@ def _opening(house: House, name: str) -> Segment:
     )
 
 
-def _walls(house: House, openings: Iterable[Segment]) -> list[Segment]:
-    """Centre lines of all walls: the edges of the rooms, each stretch once, without the openings."""
+def _walls(house: House, openings: Iterable[Segment], *, recess: float) -> list[Segment]:
+    """Centre lines of all walls: the edges of the rooms, each stretch once, without the openings.
+
+    `recess` [m]: how far before an opening a line ends. A body's line ends early by its own radius, for its ends are
+    round.
+    """
     lines: dict[tuple[int, float], list[tuple[float, float]]] = {}
     for room in house.rooms.values():
         x0, y0, x1, y1 = room.rect
@@ -210,7 +219,7 @@ def _walls(house: House, openings: Iterable[Segment]) -> list[Segment]:
         gaps.setdefault((axis, round(at, 6)), []).append((low, high))
     walls: list[Segment] = []
     for (axis, at), stretches in sorted(lines.items()):
-        for low, high in _without(_merged(stretches), sorted(gaps.get((axis, at), []))):
+        for low, high in _without(_merged(stretches), sorted(gaps.get((axis, at), [])), recess):
             walls.append((at, low, at, high) if axis == 0 else (low, at, high, at))
     return walls
 
@@ -225,13 +234,15 @@ def _merged(stretches: list[tuple[float, float]]) -> list[tuple[float, float]]:
     return merged
 
 
-def _without(stretches: list[tuple[float, float]], gaps: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The stretches without the gaps; at a gap the wall ends early by its own radius, for its ends are round."""
+def _without(
+    stretches: list[tuple[float, float]], gaps: list[tuple[float, float]], recess: float
+) -> list[tuple[float, float]]:
+    """The stretches without the gaps, ending so far before them."""
     left: list[tuple[float, float]] = []
     for low, high in stretches:
         for start, end in gaps:
             if low <= start and end <= high:
-                left.append((low, start - WALL_RADIUS))
-                low = end + WALL_RADIUS
+                left.append((low, start - recess))
+                low = end + recess
         left.append((low, high))
     return [(low, high) for low, high in left if high > low]

@@ -30,6 +30,24 @@ def test_a_closed_leaf_blocks_a_line():
     assert not GEOMETRY.is_free_line(*through, ("bedroom_door",))
 
 
+@pytest.mark.parametrize("door", GEOMETRY.leaves)
+def test_nothing_gets_past_the_edge_of_a_closed_door(door):
+    ax, y, bx, _ = GEOMETRY.leaves[door]  # both doors of the house are in walls along x
+    for x in (ax, bx, *np.linspace(ax - 0.1, bx + 0.1, 61)):
+        for lean in (0.0, -0.3, 0.3):
+            assert not GEOMETRY.is_free_line((x - lean, y - 0.3), (x + lean, y + 0.3), (door,))
+
+
+def test_an_open_door_is_free_from_edge_to_edge():
+    ax, y, bx, _ = GEOMETRY.leaves["bedroom_door"]
+    free = [GEOMETRY.is_free_line((x, y - 0.3), (x, y + 0.3), ()) for x in (ax - 0.01, ax + 0.01, bx - 0.01, bx + 0.01)]
+    assert free == [False, True, True, False]
+
+
+def test_what_stands_against_a_wall_is_not_free_from_behind_it():
+    assert not GEOMETRY.is_free_line((4.2, 8.0), (4.4, 8.0), ())
+
+
 def test_rooms_of_points():
     points = np.array([(1.0, 8.0), (11.0, 1.0), (6.0, 4.6)])
     rooms = [GEOMETRY.rooms[room] for room in GEOMETRY.rooms_at(points)]

@@ -196,6 +196,32 @@ def test_opening_from_across_a_wall_is_out_of_reach(trial):
     assert t.do(Interaction.PLACE, "basket") is Result.OUT_OF_REACH
 
 
+AT_DOOR_FRAME = (3.70, 4.2)
+"""In the hallway before the end of the wall beside the bedroom door, whose opening ends at x = 3.675."""
+
+
+THROUGH_DOOR, THROUGH_FRAME = (3.60, 3.62), (3.70, 3.62)
+
+
+@pytest.mark.parametrize(
+    ("door", "beyond", "result"),
+    [
+        ("closed", THROUGH_DOOR, Result.OUT_OF_REACH),
+        ("closed", THROUGH_FRAME, Result.OUT_OF_REACH),
+        ("open", THROUGH_DOOR, Result.OK),
+        ("open", THROUGH_FRAME, Result.OUT_OF_REACH),
+    ],
+)
+def test_hand_and_voice_get_through_an_open_door_and_nowhere_else(trial, door, beyond, result):
+    t = trial(at=AT_DOOR_FRAME, states={"bedroom_door": door}, people={"user": "study", "anna": "bedroom"})
+    t.world.position[t.row["anna"]] = beyond
+    t.world.shift(t.row["ball"], t.row["bedroom_floor"], beyond)
+    assert t.do(Interaction.SAY, "anna") is result
+    assert t.do(Interaction.PICK, "ball") is result
+    hold(t, "ball")
+    assert t.do(Interaction.HAND_OVER, "anna") is result
+
+
 def test_a_door_opens_and_closes_from_both_sides(trial):
     for at in ((3.2, 3.3), (3.2, 4.5)):
         t = trial(at=at, states={"bedroom_door": "closed"})

@@ -105,12 +105,13 @@ def test_a_walker_opens_doors(beside_anna):
     assert t.world.geometry.rooms[t.world.room[t.row["anna"]]] == "bathroom"
 
 
-def test_a_door_close_behind_a_corner_is_opened_before_the_corner_is_reached(trial):
+@pytest.mark.parametrize("before", [0.05, 0.0])
+def test_a_door_close_behind_a_corner_is_opened_before_the_corner_is_reached(trial, before):
     t = trial(at=(2.2, 6.0), people=ANNA_ONLY)
     t.world.set_state(t.row["bedroom_door"], 1, 0)
     ax, ay, bx, by = t.world.geometry.leaves["bedroom_door"]
     x, y = (ax + bx) / 2, (ay + by) / 2
-    open_doors(t.world, [(x, y + 0.3), (x, y + 0.05), (x, y - 1.0)])  # a person's body keeps them 0.25 m away
+    open_doors(t.world, [(x, y + 0.3), (x, y + before), (x, y - 1.0)])  # a person's body keeps them 0.25 m away
     assert t.state("bedroom_door", 1) == 1
 
 
