@@ -51,6 +51,8 @@ class WorldTruth:
         geometry, world = self.geometry, self.world
         x, y = world.robot
         if name in geometry.openings:
+            if self.room not in geometry.house.doorways[name].rooms:
+                return False
             ax, ay, bx, by = geometry.openings[name]
             nearest = min(max(x, min(ax, bx)), max(ax, bx)), min(max(y, min(ay, by)), max(ay, by))
             return hypot(nearest[0] - x, nearest[1] - y) <= NEAR
