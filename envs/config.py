@@ -13,7 +13,7 @@ from decomplex_bt.errors import InputError, among
 REWARDS = ("success", "progress")
 MAX_SPEED = 2.0  # [m/s] observed speeds are clipped to it; the robot's own is lower, a push may be faster
 MAX_TURN_RATE = 10.0  # [rad/s]
-MAX_SUBSTEP = 0.05  # [s]
+MAX_SUBSTEP = 0.05  # [s] in which the fastest robot gets 0.1 m far, less than half of what keeps its centre off a wall
 Config = TypeVar("Config")
 
 
@@ -22,11 +22,13 @@ class WorldConfig:
     """What the robot can do, and how time runs.
 
     `substep` [s] of physics, `substeps` of them in one control step. Speeds in m/s and rad/s, accelerations in m/s² and
-    rad/s², up to `MAX_SPEED` and `MAX_TURN_RATE`, which is what observations can tell; a `substep` up to `MAX_SUBSTEP`,
-    in which nothing comes through a wall. `reach` [m]: from the robot's centre to the nearest point of what it handles;
-    `speak_reach` [m]: from centre to centre, to speak and to hand over. `tray_slots`: things the tray holds. The tree's
-    skills get everywhere with a `reach` from 0.7 and a `speak_reach` from 1.0; with less they do not, and the judge
-    calls it feasible all the same.
+    rad/s², up to `MAX_SPEED` and `MAX_TURN_RATE`, which is what observations can tell; a `substep` up to `MAX_SUBSTEP`.
+    The accelerations are limits of a drive; without one the robot brakes, and stands within a control step. Nothing
+    comes through a wall or a closed door at any of these, though the longer a substep, the deeper what is pushed
+    against one gets into it, up to its middle, and the farther it is flung aside. `reach` [m]: from the robot's centre
+    to the nearest point of what it handles; `speak_reach` [m]: from centre to centre, to speak and to hand over.
+    `tray_slots`: things the tray holds. The tree's skills get everywhere with a `reach` from 0.7 and a `speak_reach`
+    from 1.0; with less they do not, and the judge calls it feasible all the same.
     """
 
     substep: float = 0.01

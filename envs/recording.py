@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.interface import Interaction
     from decomplex_bt.envs.world import World
 
-FORMAT = 2
+FORMAT = 3
 CHECK_EVERY = 50
 """Steps between two checksums; the start and the last step have one, too."""
 

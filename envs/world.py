@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from decomplex_bt.envs.walking import Walk
 
 TURN = 2 * pi  # [rad]
+STILL = 1e-3  # [m/s, rad/s] slower than this nothing needs to be braked
 NOTHING = -1
 """In place of a row: an empty hand or slot."""
 _INTERACTIONS, _RESULTS = (
@@ -69,11 +70,11 @@ class World:
     # An object with more than thirty attributes in its dictionary shares no keys with others of its class, so that
     # CPython looks up each attribute and method of it anew: every step would take longer.
     __slots__ = """
-        __dict__ __weakref__ geometry prior spots config noise whims grasp_slip place _position _is_stale _substep
-        _substeps _step_seconds _max_speed _max_turn_rate _most_gained _most_turned heading robot_heading states broken
-        home exempt room is_somewhere robot_room held tray speed turn_rate steps seconds version arrangement stirs deeds
-        event walks _floors space _stage _ground _bodies _people _leaf_shapes closed_leaves _loose _awake _moved _motor
-        robot _robot _carried _is_carrying
+        __dict__ __weakref__ geometry prior spots config noise whims grasp_slip place _position _is_stale _is_still
+        _substep _substeps _step_seconds _max_speed _max_turn_rate _most_gained _most_turned heading robot_heading
+        states broken home exempt room is_somewhere robot_room held tray speed turn_rate steps seconds version
+        arrangement stirs deeds event walks _floors space _stage _ground _bodies _people _leaf_shapes closed_leaves
+        _loose _awake _moved _motor robot _robot _carried _is_carrying
     """.split()
 
     _is_dismantled = False
@@ -113,6 +114,7 @@ class World:
         self.held = NOTHING
         self.tray = [NOTHING] * config.tray_slots
         self.speed = self.turn_rate = 0.0
+        self._is_still = True
         self.steps, self.seconds = 0, 0.0
         self.version = 0
         self.arrangement = self.stirs = self.deeds = 0
@@ -125,7 +127,8 @@ class World:
     # -- time ---------------------------------------------------------------------------------------------------------
 
     def drive(self, forward: float, turn: float) -> None:
-        """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate."""
+        """One control step: `forward` and `turn` in [-1, 1], as shares of the highest speed and turn rate; both 0 to
+        brake."""
         self._push(forward, turn)
         self._motor.run(self._substep, self._substeps)
         self.steps += 1
@@ -318,11 +321,15 @@ class World:
     def _push(self, forward: float, turn: float) -> None:
         """Sets the robot's velocities for a step: towards those wanted, within its accelerations, no sideways slip.
 
-        The contacts of the step may then change them. The direction is that of the middle of the step.
+        Where none is wanted at all it brakes, harder than it accelerates: it stands from this step on, and stays where
+        it is unless it is pushed. The contacts of the step may then change the velocities. The direction is that of the
+        middle of the step.
         """
-        speed, turn_rate = self.speed, self.turn_rate
-        if forward == 0.0 and turn == 0.0 and abs(speed) < 1e-3 and abs(turn_rate) < 1e-3:
+        if forward == 0.0 and turn == 0.0:
+            if not self._is_still:
+                self._motor.push(0.0, 0.0, 0.0)
             return
+        speed, turn_rate = self.speed, self.turn_rate
         gain, most = forward * self._max_speed - speed, self._most_gained
         speed += most if gain > most else -most if gain < -most else gain
         gain, most = turn * self._max_turn_rate - turn_rate, self._most_turned
@@ -338,6 +345,7 @@ class World:
         self.heading[-1] = self.robot_heading = angle
         self.speed = vx * cos(angle) + vy * sin(angle)
         self.turn_rate = turn_rate
+        self._is_still = -STILL < vx < STILL and -STILL < vy < STILL and -STILL < turn_rate < STILL
         self._is_stale = True
 
     def _read_all(self) -> None:
@@ -348,13 +356,28 @@ class World:
         for index, row in enumerate(self._loose):
             is_awake = motor.is_awake(index)
             if is_awake or row in self._awake:  # one that has just fallen asleep is read once more
-                position[row] = motor.point(index)
+                position[row] = self._held_back(row, motor.point(index))
                 self._moved.add(row)
                 (self._awake.add if is_awake else self._awake.discard)(row)
         if self._moved or self._is_carrying:
             self.stirs += 1
         if self._is_carrying:
             position[self._carried] = position[self.place[self._carried]]
+
+    def _held_back(self, row: int, point: tuple[float, float]) -> tuple[float, float]:
+        """Where something that moves is after a step. A thing that came through a wall or a closed door is put back.
+
+        The robot outweighs a pencil so much that the solver gives way between it and a wall: what is squeezed there
+        gets through now and then, however short the substeps.
+        """
+        if row not in self.geometry.thing_rows:
+            return point
+        x, y = self._position[row].tolist()
+        if self.geometry.is_free_line((x, y), point, self.closed_leaves):
+            return point
+        body, _ = self._bodies[row]
+        body.position, body.velocity, body.angular_velocity = (x, y), (0.0, 0.0), 0.0
+        return x, y
 
     def locate(self) -> None:
         """Brings rooms in line with positions, and the floor a thing lies on with where it was pushed."""

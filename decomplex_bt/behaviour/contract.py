@@ -8,12 +8,16 @@ class TestMyRobot(EmbodimentContract):
 
     def steps(self, body):
         return [GroundAction("move", ("hallway_floor", "desk", "study"))]
+
+    def pose(self, observation):
+        return observation["robot"][:3]
 ```
 """
 
 from __future__ import annotations
 
 import gc
+from collections.abc import Sequence
 from typing import Any
 
 from decomplex_bt.behaviour.embodiment import Embodiment, SkillStatus, SkillTick
@@ -22,10 +26,17 @@ from decomplex_bt.planning.pddl import GroundAction
 
 MAX_TICKS = 1500
 """Control steps within which every skill has to end, well or not."""
+STOPPED_AFTER = 3, 15
+"""Control steps after which skills are stopped: while a body sets out, and when it has got up speed."""
+WATCHED = 3
+"""Control steps for which a body that is to be at rest is watched."""
 
 
 class EmbodimentContract:
-    """Tests that a body passes whatever it is. Methods to give: `make` and `steps`."""
+    """Tests that a body passes whatever it is. Methods to give: `make`, `steps` and `pose`."""
+
+    STIRS = 1e-3
+    """By how much the numbers of a pose may change while the body is at rest."""
 
     def make(self) -> tuple[Any, Embodiment]:
         """A fresh Gymnasium environment and a fresh body for it."""
@@ -33,6 +44,10 @@ class EmbodimentContract:
 
     def steps(self, body: Embodiment) -> list[GroundAction]:
         """Some steps to be tried right after a reset, of any outcome; together they should use every skill."""
+        raise NotImplementedError
+
+    def pose(self, observation: Any) -> Sequence[float]:
+        """Where the body is by an observation, as numbers that stay the same while it is at rest."""
         raise NotImplementedError
 
     # -- the tests ----------------------------------------------------------------------------------------------------
@@ -77,6 +92,35 @@ class EmbodimentContract:
             action = skill.stop()
             assert env.action_space.contains(action)
             assert _is_equal(action, body.rest()), f"{step}: what ends a skill is rest"
+
+    def test_a_stopped_skill_brings_the_body_to_rest_within_one_step(self) -> None:
+        env, body = self.make()
+        has_moved = False
+        for step in self.steps(body):
+            for ticks in STOPPED_AFTER:
+                observation, _ = env.reset(seed=1)
+                body.reset(observation)
+                skill, before, is_over = body.skill(step), observation, False
+                for _ in range(ticks):
+                    tick = skill.tick(observation)
+                    if tick.status is not SkillStatus.RUNNING:
+                        break
+                    before = observation
+                    observation, _, terminated, truncated, _ = env.step(tick.action)
+                    if is_over := terminated or truncated:
+                        break
+                if is_over:
+                    continue
+                has_moved |= self._stirs(before, observation)
+                at_rest, *_ = env.step(skill.stop())
+                for _ in range(WATCHED):
+                    later, *_ = env.step(body.rest())
+                    assert not self._stirs(at_rest, later), f"{step}: stopped after {ticks} steps, the body rolls on"
+        assert has_moved, "steps() has none that moves the body, or each episode is over before it does"
+
+    def _stirs(self, before: Any, after: Any) -> bool:
+        pairs = zip(self.pose(before), self.pose(after), strict=True)
+        return any(abs(one - other) > self.STIRS for one, other in pairs)
 
     def test_perceiving_is_repeatable(self) -> None:
         env, body = self.make()

@@ -49,9 +49,12 @@ class Trial:
 
 @pytest.fixture
 def trial() -> Callable[..., Trial]:
-    """Makes a trial: `at` is the robot's point, `facing` what it looks at; the rest are reset options."""
+    """Makes a trial: `at` is the robot's point, `facing` what it looks at, `config` what it can; the rest are reset
+    options."""
 
-    def make(at: Point, facing: Point | None = None, seed: int = 0, **options: Any) -> Trial:
+    def make(
+        at: Point, facing: Point | None = None, seed: int = 0, config: WorldConfig | None = None, **options: Any
+    ) -> Trial:
         setting = setting_of(load_domain("household"))
         rng = np.random.default_rng(seed)
         draw = Draw(setting.prior, setting.spots)
@@ -66,7 +69,7 @@ def trial() -> Callable[..., Trial]:
             setting.prior,
             setting.spots,
             draw.start,
-            config=WorldConfig(),
+            config=config or WorldConfig(),
             noise=rng,
             whims=rng.random,
         )

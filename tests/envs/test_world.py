@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import cos, hypot, pi, sin
 
 import numpy as np
 import pytest
 
+from decomplex_bt.envs.config import MAX_SPEED, MAX_SUBSTEP, WorldConfig
 from decomplex_bt.envs.interface import Interaction, Result
 
 SOUTH_OF_BEDROOM_DOOR = (3.2, 3.2)
@@ -102,6 +103,69 @@ def test_nothing_moves_faster_than_the_robot_between_two_steps(trial):
         t.drive(*rng.uniform(-1, 1, 2))
         moved = np.nan_to_num(np.abs(t.world.position - before)).max()
         assert moved < 0.15
+
+
+@pytest.mark.parametrize("turn", [0.0, 1.0])
+def test_without_a_drive_the_robot_stands_within_a_step_and_stays(trial, turn):
+    t = trial(at=(1.0, 4.6), facing=(9.0, 4.6))
+    t.drive(1.0, turn, steps=8)
+    t.drive(0.0)
+    assert (t.world.speed, t.world.turn_rate) == (0.0, 0.0)
+    here = t.world.robot
+    t.drive(0.0, steps=5)
+    assert t.world.robot == here
+
+
+def test_who_was_pushed_sideways_does_not_slide_on(trial):
+    t = trial(at=(2.0, 4.6), facing=(2.0, 9.0))
+    t.world._robot.velocity = 0.5, 0.0
+    t.drive(0.0, steps=2)
+    here = t.world.robot
+    t.drive(0.0, steps=5)
+    assert t.world.robot == here
+
+
+EAST_WALL, STUDY_WALL, BEDROOM_DOOR = (11.6, 4.6, 0.0), (10.9, 4.2, -pi / 2), (3.2, 4.15, -pi / 2)
+
+
+@pytest.mark.parametrize("spot", [EAST_WALL, STUDY_WALL, BEDROOM_DOOR], ids=["outer wall", "inner wall", "door"])
+@pytest.mark.parametrize(
+    "config",
+    [
+        WorldConfig(),
+        WorldConfig(substep=0.04, substeps=3),
+        WorldConfig(substep=MAX_SUBSTEP, substeps=2),
+        WorldConfig(max_speed=MAX_SPEED, max_acceleration=20.0),
+        WorldConfig(max_speed=MAX_SPEED, max_acceleration=20.0, substep=MAX_SUBSTEP, substeps=2),
+    ],
+    ids=["default", "0.04 s", "0.05 s", "2 m/s", "2 m/s, 0.05 s"],
+)
+def test_what_is_pushed_against_a_wall_at_full_speed_does_not_come_through(trial, config, spot):
+    t = trial(at=(6.0, 4.6), states={"bedroom_door": "closed"}, config=config)
+    world, rng = t.world, np.random.default_rng(0)
+    x, y, heading = spot
+    ahead = cos(heading), sin(heading)
+    for thing in ("pen_1", "pencil", "keys", "apple"):
+        row = t.row[thing]
+        for _ in range(20):
+            aside = rng.uniform(-0.06, 0.06)
+            world.shift(row, t.row["hallway_floor"], (x - aside * ahead[1], y + aside * ahead[0]))
+            set_going(world, (x - 0.6 * ahead[0], y - 0.6 * ahead[1]), heading + rng.uniform(-0.25, 0.25))
+            for step in range(round(3.0 / config.step_seconds)):
+                was = world.position[row].tolist()
+                world.drive(1.0 if step % 20 < 17 else -0.5, rng.uniform(-0.3, 0.3))
+                assert world.geometry.is_free_line(was, world.position[row].tolist(), world.closed_leaves)
+                assert 0 <= world.position[row].min() <= world.position[row].max() <= 12
+        world.shift(row, t.row["desk"], (11.3, 1.3))
+
+
+def set_going(world, point, heading):
+    """Puts the robot somewhere, at full speed."""
+    body, speed = world._robot, world.config.max_speed
+    body.position, body.angle = point, heading
+    body.velocity, body.angular_velocity = (speed * cos(heading), speed * sin(heading)), 0.0
+    world.space.reindex_shapes_for_body(body)
+    world._read()
 
 
 def test_same_start_and_actions_give_the_same_world_under_any_hash_seed(printed_under_hash_seeds):
