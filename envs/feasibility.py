@@ -323,5 +323,8 @@ class Omniscient(Evidence):
     def was_seen(self, name: str) -> bool:
         return name in self.domain.house.doorways or true_room(self.domain, self.truth, name) is not None
 
+    def was_observed(self, name: str) -> bool:
+        return self.was_seen(name)
+
     def was_inspected(self, where: str, *, for_person: bool = False) -> bool:
         return True

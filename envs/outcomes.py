@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 
+from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
-from decomplex_bt.envs.evidence import Evidence, is_as_ordered
+from decomplex_bt.envs.evidence import Evidence, holds_things, is_as_ordered
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
@@ -181,6 +182,16 @@ def _check_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_co
         yield replace(outcome, truth=outcome.truth != task.is_denied)
 
 
+def is_found_by_arriving(task: GroundTask, domain: Domain) -> bool:
+    """Whether a task that finds something out may come out by being at what is fixed, in view or not: where that is
+    looked for, or is a place that holds nothing which could be looked over."""
+    asks_value = task.type == "check_state" and task.state != HERE
+    objects = () if asks_value else task.objects
+    sought = (name for referent in objects for name in referent.candidates)
+    looked_at = (name for place in task.places for name in place.candidates if not holds_things(domain, name))
+    return any(is_fixed(name, domain) for name in (*sought, *looked_at))
+
+
 def _looked(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:
     """Whether each place the task names was looked into, at least one of what its phrase may mean."""
     is_looked_into = partial(evidence.was_inspected, for_person=_asks_people(task, evidence))
@@ -248,12 +259,12 @@ def _values(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterato
     if task.places and not all(_those_there(task, referent, bindings, evidence) for referent in task.objects):
         yield from _presence(task, bindings, evidence)
         return
-    seen = _choose(task.objects, bindings, lambda name: evidence.was_seen(name) and is_so(name))
+    seen = _choose(task.objects, bindings, lambda name: evidence.was_observed(name) and is_so(name))
     if seen is not None:
         yield Outcome(True, seen.bindings, seen.is_final)
     for referent in task.objects:
         among = candidates(referent, bindings)
-        looked_at = tuple(name for name in among if evidence.was_seen(name))
+        looked_at = tuple(name for name in among if evidence.was_observed(name))
         failing = tuple(name for name in looked_at if not is_so(name))
         if referent.is_all or referent.is_any:
             spare = len(among) - needed(referent, among)

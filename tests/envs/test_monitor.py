@@ -685,6 +685,24 @@ def test_without_a_place_a_thing_that_is_nowhere_cannot_be_looked_at():
     assert not Episode(HandWorld(), [{"if": 1, "then": [2]}], *tasks).monitor.course.is_feasible
 
 
+@pytest.mark.parametrize("what", ["tv", "kitchen_window", "bathroom_door"])
+def test_to_be_at_something_tells_nothing_of_how_it_is(what: str):
+    check, go = task(1, "check_state", what, state="on" if what == "tv" else "open"), task(2, "motion", goal="study")
+    episode = Episode(HandWorld({"ball": "hallway_floor"}), [{"if": 1, "then": [2]}], check, go)
+    assert not episode.go("hallway", what).is_over
+    assert not episode.take("ball").is_over, "nor when the judge looks closely for some other reason"
+    assert episode.truths == [(1, None, None)]
+    assert episode.see(what).is_success
+    assert episode.truths == [(1, False, None)]
+
+
+def test_what_is_fixed_is_found_as_soon_as_the_robot_is_at_it():
+    search, go = task(1, "searching", "radio"), task(2, "motion", goal="study")
+    episode = Episode(HandWorld(room="kitchen"), [1, 2], search, go)
+    assert episode.step().met == 0
+    assert episode.go("kitchen", "radio").met == 1
+
+
 def test_all_are_so_only_when_each_was_looked_at():
     lights = referent("kitchen_light", "bedroom_light", phrase="all the lights", is_all=True)
     flow = [{"if": 1, "then": [2]}]
