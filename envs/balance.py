@@ -84,7 +84,7 @@ def mix(draw: Draw, tests: Sequence[Test], balance: float, rng: Generator) -> No
         raise InputError(f"balance is {balance!r}; expected a probability in [0, 0.5]")
     if balance == 0:
         return
-    settled: set[tuple[str, str]] = set()
+    settled = Settled()
     for test in tests:
         if isinstance(test, StateTest):
             _mix_states(draw, test, balance, rng, settled)
@@ -109,7 +109,40 @@ def at_least(shares: Floats, least: float) -> Floats:
     return mixed / mixed.sum()
 
 
-def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+class Settled:
+    """Who is settled by earlier tests, by name and aspect, and how likely it was that devices came out as they did.
+
+    What is broken is off, so that whether a device is on and whether it works cannot be drawn apart: where one is
+    settled, the other is drawn by what that leaves.
+    """
+
+    def __init__(self) -> None:
+        self._answers: dict[tuple[str, str], _Answer | None] = {}
+
+    def __contains__(self, aspect: tuple[str, str]) -> bool:
+        return aspect in self._answers
+
+    def add(self, aspect: tuple[str, str]) -> None:
+        self._answers.setdefault(aspect, None)
+
+    def note(self, names: Sequence[str], aspect: str, share: float) -> None:
+        """Takes down with what probability an aspect of these was to come out true, at one draw for all."""
+        self._answers.update(dict.fromkeys(((name, aspect) for name in names), _Answer(share)))
+
+    def likelihood(self, names: Sequence[str], aspect: str, *, is_true: bool) -> float:
+        """The probability that an aspect of all of these that are settled in it came out so; 1 where none is."""
+        answers = {answer for name in names if (answer := self._answers.get((name, aspect))) is not None}
+        return float(np.prod([answer.share if is_true else 1 - answer.share for answer in answers]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Answer:
+    """One draw that settled something: the probability that it came out true."""
+
+    share: float
+
+
+def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, settled: Settled) -> None:
     column = STATE_PAIRS.index(test.pair)
     is_positive = draw.geometry.kinds.state_pairs[test.pair].values[0] == test.value
     rows = _rows(draw, test.entities, settled, test.pair, lambda row: bool(draw.prior.has_state[row, column]))
@@ -117,23 +150,54 @@ def _mix_states(draw: Draw, test: StateTest, balance: float, rng: Generator, set
         return
     chances = draw.prior.chance[rows, column]
     chance = float(chances[0] if len(rows) == 1 else chances.mean())
-    holds = _holds(chance if is_positive else 1 - chance, balance, rng)
+    share = _within(chance if is_positive else 1 - chance, balance)
+    if column == POWER:
+        on = _share_on(draw, rows, share if is_positive else 1 - share, balance, settled)
+        share = on if is_positive else 1 - on
+    holds = bool(rng.random() < share)
     draw.start.states[rows, column] = int(holds == is_positive)
     if column == POWER:
         draw.start.broken[[row for row in rows if draw.start.states[row, POWER] == 1]] = False
 
 
-def _mix_works(draw: Draw, test: WorksTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+def _mix_works(draw: Draw, test: WorksTest, balance: float, rng: Generator, settled: Settled) -> None:
     rows = _rows(draw, test.devices, settled, "works", lambda row: bool(draw.prior.has_state[row, POWER]))
     if not rows:
         return
-    works = _holds(1 - float(draw.prior.broken[rows].mean()), balance, rng)
+    share = _within(1 - float(draw.prior.broken[rows].mean()), balance)
+    works = bool(rng.random() < _share_working(draw, rows, share, balance, settled))
     draw.start.broken[rows] = not works
     if not works:
         draw.start.states[rows, POWER] = 0
 
 
-def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+def _share_on(draw: Draw, rows: Sequence[int], share: float, balance: float, settled: Settled) -> float:
+    """The probability with which devices are to be on now, so that they are in this share of all worlds: in those in
+    which an earlier test has one of them broken they cannot, and are so much the more often in the others."""
+    names = [draw.geometry.names[row] for row in rows]
+    work = settled.likelihood(names, "works", is_true=True)
+    settled.note(names, "power", min(share, work))
+    if work < min(share, balance):
+        draw.start.exempt.append(f"{', '.join(names)}: on in {work:.0%} at most, for what is broken is off")
+    is_one_broken = any((name, "works") in settled and draw.start.broken[draw.geometry.row[name]] for name in names)
+    return 0.0 if is_one_broken else min(share / work, 1.0)
+
+
+def _share_working(draw: Draw, rows: Sequence[int], share: float, balance: float, settled: Settled) -> float:
+    """The probability with which devices are to work now, so that they do in this share of all worlds: where an earlier
+    test has one of them on they all do, and are so much the more often broken where it has not."""
+    names = [draw.geometry.names[row] for row in rows]
+    off = settled.likelihood(names, "power", is_true=False)
+    broken = min(1 - share, off)
+    settled.note(names, "works", 1 - broken)
+    if off < min(1 - share, balance):
+        draw.start.exempt.append(f"{', '.join(names)}: broken in {off:.0%} at most, for what is on works")
+    states = draw.start.states
+    is_one_on = any((name, "power") in settled and states[draw.geometry.row[name], POWER] == 1 for name in names)
+    return 1.0 if is_one_on else 1 - broken / off
+
+
+def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, settled: Settled) -> None:
     geometry, prior = draw.geometry, draw.prior
     first = geometry.people_rows[0]
     wanted = [geometry.room_index[room] for room in test.rooms] or list(range(len(geometry.rooms)))
@@ -157,7 +221,7 @@ def _mix_people(draw: Draw, test: PersonTest, balance: float, rng: Generator, se
             draw.stand(row, _pick_room(prior.rooms[row - first], others, rng) if stays else None, rng)
 
 
-def _stand_there(draw: Draw, test: Whereabouts, rng: Generator, settled: set[tuple[str, str]]) -> None:
+def _stand_there(draw: Draw, test: Whereabouts, rng: Generator, settled: Settled) -> None:
     """Stands somebody where they are said to be; who an earlier test has put out of the house stays out."""
     geometry = draw.geometry
     rooms = [geometry.room_index[room] for room in test.rooms]
@@ -170,7 +234,7 @@ def _stand_there(draw: Draw, test: Whereabouts, rng: Generator, settled: set[tup
         draw.stand(row, _pick_room(draw.prior.rooms[row - geometry.people_rows[0]], rooms, rng), rng)
 
 
-def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: set[tuple[str, str]]) -> None:
+def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settled: Settled) -> None:
     geometry = draw.geometry
     things = _rows(draw, test.things, settled, "place", lambda row: row in geometry.thing_rows)
     if not things:
@@ -216,9 +280,7 @@ def _mix_places(draw: Draw, test: PlaceTest, least: float, rng: Generator, settl
 class Traits:
     """The states that what a test asks for must have, of things by row; what an earlier test has settled stays."""
 
-    def __init__(
-        self, draw: Draw, things: Sequence[int], where: Sequence[tuple[str, str]], settled: set[tuple[str, str]]
-    ) -> None:
+    def __init__(self, draw: Draw, things: Sequence[int], where: Sequence[tuple[str, str]], settled: Settled) -> None:
         self._draw = draw
         self._values: dict[int, dict[int, int]] = {thing: {} for thing in things}
         self._free: dict[int, list[int]] = {thing: [] for thing in things}
@@ -323,7 +385,7 @@ def _holding(draw: Draw, stage: Sequence[str]) -> list[int]:
 
 
 def _rows(
-    draw: Draw, names: Sequence[str], settled: set[tuple[str, str]], aspect: str, can_vary: Callable[[int], bool]
+    draw: Draw, names: Sequence[str], settled: Settled, aspect: str, can_vary: Callable[[int], bool]
 ) -> list[int]:
     """The rows a test may change, in order; notes the others as exempt and these as settled."""
     rows = []
@@ -340,7 +402,12 @@ def _rows(
 
 
 def _holds(prior: float, balance: float, rng: Generator) -> bool:
-    return bool(rng.random() < min(max(prior, balance), 1 - balance))
+    return bool(rng.random() < _within(prior, balance))
+
+
+def _within(prior: float, balance: float) -> float:
+    """The probability nearest to the prior that leaves either answer the balance."""
+    return min(max(prior, balance), 1 - balance)
 
 
 def _room(draw: Draw, person: int) -> int:

@@ -196,6 +196,41 @@ def test_people_and_devices_are_mixed():
     assert share(lambda start: start.broken[ROW["tv"]], [WorksTest(("tv",))]) == pytest.approx(0.3, abs=0.08)
 
 
+ON, WORKS = StateTest(("coffee_machine",), "power", "on"), WorksTest(("coffee_machine",))
+
+
+@pytest.mark.parametrize("balance", [0.3, 0.5])
+@pytest.mark.parametrize(
+    "tests", [(ON, WORKS), (WORKS, ON), (WORKS, StateTest(("coffee_machine",), "power", "off"))], ids=str
+)
+def test_whether_a_device_is_on_and_whether_it_works_are_both_mixed(tests, balance):
+    starts = [drawn(seed, tests, balance) for seed in range(600)]
+    on = np.array([start.states[ROW["coffee_machine"], POWER] == 1 for start in starts])
+    broken = np.array([start.broken[ROW["coffee_machine"]] for start in starts])
+    assert balance - 0.05 <= on.mean() <= 1 - balance + 0.05
+    assert balance - 0.05 <= broken.mean() <= 1 - balance + 0.05
+    assert not (on & broken).any(), "what is broken is off"
+    assert not any(start.exempt for start in starts)
+
+
+@pytest.mark.parametrize("tests", [(ON, WORKS), (WORKS, ON)], ids=["on first", "works first"])
+def test_of_a_device_what_an_earlier_test_has_settled_stays(tests):
+    for seed in range(60):
+        first, both = (drawn(seed, some, 0.5) for some in (tests[:1], tests))
+        if tests[0] is ON:
+            assert np.array_equal(first.states, both.states)
+        else:
+            assert np.array_equal(first.broken, both.broken)
+
+
+def test_where_no_draw_leaves_enough_worlds_in_which_all_are_broken_it_says_so():
+    each = [StateTest((name,), "power", "on") for name in ("tv", "radio", "fan")]
+    tests = [*each, WorksTest(("tv", "radio", "fan"))]
+    starts = [drawn(seed, tests, 0.5) for seed in range(60)]
+    assert all("broken in 12% at most" in start.exempt[0] for start in starts)
+    assert 0 < sum(bool(start.broken[ROW["tv"]]) for start in starts) < 20
+
+
 def room_of(start, person):
     row, geometry = ROW[person], SETTING.geometry
     return geometry.rooms[geometry.room_at(*start.position[row])] if start.home[row] else None
