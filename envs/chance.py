@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from math import nan, pi
 
 import numpy as np
+from numpy.random import Generator
 from numpy.typing import NDArray
 
 from decomplex_bt.envs.geometry import Floats
@@ -74,7 +75,7 @@ class Draw:
 
     def likeliest(self) -> None:
         """The start without chance: everything as it is most often, nothing broken, always at the same spots."""
-        prior, start, rng = self.prior, self.start, np.random.default_rng(0)
+        prior, start, rng = self.prior, self.start, without_chance()
         start.states = np.where(prior.has_state, prior.chance >= 0.5, -1).astype(np.int8)
         for row in self.geometry.thing_rows:
             rows, weights = prior.places(row)
@@ -92,7 +93,7 @@ class Draw:
         row = self.geometry.robot_row
         rooms = self.prior.robot_rooms
         room = int(np.argmax(rooms)) if rng is None else _pick_index(self.prior.robot_room_sums, rng)
-        rng = rng or np.random.default_rng(0)
+        rng = rng or without_chance()
         spots = self.spots.robot(room, self._taken_in(room), self._company_in(room))
         self.start.position[row] = _pick(spots, rng, "the robot", self.geometry.rooms[room])
         self.start.heading = -pi + 2 * pi * rng.random()
@@ -247,6 +248,11 @@ class Draw:
     def _standing(self) -> list[Disc]:
         """Where people stand, in order of rows."""
         return [disc for _, disc in sorted(self._people.items())]
+
+
+def without_chance() -> Generator:
+    """What spots are drawn from where nothing is left to chance: the same numbers every time."""
+    return np.random.default_rng(0)
 
 
 def choose(weights: Floats, rng: Source) -> int:

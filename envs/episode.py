@@ -74,7 +74,7 @@ class Episode:
             start,
             config=config.world,
             noise=generators.noise,
-            whims=lambda: generators.whims.random(),
+            whims=(lambda: generators.whims.random()) if options.chance else _no_whim,
             stage=home.stage,
         )
         recording.begin(self.world, start)
@@ -223,6 +223,11 @@ class Episode:
         if verdict.is_success or verdict.unsettled is None:
             return {"verdict": "success"} if verdict.is_success else {}
         return {"due": f"due: {self.judge.reading.phrase(verdict.unsettled)}"}
+
+
+def _no_whim() -> float:
+    """Where people go who may go wherever they like, if nothing is left to chance: always to the first room."""
+    return 0.0
 
 
 def _clip(value: float, most: float) -> float:

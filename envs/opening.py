@@ -8,7 +8,7 @@ from numpy.random import Generator
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.balance import mix
-from decomplex_bt.envs.chance import Draw, Start
+from decomplex_bt.envs.chance import Draw, Start, without_chance
 from decomplex_bt.envs.judge import Judge
 from decomplex_bt.envs.options import Options, Request, apply_options
 from decomplex_bt.envs.setting import Setting, draw_request
@@ -69,6 +69,6 @@ def draw_start(
         mix(draw, tests, balance, generators.mixing(tests))
     else:
         draw.likeliest()
-    apply_options(options, draw, generators.changing)
+    apply_options(options, draw, generators.changing if options.chance else without_chance())
     draw.robot(chance if options.chance else None)
     return draw.start

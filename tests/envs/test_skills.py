@@ -223,8 +223,8 @@ def put(t, person, spot):
 
 
 def test_somebody_never_seen_is_nowhere_to_drive_to():
-    t = attempt(people={"anna": "study"})
-    tick = t.do("move x anna study")
+    t = attempt(people={"anna": "bathroom"}, states={"bathroom_door": "closed"})
+    tick = t.do("move x anna bathroom")
     assert tick.status is SkillStatus.FAILURE
     assert tick.reason == "I do not know where anna is"
 
