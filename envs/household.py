@@ -5,6 +5,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from copy import deepcopy
 from dataclasses import replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -39,6 +40,8 @@ __all__ = ["HouseholdConfig", "HouseholdEnv"]
 DEFAULT_DOMAIN = "household"
 _MADE_ANEW = frozenset({"_home", "_episode", "_judge", "_camera", "_bodies"})
 """Attributes that a pickle leaves out: they hold what does not pickle, or belong to somebody else."""
+_DRAWN_FROM = ("_np_random", "action_space", "observation_space")
+"""Attributes that random numbers are drawn from."""
 _CONFIG = ("max_seconds", "balance", "reward")
 _ARGUMENTS = ("instruction", "gold", "domain", "house", "size", "house_seed", "config", "render_mode")
 Action = Mapping[str, Any]
@@ -64,9 +67,10 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     | `interact` | `Discrete(13)` | `interface.Interaction`: none, pick, place, open, close, ... |
     | `target` | `Discrete(rows)` | the row it is about (which, `interface.OBSERVATION_KEYS` says) |
 
-    Speeds beyond the bounds are clipped; all else that is no action is refused (`InputError`) and not done. An
-    interaction takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the
-    next observation. A device with a door is switched on only while it is closed; then it works on what is in it. The
+    Speeds beyond the bounds are clipped; all else that is no action is refused (`InputError`) and not done. With both
+    speeds 0 the robot brakes: it stands within the step, and stays where it is unless it is pushed. An interaction
+    takes effect at once, before the drive; an impossible one changes nothing, and its reason is in the next
+    observation. A device with a door is switched on only while it is closed; then it works on what is in it. The
     gripper reaches 0.8 m; speaking and handing over need 1.5 m.
 
     To be led somewhere, the robot says so near a person: `say` with a place as target asks them to lead the way there
@@ -127,13 +131,14 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     when it is first asked for: by a space, `entities`, or the first reset.
 
     ## Reset options
-    `house_seed` (stays until another is given) and `house` (a file, for this episode), as long as it fits the spaces,
-    `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced), `gold` (the reading
-    the judge goes by, for a text), `balance`, `placement`, `states`, `broken`, `people`, `noise`, `grasp_slip`,
-    `missed_detection`, `meddling`, `chance`, `max_seconds`, `reward`: see `options.Options`. Unknown keys are refused.
-    A reset that is refused leaves instruction, house and episode as they were. Without an instruction each reset draws
-    one from the corpus; in the world drawn for it, it may be infeasible (`info["feasible"]`). A text without a gold
-    reading is understood by the interpreter, which is loaded then.
+    `house_seed` (stays until another is given, and None undoes it) and `house` (a file, for this episode), as long as
+    it fits the spaces, `instruction` (a text, an annotated `Instruction` or a corpus `Example`; stays until replaced,
+    and None lets resets draw one again), `gold` (the reading the judge goes by, for a text), `balance`, `placement`,
+    `states`, `broken`, `people`, `noise`, `grasp_slip`, `missed_detection`, `meddling`, `chance`, `max_seconds`,
+    `reward`: see `options.Options`. Unknown keys are refused. A reset that is refused leaves instruction, house and
+    episode as they were. Without an instruction each reset draws one from the corpus; in the world drawn for it, it may
+    be infeasible (`info["feasible"]`). A text without a gold reading is understood by the interpreter, which is loaded
+    then.
 
     ## Info keys
     | key | meaning |
@@ -205,7 +210,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None, instruction: Any = None
     ) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode; `instruction` is the option of that name.
+        """Begins an episode; `instruction` is the option of that name, None one that is not given.
 
         Raises `InputError` for options or an instruction that cannot be used, `DataFileError` where the domain's files
         are broken; instruction, house, episode and random numbers are then those from before.
@@ -413,18 +418,29 @@ class HouseholdEnv(gym.Env[Observation, Action]):
             self._tell_bodies()
         return rng
 
-    def __getstate__(self) -> tuple[dict[str, Any], dict[str, Any] | None]:
-        """All attributes but those that are made anew, and the running episode's recording."""
+    def __getstate__(self) -> tuple[dict[str, Any], dict[str, Any] | None, int | None]:
+        """All attributes but those that are made anew, the running episode's recording, and the seed of the houses to
+        come, which need not be the one that the environment was made with."""
         kept = {name: value for name, value in vars(self).items() if name not in _MADE_ANEW}
-        if "_home" in vars(self):
-            kept["_site"] = {**self._site, "house_seed": self._home.seed}
-        return kept, None if self._episode is None else self.state_dict()
+        seed = self._home.seed if "_home" in vars(self) else self._site["house_seed"]
+        return kept, None if self._episode is None else self.state_dict(), seed
 
-    def __setstate__(self, state: tuple[dict[str, Any], dict[str, Any] | None]) -> None:
-        kept, recorded = state
+    def __setstate__(self, state: tuple[dict[str, Any], dict[str, Any] | None, int | None]) -> None:
+        kept, recorded, seed = state
         vars(self).update(kept, _bodies=[], _camera=None, _judge=None, _episode=None)
         if recorded is not None:
             self._replay(recorded)
+        if seed != self._site["house_seed"]:
+            self._home.seed = seed
+
+    def __copy__(self) -> HouseholdEnv:
+        """A shallow copy shares what the attributes hold, but for what random numbers are drawn from: neither is to
+        change what the other draws next."""
+        kept, recorded, seed = self.__getstate__()
+        kept |= {name: deepcopy(kept[name]) for name in _DRAWN_FROM if name in kept}
+        twin = type(self).__new__(type(self))
+        twin.__setstate__((kept, recorded, seed))
+        return twin
 
     # -- the house ----------------------------------------------------------------------------------------------------
 
@@ -434,12 +450,7 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
         return Home(**self._site)
 
-    def _choose_house(self, options: Mapping[str, Any] | None) -> None:
-        request = self._request
-        if options:
-            from decomplex_bt.envs.options import read_request
-
-            request = read_request(options.get("instruction"), options.get("gold")) or request
+    def _choose_house(self, options: Mapping[str, Any] | None, request: Request | None) -> None:
         before = self.domain
         self._home.choose(options, request, self.np_random)
         if self.domain is not before:
@@ -478,15 +489,16 @@ class HouseholdEnv(gym.Env[Observation, Action]):
 
     def _prepare(self, seed: int | None, options: dict[str, Any] | None, instruction: Any) -> Callable[[], Episode]:
         """Draws the episode that is asked for, in the house that is asked for; what is given back makes it."""
-        from decomplex_bt.envs.options import check_keys, read_options, with_instruction
+        from decomplex_bt.envs.options import asked_by, check_keys, read_options, with_instruction
 
         check_keys(options)
         options = with_instruction(options, instruction)
+        request = asked_by(options, self._request)
         super().reset(seed=seed)
-        self._choose_house(options)
+        self._choose_house(options, request)
         checked = read_options(options, self.setting.geometry)
-        if checked.request is not None:
-            self._request, self._judge = checked.request, None
+        if request is not self._request:
+            self._request, self._judge = request, None
         return self._draw(checked, self.np_random, self._request)
 
     def _begin(self, begin: Callable[[], Episode], before: Domain) -> tuple[Observation, dict[str, Any]]:

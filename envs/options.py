@@ -41,8 +41,10 @@ class Options:
     exactly these devices are broken. `people`: person to room, None for out. `noise`: False switches slips and misses
     off. `grasp_slip`, `missed_detection` in [0, 1]: how likely a grasp slips, a look misses a thing; they hold whatever
     `noise` says. `meddling`: how often in a minute of simulated time somebody else moves a thing, on average, from 0 to
-    60. `chance`: False switches all chance off, noise included: everything is as it is most often, and only a
-    `grasp_slip`, `missed_detection` or `meddling` that is given leaves something to chance.
+    60. `chance`: False switches all chance off, noise included: everything is as it is most often, or as the other
+    options have it, at the same spots for every seed, and whoever may lead wherever they like goes to the first other
+    room. Only a `grasp_slip`, `missed_detection` or `meddling` that is given leaves something to chance, and what is
+    drawn where it is not given: the instruction, and which house is generated.
     """
 
     request: Request | None = None
@@ -180,6 +182,16 @@ def read_request(instruction: Any, gold: Any = None) -> Request | None:
         assert annotated is not None
         return Request(check_text(annotated.text), reading or annotated)
     return Request(check_text(instruction), reading)
+
+
+def asked_by(options: Mapping[str, Any] | None, before: Request | None) -> Request | None:
+    """What is to be done from a reset with these options on, where it was `before` until then; None: what is drawn.
+
+    An instruction of None is no missing one: it undoes the one there was. Raises `InputError`.
+    """
+    given = options or {}
+    request = read_request(given.get("instruction"), given.get("gold"))
+    return before if request is None and "instruction" not in given else request
 
 
 def check_text(text: str) -> str:

@@ -13,11 +13,15 @@ from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from decomplex_bt.envs.registration import HOUSEHOLD, HOUSEHOLD_FLAT, SIZES
 from decomplex_bt.errors import InputError
 
+_AS_IT_WAS = object()
+"""In place of an instruction: that of before stays."""
+
 
 class HouseholdVectorEnv(SyncVectorEnv):
     """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was).
 
-    Where a reset is refused for one of them, none is reset, and each keeps the instruction that it had.
+    Where a reset is refused for one of them, none is reset, and each keeps the instruction that it had. So each reset
+    is rehearsed, whatever is given: an instruction that was set as an attribute may suit no house, and a house be full.
     """
 
     def reset(
@@ -32,7 +36,7 @@ class HouseholdVectorEnv(SyncVectorEnv):
         if isinstance(seed, list | tuple | np.ndarray) and len(seed) != self.num_envs:
             raise InputError(f"seed is {seed!r}; expected a list of {self.num_envs}, one for each, or one for all")
         options = dict(options or {})
-        instructions = self._read_instructions(options.pop("instructions", None))
+        instructions = self._take_instructions(options)
         houses: list[Any] = [env.unwrapped for env in self.envs]
         former = [house.request for house in houses]
         mask = options.get("reset_mask", np.ones(self.num_envs, dtype=bool))
@@ -41,7 +45,7 @@ class HouseholdVectorEnv(SyncVectorEnv):
                 chosen = [index for index in range(self.num_envs) if mask[index]]
                 self._rehearse(chosen, seed, options, instructions)
                 for index in chosen:
-                    if instructions[index] is not None:
+                    if instructions[index] is not _AS_IT_WAS:
                         houses[index].instruction = instructions[index]
             return super().reset(seed=seed, options=options)
         except BaseException:
@@ -50,11 +54,17 @@ class HouseholdVectorEnv(SyncVectorEnv):
                     house.instruction = request
             raise
 
-    def _read_instructions(self, given: Any) -> list[Any]:
+    def _take_instructions(self, options: dict[str, Any]) -> list[Any]:
+        """What each is to be asked, taken out of the options: an `instruction` of None undoes that of each which is not
+        given one of its own."""
+        given = options.pop("instructions", None)
+        others: Any = _AS_IT_WAS
+        if "instruction" in options and options["instruction"] is None:
+            others = options.pop("instruction")
         if given is None:
-            return [None] * self.num_envs
+            return [others] * self.num_envs
         if isinstance(given, list | tuple | np.ndarray) and np.ndim(given) and len(given) == self.num_envs:
-            return list(given)
+            return [others if instruction is None else instruction for instruction in given]
         raise InputError(f"instructions is {given!r}; expected a list of {self.num_envs}, one for each")
 
     def _rehearse(self, chosen: list[int], seed: Any, options: dict[str, Any], instructions: list[Any]) -> None:
@@ -64,10 +74,10 @@ class HouseholdVectorEnv(SyncVectorEnv):
         common = {key: value for key, value in options.items() if key != "reset_mask"}
         seeds = [seed + index for index in range(self.num_envs)] if isinstance(seed, int) else seed
         for index in chosen:
-            wanted = with_instruction(common, instructions[index])
-            if wanted:
-                house: Any = self.envs[index].unwrapped
-                house.check_reset(seed=seeds[index] if seeds else None, options=wanted)
+            own = instructions[index]
+            wanted = common if own is _AS_IT_WAS else with_instruction({"instruction": None, **common}, own)
+            house: Any = self.envs[index].unwrapped
+            house.check_reset(seed=seeds[index] if seeds else None, options=wanted)
 
 
 def make_household_vector(

@@ -177,7 +177,7 @@ def test_a_recording_is_not_replayed_elsewhere(arguments, says):
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"format": 1}, "format 1; this version reads format 2"),
+        ({"format": 1}, "format 1; this version reads format 3"),
         ({"format": None}, "no recording"),
         ({"generator": None}, "generator: Field required"),
         ({"generator": {"state": 1}}, "generator: .*PCG64"),
@@ -233,6 +233,32 @@ def test_a_copy_has_all_that_the_environment_has(copied):
     assert data_equivalence(env.reset(), twin.reset(), exact=True)
 
 
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])
+@pytest.mark.parametrize("seeds", [(None, 7), (7, 8), (7, None)], ids=str)
+def test_a_copy_draws_the_houses_that_the_environment_draws(copied, seeds):
+    own, given = seeds
+    env = HouseholdEnv(GO, size="small", house_seed=own)
+    env.reset(seed=0, options={"house_seed": given})
+    twin = copied(env)
+    houses = []
+    for each in (env, twin):
+        optioned = [None, {"house_seed": None}, None, None]
+        houses.append([each.reset(options=options) and each.domain.house.name for options in optioned])
+    assert houses[0] == houses[1]
+    assert len(set(houses[0][1:])) == (3 if own is None else 1)
+
+
+def test_a_shallow_copy_has_random_numbers_of_its_own():
+    env, undisturbed = HouseholdEnv(GO), HouseholdEnv(GO)
+    for each in (env, undisturbed):
+        each.reset(seed=3)
+        each.action_space.seed(0)
+    twin = copy.copy(env)
+    expected = undisturbed.action_space.sample(), undisturbed.reset()
+    for each in (twin, env):
+        assert data_equivalence((each.action_space.sample(), each.reset()), expected, exact=True)
+
+
 def test_a_copy_lives_in_the_house_of_the_domain_that_was_given():
     env = HouseholdEnv(GO, domain=generated_domain(load_domain("household"), "small", 3))
     env.reset(seed=0)
@@ -265,6 +291,37 @@ def test_without_an_instruction_each_reset_draws_one():
     texts = {env.reset(seed=seed)[1]["instruction"] for seed in range(6)}
     assert len(texts) > 3
     assert env.instruction is None
+
+
+UNDONE = [
+    lambda env: env.reset(seed=3, options={"instruction": None}),
+    lambda env: setattr(env.unwrapped, "instruction", None),
+]
+
+
+@pytest.mark.parametrize("undo", UNDONE, ids=["option", "attribute"])
+@pytest.mark.parametrize("made", [{}, {"instruction": GO}], ids=str)
+def test_an_instruction_can_be_undone(undo, made):
+    env, fresh = gym.make(HOUSEHOLD, **made), gym.make(HOUSEHOLD)
+    env.reset(seed=0, instruction=TV)
+    assert env.reset(instruction=None)[1]["instruction"] == TV.text
+    undo(env)
+    assert env.unwrapped.instruction is None
+    for seed in (1, 2):
+        assert env.reset(seed=seed)[1]["instruction"] == fresh.reset(seed=seed)[1]["instruction"]
+
+
+def test_an_instruction_of_none_beside_another_one_is_none_to_undo():
+    env = InstructionReset(HouseholdEnv(GO))
+    assert env.reset(seed=0, instruction=TV, options={"instruction": None})[1]["instruction"] == TV.text
+    assert env.reset(seed=0, options={"instruction": None, "gold": GO})[1]["instruction"] == GO.text
+
+
+def test_where_what_undoes_an_instruction_is_refused_it_stays():
+    env = HouseholdEnv(GO)
+    with pytest.raises(InputError, match="attic"):
+        env.reset(options={"instruction": None, "people": {"user": "attic"}})
+    assert env.instruction == GO.text
 
 
 def test_the_text_is_shown_in_latin_1_and_known_exactly():
@@ -431,14 +488,30 @@ def test_options_set_what_they_name():
     assert not world.home[row("tom")]
 
 
-def test_without_chance_all_seeds_have_the_same_house():
+@pytest.mark.parametrize("options", [{}, {"placement": {"apple": "desk"}}, {"people": {"anna": "study"}}], ids=str)
+def test_without_chance_all_seeds_have_the_same_house(options):
     env = HouseholdEnv(GO)
-    places = []
+    starts = []
     for seed in (1, 2):
-        env.reset(seed=seed, options={"chance": False})
-        places.append((env.world.place.tolist(), env.world.states.tolist()))
+        env.reset(seed=seed, options={"chance": False, **options})
+        starts.append((env.world.place, env.world.states, env.world.position, env.world.robot_heading))
         assert env.world.grasp_slip == 0
-    assert places[0] == places[1]
+    assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(*starts, strict=True))
+
+
+def test_without_chance_who_leads_wherever_they_like_goes_to_the_same_room():
+    env = HouseholdEnv(read_markup("[Follow](1:following) [Tom](1:object).", ONTOLOGY, flow=[1]))
+    goals = {}
+    for chance in (True, False):
+        goals[chance] = set()
+        for seed in range(6):
+            env.reset(seed=seed, options={"chance": chance, "people": {"user": "study"}})
+            env.world._robot.position = tuple(env.world.position[env.entities.index("user")] + (0.5, 0.0))
+            env.step(REST)
+            env.step(action(env, Interaction.SAY, "robot"))
+            goals[chance].add(env.world.event.goal)
+    assert len(goals[True]) > 1
+    assert len(goals[False]) == 1
 
 
 def test_success_ends_the_episode_and_pays():
@@ -607,6 +680,37 @@ def test_a_refused_reset_of_several_resets_none(options, says):
     actions = envs.action_space.sample() | {"interact": np.zeros(2, dtype=np.int64)}
     assert data_equivalence(envs.step(actions), undisturbed.step(actions), exact=True)
     assert data_equivalence(envs.reset(), undisturbed.reset(), exact=True)
+
+
+@pytest.mark.parametrize("cause", ["instruction", "full house"])
+def test_a_reset_that_is_refused_without_options_resets_none(cause, monkeypatch):
+    envs, undisturbed = (gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO) for _ in range(2))
+    for each in (envs, undisturbed):
+        each.reset(seed=0)
+        each.action_space.seed(0)
+    if cause == "instruction":
+        envs.set_attr("instruction", [GO.text, "Bring me the elephant."])
+    else:
+        spots = envs.envs[0].unwrapped.setting.spots
+        free = iter([spots.robot, lambda *_: ()])  # the first finds room, the second none
+        monkeypatch.setattr(spots, "robot", lambda *around: next(free)(*around))
+    with pytest.raises(InputError, match=r"elephant|finds no free spot"):
+        envs.reset(seed=5)
+    monkeypatch.undo()
+    actions = envs.action_space.sample() | {"interact": np.zeros(2, dtype=np.int64)}
+    assert data_equivalence(envs.step(actions), undisturbed.step(actions), exact=True)
+
+
+def test_several_environments_undo_their_instructions_together():
+    envs = gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO)
+    envs.reset(seed=0, options={"instruction": None, "instructions": [TV, None]})
+    assert [env.unwrapped.instruction for env in envs.envs] == [TV.text, None]
+    with pytest.raises(InputError, match="attic"):
+        envs.reset(seed=0, options={"instruction": None, "people": {"user": "attic"}})
+    assert [env.unwrapped.instruction for env in envs.envs] == [TV.text, None]
+    envs.reset(seed=0, options={"instruction": None})
+    assert [env.unwrapped.instruction for env in envs.envs] == [None, None]
+    envs.close()
 
 
 @pytest.mark.parametrize("options", [None, {"instructions": [TV, GO]}])
