@@ -2,7 +2,8 @@
 
 Exact and without a planner: in this domain every room, door and container is open to the robot, nothing is used up and
 every step can be undone, so that a task has a plan if and only if its things are in the house, its people at home, a
-working device there for what it asks, and its places within reach. A test holds this against the planner.
+working device there for what it asks, and its places within reach, those at which its things lie as well. A test holds
+this against the planner.
 """
 
 from __future__ import annotations
@@ -14,13 +15,13 @@ from typing import Literal
 
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, given_up, name_candidates, needed
-from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, is_as_ordered, true_room
+from decomplex_bt.envs.evidence import BEFORE, Evidence, Record, holds_things, is_as_ordered, is_there, true_room
 from decomplex_bt.envs.outcomes import outcomes
 from decomplex_bt.envs.reach import is_reachable
 from decomplex_bt.envs.truth import ROBOT, Truth
 from decomplex_bt.envs.verdict import Branch, Cause, CauseKind
 from decomplex_bt.flow import If, Node
-from decomplex_bt.planning.abilities import runs_shut, wipers_of
+from decomplex_bt.planning.abilities import is_fixed, runs_shut, wipers_of
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
 
 MOST_READINGS = 32
@@ -82,7 +83,7 @@ def _possible(task: GroundTask, bindings: Bindings, domain: Domain, truth: Truth
         need = needed(referent, among, task)
         if len(among) < need:
             return _too_few(referent, among, task, domain, truth)
-        why = {name: _obstacle(domain, truth, task, role, name) for name in among}
+        why = {name: _obstacle(domain, truth, task, role, name, bindings) for name in among}
         able = tuple(name for name in among if why[name] is None)
         if len(able) < need:
             kind, entity = next(found for name in among if (found := why[name]) is not None)
@@ -114,23 +115,52 @@ def _roles(task: GroundTask) -> Iterator[tuple[str, Referent]]:
         yield "goal", task.goal
 
 
-def _obstacle(domain: Domain, truth: Truth, task: GroundTask, role: str, name: str) -> tuple[CauseKind, str] | None:
+def _obstacle(
+    domain: Domain, truth: Truth, task: GroundTask, role: str, name: str, bindings: Bindings
+) -> tuple[CauseKind, str] | None:
     """Why a candidate will not do in its role; None if it will."""
     house = domain.house
     if name in house.people:
         return None if truth.place(name) is not None else ("person out", name)
+    if name in house.things and truth.place(name) is None:
+        return "thing nowhere", name
+    far = _out_of_reach(domain, truth, task, name)
+    if far is not None and not _is_done(domain, truth, task, role, name, bindings):
+        return "place not reachable", far
     if name in house.things:
-        if truth.place(name) is None:
-            return "thing nowhere", name
         return _state_obstacle(domain, truth, name, task) if _brings_state(task, role) else None
-    if not is_reachable(domain, name):
-        return "place not reachable", name
     if role == "object" and task.type in ("taking", "placing", "bringing"):
         return "goal not possible", name
     is_put_there = role == "goal" and task.type in ("placing", "bringing")
     if is_put_there and name not in house.rooms and not holds_things(domain, name):
         return "goal not possible", name
     return _state_obstacle(domain, truth, name, task) if _brings_state(task, role) else None
+
+
+def _out_of_reach(domain: Domain, truth: Truth, task: GroundTask, name: str) -> str | None:
+    """The place that the robot cannot get to for the task: this one, or that at which this thing lies. None if it can.
+
+    A thing that is only to be found or looked at may be seen from afar, unless a door is closed before it.
+    """
+    is_thing = name in domain.house.things
+    place = truth.place(name) if is_thing else name
+    if place is None or not is_fixed(place, domain) or is_reachable(domain, place):
+        return None
+    is_in_sight = is_thing and task.type in FINDING_OUT and truth.state(place, "aperture") != "closed"
+    return None if is_in_sight else place
+
+
+def _is_done(domain: Domain, truth: Truth, task: GroundTask, role: str, name: str, bindings: Bindings) -> bool:
+    """Whether a candidate is as the task wants it already, so that the robot need not get to it."""
+    if _brings_state(task, role):
+        return is_as_ordered(domain, truth, name, task.state)
+    if task.type not in ("placing", "bringing") or task.goal is None or task.recipients:
+        return False
+    if role == "object":
+        return any(is_there(domain, truth, name, goal) for goal in candidates(task.goal, bindings))
+    among = {referent: candidates(referent, bindings) for referent in task.objects}
+    there = {r: sum(is_there(domain, truth, thing, name) for thing in names) for r, names in among.items()}
+    return all(there[referent] >= needed(referent, names, task) for referent, names in among.items())
 
 
 def _brings_state(task: GroundTask, role: str) -> bool:
@@ -155,18 +185,24 @@ def _state_obstacle(domain: Domain, truth: Truth, name: str, task: GroundTask) -
     if pair == "aperture":
         return None
     if name not in domain.house.things:
-        return _place_state_obstacle(domain, truth, name, value)
+        return _place_state_obstacle(domain, truth, name, value, task)
     return _device_obstacle(domain, truth, name, task)
 
 
-def _place_state_obstacle(domain: Domain, truth: Truth, name: str, value: str) -> tuple[CauseKind, str] | None:
+def _place_state_obstacle(
+    domain: Domain, truth: Truth, name: str, value: str, task: GroundTask
+) -> tuple[CauseKind, str] | None:
     """A place is emptied by hand, and wiped with a thing that wipes it."""
     if value == "empty":
         return None
     tools = wipers_of(name, domain) if value == "clean" else ()
     if not tools:
         return "goal not possible", name
-    return None if any(truth.place(tool) is not None for tool in tools) else ("thing nowhere", tools[0])
+    here = [tool for tool in tools if truth.place(tool) is not None]
+    if not here:
+        return "thing nowhere", tools[0]
+    far = [_out_of_reach(domain, truth, task, tool) for tool in here]
+    return None if None in far else ("place not reachable", str(far[0]))
 
 
 def _device_obstacle(domain: Domain, truth: Truth, thing: str, task: GroundTask) -> tuple[CauseKind, str] | None:

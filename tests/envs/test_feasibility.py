@@ -9,6 +9,7 @@ import pytest
 
 from decomplex_bt.envs.doubles import DOMAIN, HandWorld, instruction, referent, task
 from decomplex_bt.envs.feasibility import find_cause, plan_course
+from decomplex_bt.envs.monitor import Monitor
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import HERE, Referent
 from decomplex_bt.planning.pddl import Atom, GroundAction
@@ -75,6 +76,81 @@ def test_a_place_out_of_reach_is_named(monkeypatch):
     monkeypatch.setattr("decomplex_bt.envs.feasibility.is_reachable", lambda domain, name: name != "desk")
     found = course(HandWorld(), [1], task(1, "motion", goal="desk")).cause
     assert (found.kind, str(found)) == ("place not reachable", "task 1: desk cannot be reached")
+
+
+@pytest.fixture
+def out_of_reach(monkeypatch):
+    """The desk, the wardrobe and the oven stand where the robot does not get to."""
+    far = ("desk", "wardrobe", "oven")
+    monkeypatch.setattr("decomplex_bt.envs.feasibility.is_reachable", lambda domain, name: name not in far)
+
+
+CUP = referent("cup_1", "cup_2", phrase="the cup")
+BOTH_CUPS = referent("cup_1", "cup_2", phrase="all the cups", is_all=True)
+
+
+@pytest.mark.usefixtures("out_of_reach")
+@pytest.mark.parametrize(
+    ("places", "due", "place"),
+    [
+        ({"cup_1": "desk"}, task(1, "taking", CUP), "desk"),
+        ({"cup_1": "desk"}, task(1, "bringing", CUP, recipient="user"), "desk"),
+        ({"cup_1": "desk"}, task(1, "placing", CUP, goal="counter"), "desk"),
+        ({"cup_1": "desk"}, task(1, "motion", goal="cup_1"), "desk"),
+        ({"cup_1": "desk"}, task(1, "change_state", CUP, state="full"), "desk"),
+        ({"cup_1": "desk", "cup_2": "counter"}, task(1, "bringing", BOTH_CUPS, recipient="user"), "desk"),
+        ({"cup_1": "counter", "bread": "desk"}, task(1, "placing", CUP, goal="bread"), "desk"),
+        ({"cup_1": "wardrobe"}, task(1, "searching", CUP), "wardrobe"),
+        ({"cup_1": "wardrobe"}, task(1, "check_state", CUP, state="clean"), "wardrobe"),
+        ({"rag": "desk"}, task(1, "change_state", "kitchen_table", state="clean"), "desk"),
+    ],
+    ids=lambda value: value.type if hasattr(value, "type") else None,
+)
+def test_a_thing_at_a_place_out_of_reach_is_out_of_reach(places, due, place):
+    found = course(HandWorld(places), [1], due).cause
+    assert (found.kind, found.entity) == ("place not reachable", place)
+
+
+@pytest.mark.usefixtures("out_of_reach")
+@pytest.mark.parametrize(
+    ("places", "due"),
+    [
+        ({"cup_1": "desk", "cup_2": "counter"}, task(1, "bringing", CUP, recipient="user")),
+        ({"cup_1": "user"}, task(1, "taking", CUP)),
+        ({"cup_1": "anna", "anna": "study"}, task(1, "taking", CUP)),
+        ({"cup_1": "robot"}, task(1, "placing", CUP, goal="counter")),
+        ({"cup_1": "desk"}, task(1, "placing", CUP, goal="desk")),
+        ({"cup_1": "desk"}, task(1, "change_state", CUP, state="dirty")),
+        ({}, task(1, "change_state", "wardrobe", state="closed")),
+        ({"cup_1": "desk"}, task(1, "searching", CUP)),
+        ({"cup_1": "desk"}, task(1, "check_state", CUP, state="clean")),
+        ({"rag": "desk", "cup_1": "desk"}, task(1, "check_state", CUP, state=HERE)),
+    ],
+    ids="another,user has it,anna has it,on the robot,there already,so already,closed,find,look,here".split(","),
+)
+def test_what_needs_no_place_out_of_reach_can_be_done(places, due):
+    assert course(HandWorld(places), [1], due).is_feasible
+
+
+@pytest.mark.usefixtures("out_of_reach")
+def test_what_lies_in_an_open_wardrobe_out_of_reach_may_be_seen():
+    world = HandWorld({"cup_1": "wardrobe"}, {("wardrobe", "aperture"): "open"})
+    assert course(world, [1], task(1, "searching", CUP)).is_feasible
+
+
+@pytest.mark.usefixtures("out_of_reach")
+def test_whoever_cannot_get_to_a_thing_goes_on_with_what_is_due_then():
+    tasks = task(1, "bringing", CUP, recipient="user"), task(2, "informing", recipient="user")
+    found = course(HandWorld({"cup_1": "desk"}), [{"if": 1, "else": [2]}], *tasks)
+    assert found.tasks == (1, 2)
+    assert found.is_feasible
+
+
+@pytest.mark.usefixtures("out_of_reach")
+def test_nobody_carries_off_what_is_needed_to_where_the_robot_does_not_get_to():
+    monitor = Monitor(instruction([1], task(1, "taking", CUP)), DOMAIN, HandWorld({"cup_1": "counter"}))
+    assert monitor.can_lie("cup_1", "sink")
+    assert not monitor.can_lie("cup_1", "desk")
 
 
 def test_only_what_is_due_counts():
