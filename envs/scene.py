@@ -72,7 +72,7 @@ class Samples:
         self.place_at = np.minimum(np.arange(len(geometry.names)), geometry.place_count)
         of_room: list[list[tuple[int, list[tuple[float, float]]]]] = [[] for _ in geometry.rooms]
         for place in range(geometry.place_count):
-            for room, points in _points(geometry, place):
+            for room, points in sample_points(geometry, place):
                 of_room[room].append((place, points))
         full = [
             (inside_reach if kind.inside else reach) ** 2 if kind.surface or kind.inside else NEVER for kind in kinds
@@ -303,7 +303,7 @@ def samples_of(geometry: Geometry, reach: float, inside_reach: float) -> Samples
     return Samples(geometry, reach, inside_reach)
 
 
-def _points(geometry: Geometry, place: int) -> Iterator[tuple[int, list[tuple[float, float]]]]:
+def sample_points(geometry: Geometry, place: int) -> Iterator[tuple[int, list[tuple[float, float]]]]:
     """The rooms that a place is seen in, with the points that stand for it there."""
     name = geometry.names[place]
     x0, y0, x1, y1 = geometry.footprints[place].tolist()

@@ -7,21 +7,22 @@ something can be done:
 - to take, put, switch, open, fill, ...: within reach of the place (of the spot, on a floor), in its room;
 - to speak, to hand over, to fetch somebody who leads the way: within earshot of where the person stood at first;
 - to be at a place: within 1 m of it; to be in a room: anywhere in it;
-- to find something out: where it is in range and in line of sight, through open doors, whatever the heading. Of
-  several that a phrase means as many are seen as it takes to know; what is not there is looked for wherever the task
-  says.
+- to find something out: where it is in range and in line of sight, through open doors, whatever the heading. What
+  stands fixed is seen where any corner of it is, a container too; only what is in it takes a nearer look. Of several
+  that a phrase means as many are seen as it takes to know; what is not there is looked for wherever the task says.
 
 Each task has its stops in the order of its phrases, things before where they go; of several candidates any will do.
 Where all are meant there is a stop for each ("the kitchen and the study", "everybody"), from near to far. Whoever leads
 the way is met where they stood, and followed to the goal or, where it is theirs to say, into the room they went to;
-from then on they are in that room. What holds already needs no stop. The path is sought on a grid and then drawn
+from then on they are in that room. What holds already needs no stop: what is as it is wanted, and what lies where it is
+to go. The path is sought on a grid and then drawn
 tight, so that a drive that cuts corners finer may come out some centimetres shorter; divide by the longer of the two,
 as SPL does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import dist, sqrt
@@ -35,6 +36,7 @@ from scipy.sparse.csgraph import dijkstra
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
 from decomplex_bt.envs.floorplan import RESOLUTION, Floorplan, floorplan_of
 from decomplex_bt.envs.interface import STATE_PAIRS
+from decomplex_bt.envs.scene import sample_points
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
 from decomplex_bt.planning.abilities import is_fixed, runs_shut, wipers_of
@@ -68,7 +70,7 @@ class ShortestPath:
     ) -> None:
         self._domain, self._geometry, self._start = domain, geometry, start
         self._reach, self._earshot = reach, earshot
-        self._sight, self._sight_inside = sight
+        self._sight, self._sight_inside = sight[0], min(sight)
         self._plan = _plan_of(domain)
         self._places = {
             geometry.names[row]: geometry.names[int(start.place[row])] if start.place[row] >= 0 else None
@@ -107,6 +109,9 @@ class ShortestPath:
         if task.type == "following":
             yield from self._follow(task, bindings)
             return
+        if task.type in ("placing", "bringing"):
+            yield from self._bring(task, bindings)
+            return
         for group in _groups(task.objects, bindings):
             yield from self._fetch(group, task.type)
         if task.type == "informing":
@@ -114,9 +119,7 @@ class ShortestPath:
         elif task.type == "motion" and task.target is not None:
             yield from self._in_turn([self._any(g, self._arrival) for g in _groups((task.target,), bindings)])
         elif task.target is not None and task.type != "taking":
-            targets = candidates(task.target, bindings)
-            yield self._any(targets, self._use)
-            self._put(task, targets, bindings)
+            yield self._any(candidates(task.target, bindings), self._use)
 
     def _finding_out(self, task: GroundTask, bindings: Bindings, truth: bool) -> Iterator[Mask]:
         """To where the things are seen; where they are not, to where all places asked about are seen.
@@ -129,14 +132,15 @@ class ShortestPath:
         if task.type == "check_state" and not asks_value and all(is_fixed(name, self._domain) for name in asked):
             return  # the map has the answer
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
-        if found and (not task.places or self._is_there(found[0], task.places, bindings)):
+        is_sighted = task.type == "searching" and truth  # whoever is to find a thing is content with it elsewhere
+        if found and (not task.places or is_sighted or self._is_there(found[0], task.places, bindings)):
             for thing in task.objects:
                 among = candidates(thing, bindings)
                 are_all = needed(thing, among) >= len(among)
                 groups = [among] if not asks_value or are_all != truth else [(name,) for name in among]
                 yield from self._in_turn([self._any(group, self._view) for group in groups])
             return
-        yield from self._in_turn([self._view(name) for name in _names(task.places, bindings)])
+        yield from self._in_turn([self._look_into(name) for name in _names(task.places, bindings)])
 
     def _in_turn(self, stops: Sequence[Mask]) -> list[Mask]:
         """Stops that may be made in any order, from near to far."""
@@ -163,6 +167,18 @@ class ShortestPath:
             yield from self._fetch((name,), "taking")
         yield self._any(devices, self._use)
 
+    def _bring(self, task: GroundTask, bindings: Bindings) -> Iterator[Mask]:
+        """To the things that are not yet where they are to go, and with them there."""
+        target = task.target
+        assert target is not None
+        away = list(_groups(task.objects, bindings, lambda name: self._is_there(name, (target,), bindings)))
+        for group in away:
+            yield from self._fetch(group, task.type)
+        if away:
+            targets = candidates(target, bindings)
+            yield self._any(targets, self._use)
+            self._put({name for group in away for name in group}, targets[0])
+
     def _fetch(self, group: Sequence[str], kind: str) -> Iterator[Mask]:
         """To one of these things, if none is on the robot."""
         if any(self._places.get(name) == ROBOT for name in group):
@@ -185,12 +201,11 @@ class ShortestPath:
         if goals:
             yield self._any(goals, self._use)
 
-    def _put(self, task: GroundTask, targets: Sequence[str], bindings: Bindings) -> None:
+    def _put(self, things: Iterable[str], target: str) -> None:
         """Notes where the things are afterwards."""
-        if task.type in ("placing", "bringing"):
-            house, target = self._domain.house, targets[0]
-            where = house.floor_of(target) if target in house.rooms else self._places.get(target, target)
-            self._places.update(dict.fromkeys(_names(task.objects, bindings), where))
+        house = self._domain.house
+        where = house.floor_of(target) if target in house.rooms else self._places.get(target, target)
+        self._places.update(dict.fromkeys(things, where))
 
     # -- regions of the floor -----------------------------------------------------------------------------------------
 
@@ -238,26 +253,42 @@ class ShortestPath:
 
     def _view(self, name: str) -> Mask:
         """Where something is in range and in line of sight with all doors open; a room, from within."""
+        is_thing = name in self._places
+        if is_thing and self._places[name] == ROBOT:
+            return self._plan.free
+        row = self._geometry.row.get(name)
+        if row is not None and row < self._geometry.place_count and row not in self._geometry.floor_row:
+            corners = sample_points(self._geometry, row)
+            seen = [self._in_sight(point, room, self._sight) for room, points in corners for point in points]
+            return self._plan.free & np.logical_or.reduce(seen)
+        place = self._places[name] if is_thing else None
+        return self._in_view(name, self._sight_inside if self._is_container(place) else self._sight)
+
+    def _look_into(self, name: str) -> Mask:
+        """Where one sees what is at a place; at a thing or person, where these are seen."""
+        if self._is_container(name):
+            return self._in_view(name, self._sight_inside)
+        return self._view(name) if name in self._places else self._in_view(name, self._sight)
+
+    def _is_container(self, place: str | None) -> bool:
+        """Whether what is at a place is in it, so that it takes a nearer look."""
+        return place is not None and place in self._domain.house.furniture and self._domain.kind(place).inside
+
+    def _in_view(self, name: str, sight: float) -> Mask:
+        """Where the point at which something is can be seen from so far; a room, from within."""
         house = self._domain.house
         if name.removesuffix("_floor") in house.rooms:
             return self._within(name, 0.0)
         if name in self._room_of:
             return self._within(self._room_of[name], 0.0)
-        if name in self._places and self._places[name] == ROBOT:
-            return self._plan.free
         point = self._point(name)
         if point is None:
             return np.zeros(len(self._plan.free), dtype=bool)
-        place = self._places.get(name, name)
-        sight = self._sight
-        if place is not None and place in house.furniture and self._domain.kind(place).inside:
-            sight = min(sight, self._sight_inside)
-        return self._plan.free & self._in_sight(point, sight)
+        return self._plan.free & self._in_sight(point, self._geometry.room_at(*point), sight)
 
-    def _in_sight(self, point: Point, sight: float) -> Mask:
-        """The cells from which a point is seen: those that are seen from it."""
+    def _in_sight(self, point: Point, room: int, sight: float) -> Mask:
+        """The cells from which a point in a room is seen: those that are seen from it."""
         offsets = (self._plan.cell_x - point[0]) + 1j * (self._plan.cell_y - point[1])
-        room = self._geometry.room_at(*point)
         seen = self._plan.cell_rooms == room
         for beyond, (right, left) in wedges(self._geometry, room, complex(*point), (), reach=sight):
             inside = ((offsets * right.conjugate()).imag >= 0) & ((offsets * left.conjugate()).imag <= 0)
@@ -288,7 +319,8 @@ class ShortestPath:
         if name in self._room_of:
             return any((self._domain.room_of(w) or w) == self._room_of[name] for w in _names(places, bindings))
         point, place = self._point(name), self._places.get(name)
-        for where in _names(places, bindings):
+        for mentioned in _names(places, bindings):
+            where = self._places.get(mentioned) or mentioned  # beside a thing is where that is
             room = where.removesuffix("_floor")
             if place is not None and where in (place, place.removesuffix("_floor")):
                 return True
@@ -308,14 +340,18 @@ def _names(referents: Sequence[Referent], bindings: Bindings) -> list[str]:
     return [name for referent in referents for name in candidates(referent, bindings)]
 
 
-def _groups(referents: Sequence[Referent], bindings: Bindings) -> Iterator[tuple[str, ...]]:
-    """One group of candidates, of which any will do, for each thing that is asked for."""
+def _groups(
+    referents: Sequence[Referent], bindings: Bindings, is_settled: Callable[[str], bool] = lambda name: False
+) -> Iterator[tuple[str, ...]]:
+    """One group of candidates, of which any will do, for each thing that is asked for and not settled."""
     for referent in referents:
         among = candidates(referent, bindings)
-        if needed(referent, among) >= len(among):
-            yield from ((name,) for name in among)
+        open_ones = tuple(name for name in among if not is_settled(name))
+        short = needed(referent, among) - (len(among) - len(open_ones))
+        if short >= len(open_ones):
+            yield from ((name,) for name in open_ones)
         else:
-            yield from [among] * needed(referent, among)
+            yield from [open_ones] * short
 
 
 @lru_cache(maxsize=16)  # every episode that succeeds comes by: knowing the domain is quicker than comparing its house

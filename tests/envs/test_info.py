@@ -245,6 +245,78 @@ def test_a_straight_way_is_as_long_as_it_is():
     assert env.step(REST)[4]["shortest_length"] == pytest.approx(0.6, abs=0.08)
 
 
+def shortest(text, flow, at, **options):
+    """The shortest path of an oracle that sets out from a point and has driven far too long already."""
+    env = HouseholdEnv(markup(text, flow))
+    env.reset(seed=0, options={"chance": False, **options})
+    episode = env._episode
+    env.world._robot.position = episode.start.position[-1] = at
+    episode._path_length = 100.0
+    observation, _, terminated, _, info = env.step(REST)
+    oracle = env.policy("oracle")
+    oracle.reset(observation, info)
+    while not (terminated or oracle.done):
+        observation, _, terminated, _, info = env.step(oracle.act(observation))
+    assert info["is_success"]
+    return info["shortest_length"]
+
+
+ON_THE_COUCH, IN_THE_KITCHEN = (6.3, 7.6), (3.3, 7.15)
+TO_THE_KITCHEN = "[go](2:motion) [to the kitchen](2:goal)"
+APPLE_ON_DESK = "[Put](1:placing) [the apple](1:object) [on the desk](1:goal)"
+TO_THE_HALLWAY = "[go](2:motion) [to the hallway](2:goal)"
+
+
+def test_what_lies_where_it_is_to_go_needs_no_stop():
+    alone = shortest("[Go](1:motion) [to the kitchen](1:goal).", [1], ON_THE_COUCH)
+    there, away = (
+        shortest(f"{APPLE_ON_DESK}, then {TO_THE_KITCHEN}.", [1, 2], ON_THE_COUCH, placement={"apple": place})
+        for place in ("desk", "coffee_table")
+    )
+    assert there == pytest.approx(alone)
+    assert away > alone + 4
+
+
+def test_of_several_things_only_what_is_away_is_fetched():
+    both = "[Put](1:placing) [the apple](1:object) and [the pan](1:object) [on the desk](1:goal)."
+    pan = "[Put](1:placing) [the pan](1:object) [on the desk](1:goal)."
+    placement = {"apple": "desk", "pan": "kitchen_table"}
+    assert shortest(both, [1], ON_THE_COUCH, placement=placement) == pytest.approx(
+        shortest(pan, [1], ON_THE_COUCH, placement=placement)
+    )
+
+
+def test_what_is_in_the_room_it_is_to_go_to_stays_where_it_is():
+    bring = "[Bring](1:bringing) [the apple](1:object) [to the kitchen](1:goal)"
+    take = "[take](2:taking) [it](2:object=the apple)"
+    fetched = shortest("[Take](1:taking) [the apple](1:object).", [1], ON_THE_COUCH, placement={"apple": "stove"})
+    assert shortest(f"{bring}, then {take}.", [1, 2], ON_THE_COUCH, placement={"apple": "stove"}) == pytest.approx(
+        fetched
+    )
+
+
+@pytest.mark.parametrize(
+    ("what", "is_near"),
+    [
+        ("the fridge](1:object) [is](1:check_state) [open](1:state)", False),
+        ("the milk](1:object) [is](1:check_state) [in the fridge](1:location)", True),
+    ],
+)
+def test_a_container_is_seen_from_afar_and_what_is_in_it_from_near(what, is_near):
+    alone = shortest("[Go](1:motion) [to the hallway](1:goal).", [1], IN_THE_KITCHEN)
+    told = f"If [{what}, {TO_THE_HALLWAY}."
+    asked = shortest(
+        told, [{"if": 1, "then": [2]}], IN_THE_KITCHEN, states={"fridge": "open"}, placement={"milk": "fridge"}
+    )
+    assert (asked > alone + 0.5) is is_near
+    assert is_near or asked == pytest.approx(alone)
+
+
+def test_what_is_found_elsewhere_than_where_it_is_looked_for_is_found():
+    look = "[Look](1:searching) for [the apple](1:object) [on the bed](1:location)."
+    assert shortest(look, [1], ON_THE_COUCH, placement={"apple": "coffee_table"}) == 0.0
+
+
 PEOPLE = {"anna": "bedroom", "tom": "study", "guest": "kitchen", "relative": None}
 WINDOWS = {name: "closed" for name in load_domain("household").house.furniture if "window" in name}
 
