@@ -29,7 +29,8 @@ class AssumedWorld:
 
     `values`: (entity, state pair) to value; what is not given is as it usually is. `broken` devices do not switch on,
     `slippery` things slip from the hand, `refused` names actions that are not possible here.
-    The robot sees what is in its room, but for the insides of closed containers.
+    `supposed`: the things and people whose place, and the keys of `values` whose value, is but the usual one: nothing
+    has told it or brought it about. The robot sees what is in its room, but for the insides of closed containers.
     """
 
     domain: Domain
@@ -43,6 +44,7 @@ class AssumedWorld:
     held: str | None = None
     tray: list[str | None] = field(default_factory=lambda: [None] * 4)
     steps: list[GroundAction] = field(default_factory=list)
+    supposed: set[str | tuple[str, str]] = field(default_factory=set)
 
     @classmethod
     def likely(cls, domain: Domain) -> AssumedWorld:
@@ -53,17 +55,37 @@ class AssumedWorld:
             if name == house.user or person.home >= 0.5:
                 places[name] = max(person.rooms, key=lambda room: person.rooms[room])
         room = max(house.robot_start, key=lambda room: house.robot_start[room])
-        return cls(domain, room, places)
+        return cls(domain, room, places, supposed=set(places))
 
     def copy(self) -> AssumedWorld:
         """A world that goes its own way from here."""
         return replace(
-            self, places=dict(self.places), values=dict(self.values), tray=list(self.tray), steps=list(self.steps)
+            self,
+            places=dict(self.places),
+            values=dict(self.values),
+            tray=list(self.tray),
+            steps=list(self.steps),
+            supposed=set(self.supposed),
         )
 
     def __post_init__(self) -> None:
-        self.values = {**Prior.of(self.domain).values, **self.values}
+        usual = Prior.of(self.domain).values
+        self.supposed |= usual.keys() - self.values.keys()
+        self.values = {**usual, **self.values}
         self.at = self.at or self.domain.house.floor_of(self.room)
+
+    def settle(self, name: str, pair: str, value: str) -> None:
+        """Has a state be so, which from then on is more than supposed."""
+        self.values[name, pair] = value
+        self.supposed.discard((name, pair))
+
+    def settle_place(self, name: str, place: str | None) -> None:
+        """Has a thing or a person be at a place, or nowhere in the house (None), which is more than supposed then."""
+        if place is None:
+            self.places.pop(name, None)
+        else:
+            self.places[name] = place
+        self.supposed.discard(name)
 
     def percept(self) -> Percept:
         """What the robot sees now."""
@@ -94,23 +116,29 @@ class AssumedWorld:
         reason = self._problem(step)
         if reason != "ok":
             return reason
-        self.steps.append(step)
         name, objects = step.name, step.objects
+        if name == "move":  # from where it is; a plan begins at the floor of the room wherever it may be
+            step = GroundAction(name, (self.at, *objects[1:]))
+        if step.objects[:1] != objects[1:2]:  # else it is there already
+            self.steps.append(step)
         if name == "move":
             self.at = objects[1]
         elif name == "pass":
             self.room = objects[2]
         elif name == "follow":
-            self.room = self.places[objects[0]] = objects[2]
-            self.at = objects[0]
+            self.room, self.at = objects[2], objects[0]
+            self.settle_place(objects[0], objects[2])
         elif name in ("pick", "receive"):
-            self.held, self.places[objects[0]] = objects[0], ROBOT
+            self.held = objects[0]
+            self.settle_place(objects[0], ROBOT)
         elif name in ("place", "give"):
-            self.held, self.places[objects[0]] = None, objects[1]
+            self.held = None
+            self.settle_place(*objects[:2])
         elif name in ("stow", "unstow"):
             slot = int(objects[1].rpartition("_")[2]) - 1
             self.tray[slot], self.held = (objects[0], None) if name == "stow" else (None, objects[0])
-        self.values |= values_after(step, self.domain)
+        for (entity, pair), value in values_after(step, self.domain).items():
+            self.settle(entity, pair, value)
         return "ok"
 
     def run(

@@ -1,9 +1,10 @@
 """The conditional plan: a plan for every task of a flow, from the state assumed on its branch (DeComplex, III-E).
 
 Every task is pursued as it will be at run time, but in a world that is as it is assumed to be: things lie at their
-likeliest places, a condition holds in its `then` branch and does not in its `else` branch, and what earlier tasks have
-brought about stays so. Unlike in the paper, where a plan leads straight to a task's goal, the looking around that a
-task takes is part of its plan. Tasks behind a condition are planned from the end of its `then` branch.
+likeliest places, a condition holds in its `then` branch and does not in its `else` branch, what is ordered is yet to be
+done, and what earlier tasks have brought about stays so. Unlike in the paper, where a plan leads straight to a task's
+goal, the looking around that a task takes is part of its plan. Tasks behind a condition are planned from the end of its
+`then` branch.
 
 What finds something out is planned up to the look that does, though at run time the answer may come into view before.
 A check that is no condition is planned for either answer, and goes on from yes.
@@ -17,15 +18,14 @@ from typing import Any
 
 from decomplex_bt.flow import If, Node
 from decomplex_bt.instruction import escaped
-from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.assumed_world import AssumedWorld
+from decomplex_bt.planning.assumptions import assume, assume_due
 from decomplex_bt.planning.belief import Belief
-from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundInstruction, GroundTask, Referent
+from decomplex_bt.planning.ground_task import FINDING_OUT, GroundInstruction, GroundTask
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.pursuit import Bindings, PursuitStatus
-from decomplex_bt.planning.whereabouts import places_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,8 +125,8 @@ class _Branch:
         if not isinstance(node, If) and not _has_two_answers(task):
             return self._pursue(task)
         other = self._fork()
-        _assume(self.world, self.belief, task, holds=True)
-        _assume(other.world, other.belief, task, holds=False)
+        assume(self.world, self.belief, task, holds=True)
+        assume(other.world, other.belief, task, holds=False)
         holds, fails = self._pursue(task), other._pursue(task)
         if not isinstance(node, If):
             return holds if holds.reason else replace(holds, otherwise=fails)
@@ -137,6 +137,8 @@ class _Branch:
 
     def _pursue(self, task: GroundTask) -> TaskPlan:
         before = len(self.world.steps)
+        if task.type not in FINDING_OUT:
+            assume_due(self.world, self.belief, task)
         finds_out = task.type in FINDING_OUT or task.question is not None
         pursuit = self.world.run(task, self.belief, self.planner, self.bindings, up_to_looks=finds_out)
         self.bindings = pursuit.bindings
@@ -148,62 +150,6 @@ class _Branch:
 def _has_two_answers(task: GroundTask) -> bool:
     """Whether a task is done once it is known whether something is so: a check, a search through certain places."""
     return task.type == "check_state" or (task.type == "searching" and bool(task.objects and task.places))
-
-
-# -- what a branch assumes --------------------------------------------------------------------------------------------
-
-
-def _assume(world: AssumedWorld, belief: Belief, task: GroundTask, *, holds: bool) -> None:
-    """Makes a condition true or false in an assumed world, as far as that is possible."""
-    if task.type == "searching" or task.state == HERE or task.is_only_there:
-        for referent in task.objects:
-            _assume_presence(world, belief, task, referent, holds != task.is_denied)
-    elif task.type == "check_state":
-        pair = world.domain.kinds.pair_of(task.state or "")
-        value = task.state if holds else world.domain.kinds.opposite(task.state or "")
-        for name in (name for referent in task.objects for name in referent.candidates):
-            world.values[(name, pair)] = value or ""
-        for referent in task.objects if task.places else ():
-            _assume_presence(world, belief, task, referent, True)
-    elif not holds:
-        _assume_impossible(world, task)
-
-
-def _assume_presence(world: AssumedWorld, belief: Belief, task: GroundTask, referent: Referent, holds: bool) -> None:
-    house = world.domain.house
-    if all(is_fixed(name, world.domain) for name in referent.candidates):
-        return  # it is where the map has it
-    is_person = referent.candidates[0] in house.people
-    wheres = [where for place in task.places for where in places_of(place.candidates, belief, for_people=is_person)]
-    if holds:
-        name = referent.candidates[0]
-        likely = [place for place, _ in belief.likely_places(name)]
-        place = next((place for place in likely if place in wheres or not wheres), wheres[0] if wheres else None)
-        if name not in world.places or (wheres and not any(_is_in(world, n, wheres) for n in referent.candidates)):
-            world.places[name] = (world.domain.room_of(place or "") if is_person else place) or world.room
-        return
-    for name in referent.candidates:
-        if name in world.places and name != house.user and (not wheres or _is_in(world, name, wheres)):
-            elsewhere = [place for place, _ in belief.prior.places.get(name, ()) if place not in wheres]
-            if wheres and elsewhere:
-                world.places[name] = (world.domain.room_of(elsewhere[0]) if is_person else elsewhere[0]) or world.room
-            else:
-                del world.places[name]
-
-
-def _is_in(world: AssumedWorld, name: str, wheres: Sequence[str]) -> bool:
-    """Whether a thing lies at one of these places, or a person is in the room of one."""
-    place = world.places.get(name)
-    return place in wheres or (name in world.domain.house.people and place in map(world.domain.room_of, wheres))
-
-
-def _assume_impossible(world: AssumedWorld, task: GroundTask) -> None:
-    """Makes an action fail: its things are gone, its people out, its devices broken."""
-    names = [name for referent in task.referents() for name in referent.candidates]
-    for name in names:
-        if name in world.places and name != world.domain.house.user:
-            del world.places[name]
-    world.broken = world.broken | {name for name in names if name not in world.places}
 
 
 # -- in words ---------------------------------------------------------------------------------------------------------

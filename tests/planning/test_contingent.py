@@ -40,7 +40,7 @@ def test_each_branch_is_planned_from_what_it_assumes() -> None:
     assert str(heat.steps[-1]) == "(heat coffee microwave)"
     assert choice.fails.reason == "the coffee is not hot"
     assert isinstance(last, TaskPlan)
-    assert str(last.steps[0]) == "(move living_room_floor living_room_doorway living_room)"
+    assert str(last.steps[0]) == "(move user living_room_doorway living_room)"
 
 
 def test_what_is_said_to_be_somewhere_is_assumed_to_be_there() -> None:
