@@ -39,7 +39,7 @@ from decomplex_bt.envs.interface import STATE_PAIRS
 from decomplex_bt.envs.scene import sample_points
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.envs.wedges import wedges
-from decomplex_bt.planning.abilities import is_fixed, runs_shut, wipers_of
+from decomplex_bt.planning.abilities import is_fixed, runs_shut, stands_at, wipers_of
 from decomplex_bt.planning.ground_task import FINDING_OUT, HERE, GroundTask, Referent
 
 if TYPE_CHECKING:
@@ -132,15 +132,23 @@ class ShortestPath:
         if task.type == "check_state" and not asks_value and all(is_fixed(name, self._domain) for name in asked):
             return  # the map has the answer
         found = [name for name in _names(task.objects, bindings) if self._point(name) is not None]
-        is_sighted = task.type == "searching" and truth  # whoever is to find a thing is content with it elsewhere
-        if found and (not task.places or is_sighted or self._is_there(found[0], task.places, bindings)):
+        if found and (not task.places or self._is_there(found[0], task.places, bindings)):
             for thing in task.objects:
                 among = candidates(thing, bindings)
                 are_all = needed(thing, among) >= len(among)
                 groups = [among] if not asks_value or are_all != truth else [(name,) for name in among]
                 yield from self._in_turn([self._any(group, self._view) for group in groups])
-            return
-        yield from self._in_turn([self._look_into(name) for name in _names(task.places, bindings)])
+        elif task.type == "searching" and truth:
+            yield from self._in_turn(self._search(task, bindings, is_found=bool(found)))
+        else:
+            yield from self._in_turn([self._look_into(name) for name in _names(task.places, bindings)])
+
+    def _search(self, task: GroundTask, bindings: Bindings, *, is_found: bool) -> list[Mask]:
+        """To where things are seen that are elsewhere than they are looked for, or to where one sees that they are not
+        there: where no condition hangs on it, either is an end."""
+        seen = [self._any(group, self._view) for group in _groups(task.objects, bindings)] if is_found else []
+        looked = [self._any(group, self._look_into) for group in _groups(task.places, bindings)]
+        return [seen[0] | looked[0]] if len(seen) == len(looked) == 1 else seen or looked
 
     def _in_turn(self, stops: Sequence[Mask]) -> list[Mask]:
         """Stops that may be made in any order, from near to far."""
@@ -315,17 +323,18 @@ class ShortestPath:
         return self._geometry.names[at] if at >= 0 else None
 
     def _is_there(self, name: str, places: Sequence[Referent], bindings: Bindings) -> bool:
-        """Whether a thing or person is at one of the places asked about."""
-        if name in self._room_of:
-            return any((self._domain.room_of(w) or w) == self._room_of[name] for w in _names(places, bindings))
-        point, place = self._point(name), self._places.get(name)
+        """Whether something or somebody is at one of the places asked about, as the judge has it: on the floor of a
+        room is less than in it, but for people."""
+        if is_fixed(name, self._domain):
+            return any(stands_at(name, where, self._domain) for where in _names(places, bindings))
+        point, is_thing = self._point(name), name in self._places
+        room = self._room_of.get(name) or (self._geometry.rooms[self._geometry.room_at(*point)] if point else None)
         for mentioned in _names(places, bindings):
             where = self._places.get(mentioned) or mentioned  # beside a thing is where that is
-            room = where.removesuffix("_floor")
-            if place is not None and where in (place, place.removesuffix("_floor")):
-                return True
-            index = self._geometry.room_index.get(room)
-            if point is not None and index is not None and self._geometry.room_at(*point) == index:
+            if is_thing and where not in self._domain.house.rooms:
+                if self._places[name] == where:
+                    return True
+            elif room is not None and room == (self._domain.room_of(where) or where):
                 return True
         return False
 

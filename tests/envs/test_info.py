@@ -295,6 +295,13 @@ def test_what_is_in_the_room_it_is_to_go_to_stays_where_it_is():
     )
 
 
+def test_to_be_in_a_room_is_not_to_lie_on_its_floor():
+    put = "[Put](1:placing) [the apple](1:object) [on the floor of the kitchen](1:goal)."
+    alone = shortest("[Go](1:motion) [to the kitchen](1:goal).", [1], ON_THE_COUCH)
+    assert shortest(put, [1], ON_THE_COUCH, placement={"apple": "kitchen_floor"}) == 0.0
+    assert shortest(put, [1], ON_THE_COUCH, placement={"apple": "counter"}) > alone
+
+
 @pytest.mark.parametrize(
     ("what", "is_near"),
     [
