@@ -18,7 +18,8 @@ _AS_IT_WAS = object()
 
 
 class HouseholdVectorEnv(SyncVectorEnv):
-    """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was).
+    """Synchronous environments; the reset option `instructions` gives one instruction to each (None: as it was, or
+    drawn from the corpus where the option `instruction` is given as None).
 
     Where a reset is refused for one of them, none is reset, and each keeps the instruction that it had. So each reset
     is rehearsed, whatever is given: an instruction that was set as an attribute may suit no house, and a house be full.
