@@ -79,7 +79,7 @@ class TreeAgent:
         self._body = _body_of(env)
         _check(ask, threshold, planner)
         self._planner = planner or PyperplanPlanner()
-        self._gold = _annotated(flow)
+        self._flow = _annotated(flow)
         self._ask = ask
         self._threshold = threshold
         self._episode: _Episode | None = None
@@ -102,10 +102,10 @@ class TreeAgent:
         environment, `UnknownWordError`, `ImpossibleGoalError` and `MissingArgumentError` for what cannot be grounded in
         this house; the agent then stays as it was.
         """
-        if self._gold is None and "instruction" not in info:
+        if self._flow is None and "instruction" not in info:
             raise InputError("info has no instruction; give the info that reset of the environment returned")
         domain = self._body.domain
-        instruction = with_tasks(self._gold or understood(str(info["instruction"]), domain), domain)
+        instruction = with_tasks(self._flow or understood(str(info["instruction"]), domain), domain)
         if self._ask is not None:
             instruction = settle(instruction, self._ask, domain=domain, threshold=self._threshold)
         grounded = ground(instruction, domain)
@@ -160,6 +160,11 @@ class TreeAgent:
     # -- how it stands ------------------------------------------------------------------------------------------------
 
     @property
+    def flow(self) -> Instruction | None:
+        """The annotated instruction that it was given to go by; None where it understands the text itself."""
+        return self._flow
+
+    @property
     def instruction(self) -> Instruction:
         """What the agent goes by."""
         return self._begun.instruction
@@ -183,6 +188,16 @@ class TreeAgent:
     def session(self) -> Session:
         """What the leaves share: belief, bindings, plan counts."""
         return self._begun.session
+
+    @property
+    def plans(self) -> int:
+        """Plans asked for in this episode."""
+        return self.session.plans
+
+    @property
+    def replans(self) -> int:
+        """Those of them that a task asked for because an earlier one had not brought it about."""
+        return self.session.replans
 
     @property
     def _begun(self) -> _Episode:

@@ -9,10 +9,11 @@ from __future__ import annotations
 import atexit
 import gc
 import logging
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import lru_cache, partial
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache, partial
 from pathlib import Path
+from pickle import PicklingError
 from typing import Any, Literal
 
 import gymnasium as gym
@@ -21,81 +22,41 @@ import decomplex_bt
 from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError, check_jobs, is_whole
+from decomplex_bt.evaluation.agents import (
+    READERS,
+    Agents,
+    Maker,
+    by_name,
+    check_agent,
+    is_given_flow,
+    make_policy,
+    name_of,
+)
 from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
+from decomplex_bt.evaluation.planners import Planning, planner_of
 from decomplex_bt.evaluation.row import Outcome, Row
+from decomplex_bt.evaluation.setup import Setup
+from decomplex_bt.evaluation.travel import check_travels, lend
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.processes import results
 
-AGENTS = ("tree", "oracle", "random", "idle")
-"""The policies an environment offers; only "tree" understands text, the others are given the gold flow."""
-READERS = ("tree", "oracle")
-"""Those that go by a reading of the instruction."""
-Maker = Callable[[Any], Any]
-"""Makes, of an environment, a policy of one's own: `reset(observation, info)` and `act(observation)`, and `failures`,
-`plans`, `replans` where it has them. With several processes it must be a function that can be pickled."""
-Agents = Sequence[str | Maker] | Mapping[str, str | Maker]
-"""Policies by what they are called themselves, or by the names that the rows are to have."""
 CHUNK = 5
 """Episodes that a process takes at once; few, so that none is left with the slow ones."""
 Progress = Callable[[int, int], None]
 """Told after each episode how many of how many are done."""
 ReadingSource = Literal["own", "gold"]
-_HIGHEST = {"balance": 0.5, "max_seconds": float("inf"), "grasp_slip": 1.0, "missed_detection": 1.0, "meddling": 60.0}
-"""The highest value of each number of a `Setup`, as the reset options have it; the lowest is 0."""
+Readings = Sequence[Instruction | str]
+"""The agent's own reading of every example; of a text that cannot be read at all, why."""
 
 logger = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
-class Setup:
-    """What all episodes of an evaluation have in common.
-
-    `domain`: name or folder. `balance` in [0, 0.5], `max_seconds` of simulated time: None as the environment has them.
-    `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
-    `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
-    Raises `InputError` for a number out of its range, and for what is none of these.
-    """
-
-    env_id: str = "decomplex_bt/Household-v0"
-    domain: str | Path = "household"
-    balance: float | None = None
-    max_seconds: float | None = None
-    noise: bool = True
-    grasp_slip: float | None = None
-    missed_detection: float | None = None
-    meddling: float | None = None
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.env_id, str):
-            raise InputError(f"env_id is {self.env_id!r}; expected the id of an environment, as in {Setup.env_id!r}")
-        if not isinstance(self.domain, str | Path):
-            raise InputError(f"domain is {self.domain!r}; expected the name of a shipped one or a folder")
-        for name, highest in _HIGHEST.items():
-            value = getattr(self, name)
-            is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-            if value is not None and not (is_number and 0.0 <= value <= highest):
-                raise InputError(f"{name} is {value!r}; expected a number from 0 to {highest:g}")
-        if not isinstance(self.noise, bool):
-            raise InputError(f"noise is {self.noise!r}; expected True or False")
-
-    def options(self) -> dict[str, Any]:
-        """The reset options that they come to."""
-        options = {
-            "balance": self.balance,
-            "max_seconds": self.max_seconds,
-            "noise": self.noise,
-            "grasp_slip": self.grasp_slip,
-            "missed_detection": self.missed_detection,
-            "meddling": self.meddling,
-        }
-        return {key: value for key, value in options.items() if value is not None}
-
-
-@dataclass(frozen=True, slots=True)
 class Episode:
-    """One episode to be run. `reading`: how the agent is to understand it; None with `problem`: it could not. `maker`:
-    of a policy that the environment does not offer."""
+    """One episode to be run. `reading`: how the agent is to understand it; None with `problem`: it could not. `reads`:
+    whether it goes by a reading. `maker`: of a policy that the environment does not offer; what that goes by may turn
+    out once it is made."""
 
     example: str
     gold: Instruction
@@ -104,6 +65,7 @@ class Episode:
     source: ReadingSource
     reading: Instruction | None
     problem: str | None = None
+    reads: bool = False
     maker: Maker | None = None
 
 
@@ -116,13 +78,15 @@ def evaluate(
     agent: str | Maker = "tree",
     reading: ReadingSource = "own",
     setup: Setup | None = None,
+    planner: Planning | None = None,
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
     """The rows of `episodes` worlds for every example, world k with seed `seed + k`.
 
     `agent`: the name of a policy, or what makes one of the environment (`Maker`), which the rows name as it is named.
     `reading`: whether the tree agent understands the text itself or is given the gold flow. `jobs`: processes, -1 for
-    one a core; joblib's `parallel_config` chooses another backend. Raises `InputError` for options that make no sense.
+    one a core; joblib's `parallel_config` chooses another backend. `planner`: in place of the setup's (`Setup`). Raises
+    `InputError` for options that make no sense, and for a planner or a maker that other processes need and cannot have.
     """
     return evaluate_agents(
         examples,
@@ -132,6 +96,7 @@ def evaluate(
         jobs=jobs,
         reading=reading,
         setup=setup,
+        planner=planner,
         progress=progress,
     )
 
@@ -145,6 +110,7 @@ def evaluate_agents(
     jobs: int = 1,
     reading: ReadingSource = "own",
     setup: Setup | None = None,
+    planner: Planning | None = None,
     progress: Progress | None = None,
 ) -> tuple[Row, ...]:
     """As `evaluate` for several agents in the same worlds, or for a mapping of names to them; of the rows,
@@ -157,33 +123,24 @@ def evaluate_agents(
     setup = Setup() if setup is None else setup
     if not isinstance(setup, Setup):
         raise InputError(f"setup is {setup!r}; expected a Setup, or None")
-    by_name = _by_name(agents)
+    setup = setup if planner is None else replace(setup, planner=planner)
     domain = load_domain(setup.domain)
+    readings = cache(lambda: _understand([example.instruction.text for example in examples], domain))
     planned = [
         episode
-        for name, agent in by_name.items()
+        for name, agent in by_name(agents).items()
         for episode in plan_episodes(
-            examples, episodes=episodes, seed=seed, agent=agent, name=name, reading=reading, domain=domain
+            examples,
+            episodes=episodes,
+            seed=seed,
+            agent=agent,
+            name=name,
+            reading=reading,
+            domain=domain,
+            readings=readings,
         )
     ]
     return tuple(run_episodes(planned, setup, jobs=jobs, progress=progress))
-
-
-def _by_name(agents: Any) -> Mapping[str, Any]:
-    """The agents by the names that the rows have. Raises `InputError`."""
-    if isinstance(agents, Mapping):
-        return agents
-    if isinstance(agents, str) or not isinstance(agents, Iterable):
-        raise InputError(f"agents is {agents!r}; expected a sequence of names, as in ({agents!r},)")
-    by_name: dict[str, Any] = {}
-    for agent in agents:
-        name = _name_of(agent)
-        if name in by_name:
-            raise InputError(
-                f"the agent {name!r} is named twice; name each once, in a mapping if need be, as in {{'mine': ...}}"
-            )
-        by_name[name] = agent
-    return by_name
 
 
 def those_that_ground(examples: Sequence[Example], domain: Domain) -> tuple[Example, ...]:
@@ -209,11 +166,12 @@ def plan_episodes(
     domain: Domain,
     name: str | None = None,
     reading: ReadingSource = "own",
+    readings: Callable[[], Readings] | None = None,
 ) -> tuple[Episode, ...]:
-    """All episodes, fixed. Every text is understood here, once and in a batch. `name`: of the agent, in the rows; None:
-    as it is named. Raises `InputError`."""
-    name = _name_of(agent) if name is None else name
-    _check_agent(name, agent)
+    """All episodes, fixed. Every text is understood here, once and in a batch; `readings` gives what was understood
+    before. `name`: of the agent, in the rows; None: as it is named. Raises `InputError`."""
+    name = name_of(agent) if name is None else name
+    check_agent(name, agent)
     if not is_whole(episodes) or episodes < 1:
         raise InputError(f"episodes is {episodes!r}; expected at least one world for each instruction")
     if not is_whole(seed) or seed < 0:
@@ -221,8 +179,10 @@ def plan_episodes(
     if reading not in ("own", "gold"):
         raise InputError(f"reading is {reading!r}; expected 'own' or 'gold'")
     _check_examples(examples)
-    source: ReadingSource = reading if agent == "tree" else "gold"
-    readings = _understand(examples, domain) if source == "own" else [example.instruction for example in examples]
+    source: ReadingSource = reading if agent == "tree" or is_given_flow(agent) else "gold"
+    texts = [example.instruction.text for example in examples]
+    understood = (readings or partial(_understand, texts, domain)) if source == "own" else None
+    gone_by: Readings = [example.instruction for example in examples] if understood is None else understood()
     return tuple(
         Episode(
             example.id,
@@ -232,29 +192,12 @@ def plan_episodes(
             source,
             found if isinstance(found, Instruction) else None,
             None if isinstance(found, Instruction) else found,
+            agent in READERS or is_given_flow(agent),
             None if isinstance(agent, str) else agent,
         )
-        for example, found in zip(examples, readings, strict=True)
+        for example, found in zip(examples, gone_by, strict=True)
         for world in range(episodes)
     )
-
-
-def _name_of(agent: Any) -> str:
-    return agent if isinstance(agent, str) else getattr(agent, "__name__", type(agent).__name__)
-
-
-def _check_agent(name: Any, agent: Any) -> None:
-    if not callable(agent) and agent not in AGENTS:
-        raise InputError(
-            f"there is no agent {agent!r}; known: {', '.join(AGENTS)}; or a function that makes one of an environment"
-        )
-    if not isinstance(name, str) or not name:
-        raise InputError(f"an agent is named {name!r}; expected a text")
-    if name != agent and (name in AGENTS or isinstance(agent, str)):
-        raise InputError(
-            f"{name!r} names an agent that is {agent!r}; the names {', '.join(AGENTS)} are those of the environment's "
-            "own policies, which have no others; give yours another, as in {'mine': ...}"
-        )
 
 
 def _check_examples(examples: Any) -> None:
@@ -279,34 +222,45 @@ def run_episodes(
 
     size = 1 if jobs == 1 else CHUNK
     chunks = [planned[start : start + size] for start in range(0, len(planned), size)]
+    lent = replace(setup, planner=lend(setup.planner))
     done = 0
-    for rows in results((delayed(_run_chunk)(chunk, setup) for chunk in chunks), jobs):
-        for row in rows:
-            done += 1
-            if progress is not None:
-                progress(done, len(planned))
-            yield row
+    try:
+        for rows in results((delayed(_run_chunk)(chunk, lent) for chunk in chunks), jobs):
+            for row in rows:
+                done += 1
+                if progress is not None:
+                    progress(done, len(planned))
+                yield row
+    except PicklingError:
+        makers = {episode.agent: episode.maker for episode in planned}
+        check_travels("planner", setup.planner, remedy="give a function of a module that makes one, or jobs=1")
+        for name, maker in makers.items():
+            check_travels(f"the agent {name!r}", maker, remedy="give a function of a module, or jobs=1")
+        raise
 
 
 def run_episode(episode: Episode, setup: Setup) -> Row:
     """One episode from reset to verdict, as a row."""
-    env, planner, _ = _bench(setup)
+    env, planner = _bench(setup.env_id, setup.domain), planner_of(setup.planner)
     try:
         observation, info = env.reset(seed=episode.seed, options={"instruction": episode.gold, **setup.options()})
     except InputError as error:
         return _row(episode, "ungroundable", cause=("grounding", str(error)))
-    ended = partial(_ended, episode, met_at_start=bool(info["is_success"]))
+    ended = partial(_ended, met_at_start=bool(info["is_success"]))
     misread = _misreading(episode, setup)
     if episode.reading is None:
-        return ended(info, misread)
-    make = _maker_of(episode, env, planner)
+        return ended(episode, info, misread)
+    make = _maker_of(episode, env, planner, setup)
     steps, is_over, truncated = 0, False, False
     try:
         policy = make()
         try:
             policy.reset(observation, info)
         except InputError as error:
-            return ended(info, misread or ("grounding", str(error)))
+            episode = _as_refused(episode, policy, setup)
+            return ended(episode, info, _misreading(episode, setup) or ("grounding", str(error)))
+        episode = _as_gone_by(episode, getattr(policy, "instruction", None))
+        misread = _misreading(episode, setup)
         while not is_over:
             observation, _, terminated, truncated, info = env.step(policy.act(observation))
             steps += 1
@@ -316,51 +270,70 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     except Exception as error:  # one broken episode must not lose the others
         logger.exception("%s, seed %d: the episode broke off", episode.example, episode.seed)
         broke: Blame = ("execution", f"broke off: {type(error).__name__}: {error}")
-        return ended(info, broke, steps=steps, understood=misread is None)
+        return ended(episode, info, broke, steps=steps, understood=misread is None)
     found = None
     if not info["is_success"]:
         found = misread or blame_run(failures, info["violations"], is_truncated=truncated)
     counts["understood"] = misread is None
-    return ended(info, found, steps=steps, failures=failures, **counts)
+    return ended(episode, info, found, steps=steps, failures=failures, **counts)
 
 
-def _maker_of(episode: Episode, env: gym.Env[Any, Any], planner: Planner) -> Callable[[], Any]:
+def _maker_of(episode: Episode, env: gym.Env[Any, Any], planner: Planner, setup: Setup) -> Callable[[], Any]:
     """What makes the episode's policy."""
     if episode.maker is not None:
-        return partial(episode.maker, env)
+        is_chosen = setup.planner is not None
+        return partial(make_policy, episode.maker, env, flow=episode.reading, planner=planner, is_chosen=is_chosen)
     offered = env.get_wrapper_attr("policy")
     return partial(offered, episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
+
+
+def _as_gone_by(episode: Episode, instruction: Any) -> Episode:
+    """The episode of a policy of one's own that tells by what instruction it goes."""
+    if episode.maker is None or not isinstance(instruction, Instruction):
+        return episode
+    is_gold = episode.source == "gold" if is_given_flow(episode.maker) else instruction == episode.gold
+    return replace(episode, source="gold" if is_gold else "own", reading=instruction, reads=True)
+
+
+def _as_refused(episode: Episode, policy: Any, setup: Setup) -> Episode:
+    """The episode of a tree agent of one's own that refused what it had read: that is read anew."""
+    from decomplex_bt.behaviour.agent import TreeAgent
+
+    if is_given_flow(episode.maker) or not isinstance(policy, TreeAgent):
+        return episode
+    found = policy.flow or _understand([episode.gold.text], load_domain(setup.domain))[0]
+    if isinstance(found, Instruction):
+        return _as_gone_by(episode, found)
+    return replace(episode, source="own", reading=None, problem=found, reads=True)
 
 
 def _misreading(episode: Episode, setup: Setup) -> Blame | None:
     """What is wrong with the agent's reading; None where nothing is, or where it reads nothing."""
     if episode.reading is None:
         return "understanding", episode.problem or "not understood"
-    if episode.source == "gold":
+    if episode.reading == episode.gold:
         return None
-    return _compared(episode.reading, episode.gold, setup)
+    return _compared(episode.reading, episode.gold, setup.domain)
 
 
 @lru_cache(maxsize=64)
-def _compared(reading: Instruction, gold: Instruction, setup: Setup) -> Blame | None:
-    return blame_reading(reading, gold, load_domain(setup.domain))
+def _compared(reading: Instruction, gold: Instruction, domain: str | Path) -> Blame | None:
+    return blame_reading(reading, gold, load_domain(domain))
 
 
-def _understand(examples: Sequence[Example], domain: Domain) -> list[Instruction | str]:
+def _understand(texts: Sequence[str], domain: Domain) -> list[Instruction | str]:
     """The agent's own reading of every text; where a text cannot be read at all, why."""
     from decomplex_bt.understanding.interpreter import Interpreter, check_text
 
     problems: dict[str, str] = {}
-    for example in examples:
+    for text in texts:
         try:
-            check_text(example.instruction.text)
+            check_text(text)
         except InputError as error:
-            problems[example.id] = str(error)
-    usable = [example for example in examples if example.id not in problems]
-    interpreter = Interpreter.load(domain)
-    read = interpreter.interpret_batch(example.instruction.text for example in usable)
-    readings = dict(zip((example.id for example in usable), read, strict=True))
-    return [readings.get(example.id) or problems[example.id] for example in examples]
+            problems[text] = str(error)
+    usable = [text for text in texts if text not in problems]
+    readings = dict(zip(usable, Interpreter.load(domain).interpret_batch(usable), strict=True))
+    return [problems.get(text) or readings[text] for text in texts]
 
 
 def _run_chunk(episodes: Iterable[Episode], setup: Setup) -> list[Row]:
@@ -368,13 +341,10 @@ def _run_chunk(episodes: Iterable[Episode], setup: Setup) -> list[Row]:
 
 
 @lru_cache(maxsize=2)
-def _bench(setup: Setup) -> tuple[gym.Env[Any, Any], Planner, Domain]:
-    """A process' environment, its planner (for its cache) and the domain."""
-    from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
-
+def _bench(env_id: str, domain: str | Path) -> gym.Env[Any, Any]:
+    """A process' environment."""
     assert decomplex_bt  # importing it registers the ids
-    env = gym.make(setup.env_id, domain=setup.domain)
-    return env, PyperplanPlanner(), load_domain(setup.domain)
+    return gym.make(env_id, domain=domain)
 
 
 @atexit.register
@@ -409,7 +379,7 @@ def _ended(
         branches=tuple(info["branches"]),
         violations=tuple(info["violations"]),
         moved_by_others=info["moved_by_others"],
-        understood=understood if episode.agent in READERS else None,
+        understood=understood if episode.reads else None,
         **counts,
     )
 
