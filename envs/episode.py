@@ -33,7 +33,7 @@ UNKNOWN_LENGTH = -1.0
 """What `shortest_length` is until there is one: a number that equals itself, or infos could not be compared."""
 RESULT_NAMES = tuple(result.name.lower().replace("_", " ") for result in Result)
 Observation = dict[str, Any]
-_FINISH, _OK = Interaction.FINISH, Result.OK
+_NONE, _FINISH, _OK = Interaction.NONE, Interaction.FINISH, Result.OK
 _pack = Struct("6f").pack_into
 _TOLD = ("seconds", "path_length", "shortest_length", "events", "moved_by_others", "result")
 """The keys of an info besides those of the judge and those that are constant."""
@@ -82,6 +82,7 @@ class Episode:
         self._add_noise(options)
         self.sensor.look()
         self._judged_arrangement = self.world.arrangement
+        self._judged_deeds = self._stand()
         self.verdict: Verdict = judge.begin(self.world, self.sensor)
         self._meddler = self._make_meddler(options.meddling, generators)
         self._move: Move | None = None
@@ -116,9 +117,12 @@ class Episode:
         forward, turn, interaction, target = read_action(action, self._rows)
         if self._meddler is not None:
             self._move = self._meddle(self._meddler)
+        if interaction is not _NONE and self._stand() != self._judged_deeds:
+            self.judge.brace()
+            self._judged_deeds = self._stand()
         self._result = interact(world, interaction, target)
         if world.walks:
-            advance(world)
+            self._let_walk()
         x, y = world.robot
         world.drive(forward, turn)
         x_now, y_now = world.robot
@@ -133,6 +137,8 @@ class Episode:
         if is_news or is_finished or is_late or self.judge.minds_position:
             self._judged_arrangement = world.arrangement
             self.verdict = self.judge.update(event)
+        if is_deed:
+            self._judged_deeds = self._stand()
         if is_finished:
             self.verdict = self.judge.finish()
         self.recording.note(forward, turn, interaction, target)
@@ -148,6 +154,18 @@ class Episode:
         if move is not None:
             self.judge.take_in(move.thing)
         return move
+
+    def _let_walk(self) -> None:
+        """Lets the people who walk go on, and tells the judge of what they do and the robot did not."""
+        event = self.world.event
+        if event is not None and event.result is _OK:
+            self.judge.note_deed()
+        for door in advance(self.world):
+            self.judge.take_in(door)
+
+    def _stand(self) -> tuple[int, int]:
+        """What is another value when anything was changed or brought into another room."""
+        return self.world.version, self.world.arrangement
 
     def _reward(self, before: Verdict, terminated: bool) -> float:
         now = self.verdict

@@ -86,10 +86,20 @@ class Judge:
         assert self._monitor is not None
         return thing not in self.settled and self._monitor.can_lie(thing, place)
 
-    def take_in(self, thing: str) -> None:
-        """Takes in that somebody else has moved a thing."""
+    def take_in(self, name: str) -> None:
+        """Takes in that somebody else has moved a thing or opened a door."""
         assert self._monitor is not None
-        self._monitor.take_in(thing)
+        self._monitor.take_in(name)
+
+    def brace(self) -> None:
+        """Takes in how things are before the robot does something; call it when they may have changed meanwhile."""
+        assert self._monitor is not None
+        self._monitor.brace()
+
+    def note_deed(self) -> None:
+        """Takes in how things are right after the robot's deed; call it where others go on in the same step."""
+        assert self._monitor is not None
+        self._monitor.note_deed()
 
     @property
     def minds_position(self) -> bool:

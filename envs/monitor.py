@@ -34,6 +34,8 @@ MOST_READINGS = 64
 _OK = Result.OK  # asking an enum takes ten times as long
 _ON_REACHING = frozenset(("motion", "following"))
 """Types of tasks whose goal is where the robot is."""
+_ON_DEEDS = JUDGED_BY_ROW - _ON_REACHING
+"""Types of tasks whose goal is how the world is, whatever the robot was seen to do."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +95,7 @@ class Monitor:
         self._executed = tuple(instruction.task(node.task) for node, _ in instruction.flow.walk())
         self._has_following = any(task.type == "following" for task in self._executed)
         self._holds = self._goals_that_hold()
+        self._after_deed: Mapping[int, bool] = {}
         self.verdict = self._judge()
 
     def again(self, truth: Truth) -> Monitor:
@@ -135,13 +138,30 @@ class Monitor:
             self.verdict = self._judge()
         return self.verdict
 
-    def take_in(self, thing: str) -> None:
-        """Takes in that somebody else has moved a thing: so it is from now on, and it is not the robot's doing."""
-        self._holds = self._goals_that_hold()
+    def take_in(self, name: str) -> None:
+        """Takes in that somebody else has moved a thing or opened a door: so it is from now on, and it is not the
+        robot's doing."""
+        if name in self.domain.house.things:  # before the robot does anything in a step, and maybe to where it is
+            self._holds = self._goals_that_hold()
         for reading in self.readings:
             if reading.moment is not None:
-                reading.moment.take_in(thing)
+                reading.moment.take_in(name)
         self._view = None
+
+    def brace(self) -> None:
+        """Takes in how things are just before the robot does something: what has come about since its last deed is no
+        deed of its own, be it that somebody did it or that a thing was pushed along. But where it is, it drove to."""
+        now = self._goals_that_hold()
+        by_driving = {number: self._holds[number] for number in now if self._type_of(number) in _ON_REACHING}
+        self._holds = {**now, **by_driving}
+
+    def note_deed(self) -> None:
+        """Takes in how things are right after the robot has done something, before anybody else does in that step."""
+        now = self._goals_that_hold()
+        self._after_deed = {number: holds for number, holds in now.items() if self._type_of(number) in _ON_DEEDS}
+
+    def _type_of(self, number: int) -> str:
+        return self.instruction.task(number).type
 
     def can_lie(self, thing: str, place: str) -> bool:
         """Whether what is still to come could be carried out as well if a thing lay at another place."""
@@ -333,6 +353,8 @@ class Monitor:
         if not has_acted and self.truth.room == self._room and not self.minds_leading:
             return
         before, self._holds = self._holds, self._goals_that_hold()
+        by_others = {number: True for number, holds in self._after_deed.items() if self._holds[number] and not holds}
+        before, self._after_deed = {**before, **by_others}, {}
         faults = [(reading, self._fault(reading, event if has_acted else None, before)) for reading in self.readings]
         left = tuple(reading for reading, fault in faults if fault is None)
         found = [(reading, fault) for reading, fault in faults if fault is not None]

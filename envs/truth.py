@@ -65,9 +65,13 @@ class Moment:
         return other
 
     def take_in(self, name: str) -> None:
-        """Takes in that somebody else has moved a thing."""
+        """Takes in that somebody else has moved a thing, or changed how a place is."""
         if name in self._places:
             self._places[name] = self._truth.place(name)
+            return
+        for key in self._states:
+            if key[0] == name:
+                self._states[key] = self._truth.state(*key)
 
     @property
     def room(self) -> str:

@@ -91,30 +91,30 @@ def is_near_person(world: World, person: int) -> bool:
     return away <= world.config.speak_reach and world.geometry.is_free_line(world.robot, (x, y), world.closed_leaves)
 
 
-def advance(world: World) -> None:
-    """Sets the pace of all who walk, for one control step."""
-    for walk in list(world.walks.values()):
-        _advance(world, walk)
+def advance(world: World) -> list[str]:
+    """Sets the pace of all who walk, for one control step; tells which doors they opened."""
+    return [door for walk in list(world.walks.values()) for door in _advance(world, walk)]
 
 
-def _advance(world: World, walk: Walk) -> None:
+def _advance(world: World, walk: Walk) -> list[str]:
     here = _point(world, walk.person)
     while walk.rest and dist(walk.rest[0], here) < (ARRIVED if len(walk.rest) > 1 else THERE):
         walk.rest.pop(0)
     if not walk.rest:
         del world.walks[walk.person]
         world.stop_walking(walk.person)
-        return
+        return []
     target = walk.rest[0]
     dx, dy = target[0] - here[0], target[1] - here[1]
     away = hypot(dx, dy)
-    open_doors(world, [here, *walk.rest[:2]])
+    opened = open_doors(world, [here, *walk.rest[:2]])
     if _must_wait(world, walk, here, (dx / away, dy / away)):
         walk.body.velocity = (0.0, 0.0)
-        return
+        return opened
     pace = min(PACE, away / world.config.step_seconds)
     walk.body.velocity = (pace * dx / away, pace * dy / away)
     world.heading[walk.person] = atan2(dy, dx)
+    return opened
 
 
 def _must_wait(world: World, walk: Walk, here: Point, ahead: Point) -> bool:
@@ -135,15 +135,18 @@ def _must_wait(world: World, walk: Walk, here: Point, ahead: Point) -> bool:
     return not walk.shoves
 
 
-def open_doors(world: World, way: Sequence[Point]) -> None:
+def open_doors(world: World, way: Sequence[Point]) -> list[str]:
     """A walker opens the closed doors on the next stretches of their way, from where they are: a door may stand so
-    close behind a corner that they would not get to the corner for it."""
+    close behind a corner that they would not get to the corner for it. Tells which."""
     x, y = way[0]
+    opened = []
     for leaf in world.closed_leaves:
         ax, ay, bx, by = world.geometry.leaves[leaf]
         near = hypot((ax + bx) / 2 - x, (ay + by) / 2 - y) < DOOR_REACH
         if near and not all(world.geometry.is_free_line(*stretch, (leaf,)) for stretch in pairwise(way)):
             world.set_state(world.geometry.row[leaf], APERTURE, 1)
+            opened.append(leaf)
+    return opened
 
 
 def _is_there(world: World, person: int, goal: int) -> bool:

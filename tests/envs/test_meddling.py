@@ -8,6 +8,7 @@ import pytest
 
 import decomplex_bt
 from decomplex_bt.corpus import read_markup
+from decomplex_bt.envs.chance import APERTURE
 from decomplex_bt.envs.doubles import DOMAIN, Episode, HandWorld, task
 from decomplex_bt.envs.interface import Interaction
 from decomplex_bt.envs.judge import Judge
@@ -123,6 +124,77 @@ def test_a_condition_is_judged_by_where_somebody_else_has_put_the_thing():
     episode.monitor.take_in("pen_1")
     episode.inspect("desk")
     assert episode.truths == [(1, False, None)]
+
+
+DOOR = ("bedroom_door", "aperture")
+LATER_DOOR = task(1, "motion", goal="kitchen"), task(2, "change_state", "bedroom_door", state="open")
+
+
+def test_what_has_come_about_since_the_robot_last_did_something_is_not_its_doing():
+    episode = Episode(HandWorld({"ball": "hallway_floor"}), [1, 2], *LATER_DOOR)
+    episode.world.states[DOOR] = "open"
+    episode.monitor.brace()
+    assert not episode.take("ball").is_over
+
+
+def test_what_others_do_after_the_robot_in_the_same_step_is_not_its_doing():
+    episode = Episode(HandWorld({"ball": "robot"}), [1, 2], *LATER_DOOR)
+    episode.monitor.note_deed()
+    episode.world.states[DOOR] = "open"
+    assert not episode.put("ball", "hallway_floor").is_over
+
+
+def test_what_the_robot_does_is_its_doing_whatever_others_do_after_it():
+    tasks = task(1, "motion", goal="kitchen"), task(2, "change_state", "tv", state="on")
+    episode = Episode(HandWorld(), [1, 2], *tasks)
+    episode.monitor.brace()
+    episode.world.states["tv", "power"] = "on"
+    episode.monitor.note_deed()
+    episode.world.states[DOOR] = "open"
+    episode.monitor.take_in("bedroom_door")
+    (violation,) = episode.do(Interaction.SWITCH_ON, "tv").violations
+    assert violation.task == 2
+
+
+def test_a_condition_is_judged_by_the_door_that_somebody_else_has_opened():
+    flow = [{"if": 1, "then": [2], "else": [3]}]
+    check = task(1, "check_state", "bedroom_door", state="closed")
+    episode = Episode(HandWorld(), flow, check, task(2, "motion", goal="study"), task(3, "motion", goal="kitchen"))
+    episode.world.states[DOOR] = "open"
+    episode.monitor.take_in("bedroom_door")
+    episode.see("bedroom_door")
+    assert episode.truths == [(1, False, "else")]
+
+
+LATER = read_markup(
+    "[Go](1:motion) [to the kitchen](1:goal), then [open](2:change_state) [the bedroom door](2:object).",
+    ONTOLOGY,
+    flow=[1, 2],
+)
+
+
+@pytest.mark.parametrize("earlier", [0, 3])
+def test_a_door_that_somebody_opens_on_their_way_is_not_the_robots_doing(env, monkeypatch, earlier):
+    options = {"instruction": LATER, "noise": False, "states": {"bedroom_door": "closed"}, "people": {"user": "study"}}
+    env.reset(seed=0, options=options)
+    world = env.unwrapped.world
+    ball, robot = world.geometry.row["ball"], world.geometry.robot_row
+    world.lift(ball, robot)
+    world.held = ball
+
+    def opens(world):
+        world.set_state(world.geometry.row["bedroom_door"], APERTURE, 1)
+        return ["bedroom_door"]
+
+    world.walks[world.geometry.user_row] = None  # somebody is on their way
+    stow = {**REST, "interact": int(Interaction.PLACE), "target": robot}
+    for action in [*[REST] * earlier, stow]:
+        walk = opens if world.steps == 0 else lambda world: []
+        monkeypatch.setattr("decomplex_bt.envs.episode.advance", walk)
+        _, _, terminated, _, info = env.step(action)
+    assert info["result"] == "ok"
+    assert not terminated
+    assert info["violations"] == []
 
 
 def test_what_all_are_meant_of_by_where_they_lie_is_left_there():
