@@ -16,8 +16,8 @@ Where all are meant there is a stop for each ("the kitchen and the study", "ever
 the way is met where they stood, and followed to the goal or, where it is theirs to say, into the room they went to;
 from then on they are in that room. What holds already needs no stop: what is as it is wanted, and what lies where it is
 to go. The path is sought on a grid and then drawn
-tight, so that a drive that cuts corners finer may come out some centimetres shorter; divide by the longer of the two,
-as SPL does.
+tight, so that a drive that cuts corners finer may come out some centimetres shorter, and so may one that takes up on
+its way what falls due later; divide by the longer of the two, as SPL does.
 """
 
 from __future__ import annotations
