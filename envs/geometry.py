@@ -170,12 +170,13 @@ def distance_to_rect(x: float, y: float, rect: Rect) -> float:
 
 
 def meets(first: Segment, second: Segment) -> bool:
-    """Whether two segments cross or touch; of two on one line, which never part two rooms, it may say either."""
+    """Whether two segments cross or touch. Two on one line do not, as for one who stands right in a doorway and the
+    walls beside it."""
     ax, ay, bx, by = first
     cx, cy, dx, dy = second
     one = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     two = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax)
-    if one * two > 0:
+    if one * two > 0 or one == two == 0:
         return False
     three = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx)
     four = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx)

@@ -44,6 +44,12 @@ def test_an_open_door_is_free_from_edge_to_edge():
     assert free == [False, True, True, False]
 
 
+def test_who_stands_right_in_a_doorway_is_stopped_by_no_wall():
+    ax, y, bx, _ = GEOMETRY.leaves["bedroom_door"]
+    middle = ((ax + bx) / 2, y)
+    assert all(GEOMETRY.is_free_line(middle, end, ()) for end in (middle, (ax + 0.1, y), (bx, y + 0.2), (ax, y - 0.2)))
+
+
 def test_what_stands_against_a_wall_is_not_free_from_behind_it():
     assert not GEOMETRY.is_free_line((4.2, 8.0), (4.4, 8.0), ())
 
