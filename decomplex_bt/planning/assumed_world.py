@@ -12,6 +12,7 @@ from decomplex_bt.planning.belief import LOOKS, ROBOT, Belief
 from decomplex_bt.planning.ground_task import GroundTask
 from decomplex_bt.planning.pddl import GroundAction
 from decomplex_bt.planning.percept import Percept
+from decomplex_bt.planning.plan_check import checked
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.planning.prior import Prior
 from decomplex_bt.planning.problem import belief_problem
@@ -157,9 +158,11 @@ class AssumedWorld:
             bindings = pursuit.bindings
             if pursuit.status is not PursuitStatus.ONGOING:
                 return pursuit
-            result = planner.solve(belief_problem(belief, pursuit.goal_atoms, forbidden=task.forbidden))
-            if not result.is_solved or not result.steps:
-                belief.give_up(pursuit.goal_atoms, result.reason or "it holds, and the task is not done")
+            problem = belief_problem(belief, pursuit.goal_atoms, forbidden=task.forbidden)
+            result = checked(planner.solve(problem), problem, self.domain)
+            if not result.steps:
+                reason = "it holds, and the task is not done" if result.is_solved else str(result)
+                belief.give_up(pursuit.goal_atoms, reason, is_final=result.status.is_final)
                 continue
             self._carry_out(result.steps, task, belief, bindings, since, pursuit, up_to_looks=up_to_looks)
         due = " ".join(map(str, pursuit.goal_atoms))

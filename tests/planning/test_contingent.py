@@ -13,7 +13,9 @@ from decomplex_bt.planning.assumed_world import AssumedWorld
 from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.contingent import Choice, ConditionalPlan, TaskPlan, plan_conditionally
 from decomplex_bt.planning.grounding import ground
+from decomplex_bt.planning.planner import PlanResult, PlanStatus
 from decomplex_bt.planning.prior import Prior
+from decomplex_bt.planning.problem import Problem
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
 DOMAIN = load_domain()
@@ -155,3 +157,16 @@ def test_an_action_that_nobody_simulates_is_named_as_the_reason():
 
     with pytest.raises(InputError, match="an action that the robot has no skill for"):
         plan_conditionally(grounded, PyperplanPlanner(), world=AssumedWorld.likely(domain))
+
+
+class GivesUp:
+    def solve(self, problem: Problem) -> PlanResult:
+        return PlanResult(PlanStatus.TIMEOUT, reason="slow")
+
+
+def test_a_planner_that_gives_up_is_named_as_the_reason():
+    grounded = ground(read_markup("[Take](1:taking) [the apple](1:object).", DOMAIN.ontology, flow=[1]), DOMAIN)
+    (plan,) = plan_conditionally(grounded, GivesUp(), world=AssumedWorld.likely(DOMAIN)).nodes
+    assert isinstance(plan, TaskPlan)
+    assert "timeout: slow" in plan.reason
+    assert "nowhere" not in plan.reason
