@@ -22,6 +22,7 @@ from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.affinity import Option, options_of
 from decomplex_bt.understanding.references.asked_again import place_asked_before
 from decomplex_bt.understanding.references.context import Context
+from decomplex_bt.understanding.references.deeds_asked import deed_asked_before
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
 from decomplex_bt.understanding.references.pointing import shown
 from decomplex_bt.understanding.references.switching import without_own_place
@@ -79,8 +80,9 @@ class ReferenceModel:
             implied = []
             said = {argument.value.lower() for argument in arguments}  # what is put is not where it is put
             for gap in unsaid_gaps(observed, task, self._ontology):
-                if (place := place_asked_before(context, gap, resolved)) is not None:
-                    implied.append(place)
+                asked = place_asked_before(context, gap, resolved) or deed_asked_before(context, gap, resolved)
+                if asked is not None:
+                    implied.append(asked)
                     continue
                 option, probability = self._best(context, gap, hints, said)
                 if option.candidate is not None:

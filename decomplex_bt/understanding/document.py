@@ -249,6 +249,12 @@ _CONTRACTED = (r"(?<=[a-z]{2})['\u2019](?:ll|d)",)
 """Suffixes besides those of spaCy, which has "'s" alone."""
 
 
+_INSIDE_NAMES = frozenset("it me us you by before after if when until unless not".split())
+"""What stands within a name of several words that hyphens join, and is no word of its own there."""
+_AHEAD_OF_NAMES = frozenset(
+    "the a an my your his her our their this that these those some any no another each every 's \u2019s".split()
+)
+_HYPHENATED = frozenset("post-it post-its sell-by use-by best-before stand-by lay-by".split())
 _BEGINNING = frozenset(
     "if unless when once then otherwise and but or so before after while until either it it's he she they we you i the "
     "this that there what which is are has have do does did can could would will should please".split()
@@ -258,10 +264,12 @@ _BEGINNING = frozenset(
 
 def _tokenised(nlp: Any, text: str) -> Any:
     """The tokens of a text. The full stop behind a letter ends the sentence where nothing or a new one follows ("the
-    drawer marked B. If it's full, ..."); before a surname it belongs to the letter ("J. Ford")."""
+    drawer marked B. If it's full, ..."); before a surname it belongs to the letter ("J. Ford"). The "it" of "the
+    post-it" is no word of its own."""
     doc = nlp.make_doc(text)
     stops = {token.i for token in doc if _is_stopped_letter(doc, token)}
-    if not stops:
+    joined_to_last = _joined_to_last(doc) if "-" in text else frozenset()
+    if not stops and not joined_to_last:
         return doc
     from spacy.tokens import Doc
 
@@ -269,9 +277,31 @@ def _tokenised(nlp: Any, text: str) -> Any:
     spaces: list[bool] = []
     for token in doc:
         parts = [token.text[0], "."] if token.i in stops else [token.text]
+        if token.i in joined_to_last:
+            words[-1] += token.text
+            spaces[-1] = bool(token.whitespace_)
+            continue
         words += parts
         spaces += [False] * (len(parts) - 1) + [bool(token.whitespace_)]
     return Doc(nlp.vocab, words=words, spaces=spaces)
+
+
+def _joined_to_last(doc: Any) -> frozenset[int]:
+    """The tokens that hyphens join to the one before in what is named by a word that elsewhere points or joins clauses:
+    "the *post-it*", "a *sell-by* date", "my *pick-me-up*"; not those of "bring me the cup-if it's clean"."""
+    found: set[int] = set()
+    start = 0
+    while start < len(doc) - 2:
+        stop = start + 1
+        while stop < len(doc) - 1 and doc[stop].text == "-" and not any(doc[i].whitespace_ for i in (stop - 1, stop)):
+            stop += 2
+        inner = {doc[i].lower_ for i in range(start + 2, stop - 1, 2)}
+        ahead = {doc[i].lower_ for i in range(max(0, start - 2), start)}
+        is_name = not inner.isdisjoint(_INSIDE_NAMES) and not ahead.isdisjoint(_AHEAD_OF_NAMES)
+        if is_name or doc[start:stop].text.lower() in _HYPHENATED:
+            found.update(range(start + 1, stop))
+        start = stop
+    return frozenset(found)
 
 
 def _is_stopped_letter(doc: Any, token: Any) -> bool:

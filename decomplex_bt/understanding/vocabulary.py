@@ -14,22 +14,45 @@ POINTING = frozenset(
 )
 WHOLE = frozenset("something anything everything somebody someone anyone anybody everyone everybody".split())
 """Words that point to nothing said before but that something said after may refer to."""
-ANIMALS = frozenset(
-    "dog cat puppy kitten hamster rabbit parrot bird horse pony goat pig hen chicken duck fish tortoise turtle budgie "
-    "gerbil mouse rat sheep lamb cow donkey goldfish pup bunny pet".split()
+PETS = frozenset(
+    "beagle bird budgie canary cat cockatiel collie dachshund dog doggy donkey ewe foal gerbil greyhound hamster "
+    "heifer hen horse hound kitten kitty labrador magpie mare mutt parrot piglet pony pooch poodle pup puppy rabbit "
+    "retriever spaniel tabby terrier tomcat tortoise whippet".split()
 )
+"""Animals that nobody eats."""
+ANIMALS = PETS | frozenset("bunny chicken cow duck fish goat goldfish lamb mouse pet pig rat sheep turtle".split())
 PERSON_NOUNS = frozenset(
-    "wife husband mother father mom mum dad son daughter brother sister guest visitor neighbour neighbor colleague "
-    "boss friend nurse doctor kid kids child children baby man woman lady guy girl boy grandma grandpa granny grandad "
-    "nan aunt uncle cousin roommate flatmate plumber cleaner electrician driver postman courier teacher student "
-    "professor people everyone family partner girlfriend boyfriend mama papa granddaughter grandson person carer "
-    "caretaker gardener vet tenant patient customer client manager technician resident caller vendor minister "
-    "lad lass lassie mate pal buddy bloke fella fellow chap toddler teenager twin sibling granddad nephew niece "
-    "gentleman janitor receptionist mechanic midwife vicar landlord landlady lodger builder roofer chef waiter "
-    "waitress butler maid nanny babysitter housekeeper handyman milkman mailman salesman watchman policeman "
-    "policewoman postwoman locksmith glazier carpenter decorator surveyor photographer hairdresser barber "
-    "physiotherapist dentist therapist chaplain pastor priest clerk porter pupil organist tailor butcher baker grocer "
-    "florist chemist pharmacist".split()
+    "accountant actor actress administrator adult apprentice architect archivist artist assistant auditor aunt auntie "
+    "baby babysitter bailiff baker ballerina barber barista barmaid barman barrister bassist beautician bellboy "
+    "blacksmith bloke boss boy boyfriend bricklayer bride bridegroom bridesmaid brother buddy builder butcher "
+    "butler caller cardiologist carer caretaker carpenter caterer cellist chairman chairwoman chambermaid chap "
+    "chaplain chauffeur chef chemist child childminder children chiropodist choirboy choirmaster churchwarden cleaner "
+    "clerk client cobbler colleague composer concierge conservator constable councillor counsellor courier cousin "
+    "crewman curate curator customer dad daddy daughter daughter-in-law dean deckhand decorator dentist deputy "
+    "designer detective dietician director dispatcher doctor doorman driver drummer editor electrician engineer "
+    "everyone family father father-in-law fella fellow fiance fiancee firefighter fireman fisherman fishmonger "
+    "flatmate flautist florist foreman friend gamekeeper gardener gentleman girl girlfriend glazier goddaughter "
+    "godfather godmother godson goldsmith governess gran grandad grandbaby grandchild granddad granddaughter "
+    "grandfather grandma grandmother grandpa grandparent grandson granny greengrocer grocer groundsman guardian guest "
+    "guitarist guy hairdresser hairstylist handyman harbourmaster harpist headmaster headmistress heir heiress helper "
+    "historian hostess housekeeper housemaid housemate housemother husband hygienist illustrator infant inspector "
+    "instructor intern janitor jeweller joiner journalist juror kid kids lad lady landlady landlord lass lassie "
+    "lawyer lecturer librarian lifeguard locksmith locum lodger magistrate maid mailman mam mama man manager masseur "
+    "masseuse mate matron mayor mechanic mentor midwife milkman minister mom mother mother-in-law mum mummy musician "
+    "nan nana nanny neighbor neighbour nephew neurologist newborn newcomer niece nun nurse nursemaid obstetrician "
+    "officer optician organist orphan osteopath owner paediatrician pal papa paramedic parent parishioner parson "
+    "partner passenger pastor patient pedestrian pensioner people person pharmacist photographer physician physio "
+    "physiotherapist pianist plasterer playmate plumber podiatrist poet policeman policewoman porter postie postman "
+    "postmistress postwoman preacher president priest priestess princess principal professor psychiatrist "
+    "psychologist publican pupil quartermaster rabbi radiographer realtor receptionist rector referee registrar "
+    "relative resident retiree roofer roommate sacristan sailor salesman saxophonist schoolboy schoolgirl schoolmate "
+    "scientist seamstress secretary sergeant servant sexton sheriff shopkeeper sibling singer sister "
+    "sister-in-law soldier solicitor soloist son son-in-law soprano sportsman stepbrother stepdaughter stepfather "
+    "stepmother stepsister stepson steward stewardess stonemason stranger student supervisor supplier surgeon "
+    "surveyor sweetheart swimmer tailor teacher teammate technician teen teenager tenant therapist tiler toddler "
+    "trainee translator traveller treasurer trumpeter tutor twin typist umpire uncle understudy undertaker "
+    "upholsterer usher valet vendor verger vet veteran vicar violinist visitor volunteer waiter waitress warden "
+    "washerwoman watchmaker watchman welder widow widower wife woman workman yachtsman youngster zookeeper".split()
 )
 """Nouns for people."""
 ANYBODY = frozenset("anyone anybody someone somebody whoever".split())

@@ -113,10 +113,12 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
     document = context.observed.document
     tokens = document.tokens
     if tokens[candidate.tokens.stop : candidate.tokens.stop + 1] and tokens[candidate.tokens.stop].tag == "POS":
+        is_told = gap.type == "recipient" and gap.task.type == "informing"  # as no dog is
+        living = ("person",) if is_told else ("person", "animal")
         return any(
             c.tokens.start == candidate.tokens.start
             and c.tokens.stop > candidate.tokens.stop + 1
-            and kind_of(context, c) == "person"
+            and kind_of(context, c) in living
             and not is_of_other_gender(document, gap, c)
             for c in context.pool
             if not c.mention and _is_whole_person(document, c)
@@ -130,7 +132,8 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
 def _is_whole_person(document: Document, candidate: Candidate) -> bool:
     """Whether a phrase is of whom something is said or done, or of somebody's little one."""
     is_of_task = candidate.shape in ("whole", "short") and candidate.type == "object"
-    return is_of_task or is_child(document, candidate.tokens)
+    is_stated = candidate.type == "outside" and document.tokens[candidate.head].dep == "nsubj"
+    return is_of_task or is_stated or is_child(document, candidate.tokens)
 
 
 def is_no_person(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -298,7 +301,8 @@ def gender(document: Document, candidate: Candidate) -> str:
     head = tokens[candidate.head]
     words = {head.lemma.lower()} | ({head.lower} if head.pos == "PROPN" else frozenset())
     if not candidate.mention:
-        words |= {tokens[candidate.tokens.start].lower} & _TITLES
+        is_owner = any(tokens[i].tag == "POS" for i in range(candidate.tokens.start, candidate.head))  # "Mr Hale's dog"
+        words |= {tokens[candidate.tokens.start].lower} & _TITLES if not is_owner else frozenset()
         behind = [token.lower for token in tokens[candidate.tokens.stop : candidate.tokens.stop + 2]]
         if tokens[candidate.head].pos == "PROPN" and behind[:1] == ["and"] and behind[1:] in (["his"], ["her"]):
             return GROUPS[behind[1]]

@@ -30,11 +30,11 @@ def asked_before(context: Context, gap: Gap) -> int:
     if gap.type != "object" or gap.word not in ELSEWHERE or not is_again:
         return 0
     document, verb = context.observed.document, context.observed.document.indices(gap.task.span).start
-    is_bare = is_bare_being(document, verb) or _is_pro_verb(document, verb)
+    is_bare = is_bare_being(document, verb) or is_pro_verb(document, verb)
     return first if is_bare and _has_object(context, first, is_living=gap.word in _SOMEBODY) else 0
 
 
-def _is_pro_verb(document: Document, verb: int) -> bool:
+def is_pro_verb(document: Document, verb: int) -> bool:
     """Whether a verb stands for what was asked, and no more: "make the tea if it *has*", "if he *doesn't*, ..."."""
     behind = next((token for token in document.tokens[verb + 1 :] if token.lower not in DENYING), None)
     return document.tokens[verb].lower in _PRO_VERBS and (behind is None or behind.text in MARKS)

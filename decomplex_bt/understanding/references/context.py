@@ -17,7 +17,7 @@ from decomplex_bt.understanding.references.looks import looks, shouts
 from decomplex_bt.understanding.references.phrases import Candidate, candidates_of, predicates_of
 from decomplex_bt.understanding.references.subjects import Subject, subjects
 from decomplex_bt.understanding.references.told import told_things
-from decomplex_bt.understanding.vocabulary import ONES, PERSON_NOUNS
+from decomplex_bt.understanding.vocabulary import ONES, PERSON_NOUNS, PETS
 
 GROUPS = {
     "him": "he", "he": "he", "his": "he", "her": "she", "she": "she", "hers": "she", "it": "it", "them": "they",
@@ -26,7 +26,6 @@ GROUPS = {
 """Pronouns to the one that stands for all of their kind."""
 ANIMATE = frozenset(("person", "animal", "name"))
 """The kinds of who is, or may be, somebody; see `kind_of`."""
-_ANIMALS = frozenset("dog cat puppy kitten hamster parrot rabbit pup bird hen horse pony".split())
 
 
 @dataclass
@@ -165,7 +164,7 @@ def kind_of(context: Context, candidate: Candidate) -> str:
     category = context.observed.gazetteer.category(token.lemma)
     if category == "person" or token.lemma in PERSON_NOUNS or is_child(context.observed.document, candidate.tokens):
         return "person"
-    if token.lemma in _ANIMALS:
+    if token.lemma in PETS:
         return "animal"
     is_person = candidate.type == "recipient" or (candidate.task_type == "following" and candidate.type == "object")
     if is_person and (candidate.shape in ("whole", "short", "long") or candidate.mention):

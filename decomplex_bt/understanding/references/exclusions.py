@@ -29,7 +29,7 @@ from decomplex_bt.understanding.references.fitness import (
 from decomplex_bt.understanding.references.gapped import is_torn
 from decomplex_bt.understanding.references.gaps import Gap, says_there_is
 from decomplex_bt.understanding.references.offers import FILLING, is_filled_for, is_measured
-from decomplex_bt.understanding.references.persons import is_lifeless, is_no_somebody
+from decomplex_bt.understanding.references.persons import is_lifeless, is_no_somebody, is_whence
 from decomplex_bt.understanding.references.phrases import Candidate
 from decomplex_bt.understanding.references.pointing import is_named_later, is_not_shown
 from decomplex_bt.understanding.references.roles import (
@@ -168,6 +168,8 @@ def is_ruled_out(context: Context, gap: Gap, candidate: Candidate) -> bool:
     if is_told_of_otherwise(context, gap, candidate) or is_possessed(context, gap, candidate):
         return True
     if is_no_somebody(context, gap, candidate) or is_lifeless(context, gap, candidate):
+        return True
+    if is_whence(context, gap, candidate):
         return True
     if is_no_single_thing(context, gap, candidate):
         return True

@@ -20,6 +20,7 @@ _LIVING = frozenset("awake asleep sleeping hungry thirsty crying tired sleepy il
 _PLANTS = frozenset("plant flower rose fern tulip herb tomato".split())
 """What may be thirsty and is no animal."""
 _ASKED_FOR = frozenset(("which", "what"))
+_FROM_WHERE = frozenset("from at in on of".split())
 
 
 def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
@@ -52,6 +53,19 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
         is_given = head.text.islower() and gap.task.type != "check_state"
         return is_given and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
     return _is_of_choice(context, candidate.owner)
+
+
+def is_whence(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether "him" cannot mean a candidate since it only tells where somebody is or comes from: "the farmer from
+    *Holt*"."""
+    before = context.observed.document.tokens[max(0, candidate.tokens.start - 1)]
+    if GROUPS.get(gap.word) not in ("he", "she") or candidate.mention or before.lower not in _FROM_WHERE:
+        return False
+    return any(
+        whole.tokens.start <= whole.head < candidate.tokens.start and candidate.tokens.stop <= whole.tokens.stop
+        for whole in context.pool
+        if not whole.mention and kind_of(context, whole) in ANIMATE
+    )
 
 
 def is_lifeless(context: Context, gap: Gap, candidate: Candidate) -> bool:

@@ -61,7 +61,8 @@ def with_speaker(document: Document, tasks: Sequence[Task]) -> tuple[Task, ...]:
         found.append(task)
         if task.type in ("informing", "motion", "following") or _is_of_other(task):
             speaker = ""  # "go to Gran and bring a biscuit"
-        received = [value.lower() for value in task.values("recipient")] if task.type == "bringing" else []
+        received = [value.lower().split()[-1] for value in task.values("recipient")]  # "me", "for me"
+        received = received if task.type == "bringing" else []
         speaker = next((value for value in received if value in _SPEAKER), "" if received else speaker)
     return tuple(found)
 
