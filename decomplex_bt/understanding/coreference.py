@@ -19,11 +19,12 @@ from decomplex_bt.flow import Flow
 from decomplex_bt.instruction import Argument, Instruction, Task
 from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.affinity import Option, options_of
+from decomplex_bt.understanding.references.affinity import options_of
 from decomplex_bt.understanding.references.asked_again import place_asked_before
 from decomplex_bt.understanding.references.context import Context
 from decomplex_bt.understanding.references.deeds_asked import deed_asked_before
 from decomplex_bt.understanding.references.gaps import PREDICATE, REFERRING, Gap, filled, gap_of, part_of, unsaid_gaps
+from decomplex_bt.understanding.references.options import Option
 from decomplex_bt.understanding.references.pointing import shown
 from decomplex_bt.understanding.references.switching import without_own_place
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from decomplex_bt.understanding.crf import Features
-from decomplex_bt.understanding.cues import GOVERNING, Cue, find_cues
+from decomplex_bt.understanding.cue_phrases import GOVERNING
+from decomplex_bt.understanding.cues import Cue, find_cues
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.gazetteer import Gazetteer
 

@@ -21,8 +21,8 @@ from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.damage import ModelError
 from decomplex_bt.understanding.dependencies import FlowModel, FoundFlow, MarkedTask
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.affinity import Option
 from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.options import Option
 from decomplex_bt.understanding.references.phrases import is_pronoun
 from decomplex_bt.understanding.rules.amendments import amended
 from decomplex_bt.understanding.rules.facts import corrected

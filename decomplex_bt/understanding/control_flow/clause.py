@@ -7,7 +7,7 @@ from typing import Literal
 
 from decomplex_bt.understanding.changes import change
 from decomplex_bt.understanding.control_flow.arcs import Wording
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, WISHING
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS, WISHING
 
 Presence = Literal["", "there", "away"]
 """What a check asks that asks no more than whether somebody or something is at hand ("if she's in", "if there are

@@ -51,7 +51,8 @@ from decomplex_bt.understanding.control_flow.wording import (
     is_of_somebody,
     wording,
 )
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS
+from decomplex_bt.understanding.cues import Cue
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, PRO_FORMS
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS, PRO_FORMS
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.speech.asides import tag_question

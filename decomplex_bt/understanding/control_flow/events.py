@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, Cue
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS, GOVERNING
+from decomplex_bt.understanding.cues import Cue
 from decomplex_bt.understanding.document import MARKS, Document
 
 _EVENTS = frozenset(("when", "once", "as soon as", "soon as", "so soon as", "the moment", "the minute", "the instant"))

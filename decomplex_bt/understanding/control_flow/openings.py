@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
 from decomplex_bt.understanding.control_flow.wording import PERSONS
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, Cue, normal_form
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS, normal_form
+from decomplex_bt.understanding.cues import Cue
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.orders.prohibitions import NEGATIONS, is_behind_otherwise, lifts

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from decomplex_bt.understanding.control_flow.arcs import CONDITION_ROLES
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.crf import Features
-from decomplex_bt.understanding.cues import GOVERNING, SIGNALS, STRONG, last_of
+from decomplex_bt.understanding.cue_phrases import GOVERNING, SIGNALS, STRONG, last_of
 
 _TURNS = ("either_way", "else", "fail", "so", "after_that", "last", "then", "instead", "also", "but")
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from decomplex_bt.understanding.control_flow.clause import Clause
 from decomplex_bt.understanding.crf import Features
-from decomplex_bt.understanding.cues import GOVERNING, last_of
+from decomplex_bt.understanding.cue_phrases import GOVERNING, last_of
 from decomplex_bt.understanding.document import Token
 from decomplex_bt.understanding.features import Observed
 

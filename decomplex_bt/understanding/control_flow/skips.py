@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decomplex_bt.domain.verbs import lemmas
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cue_phrases import normal_form
 from decomplex_bt.understanding.document import Document
 
 _SKIPPING = tuple(

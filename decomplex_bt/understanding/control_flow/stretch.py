@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
-from decomplex_bt.understanding.cues import GOVERNING, PRO_FORMS, Cue
+from decomplex_bt.understanding.cue_phrases import GOVERNING, PRO_FORMS
+from decomplex_bt.understanding.cues import Cue
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.features import Observed
 

@@ -12,7 +12,7 @@ from decomplex_bt.understanding.control_flow.clauses import wordings_of
 from decomplex_bt.understanding.control_flow.reach import left_features, right_features
 from decomplex_bt.understanding.control_flow.resemblance import PRONOUNS, resemblance_features
 from decomplex_bt.understanding.crf import Features
-from decomplex_bt.understanding.cues import GOVERNING, SIGNALS, STRONG, last_of
+from decomplex_bt.understanding.cue_phrases import GOVERNING, SIGNALS, STRONG, last_of
 from decomplex_bt.understanding.features import Observed
 
 

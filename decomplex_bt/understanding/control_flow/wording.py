@@ -8,7 +8,7 @@ from decomplex_bt.understanding.control_flow.arcs import Wording
 from decomplex_bt.understanding.control_flow.clause import MarkedTask
 from decomplex_bt.understanding.control_flow.denials import ANSWERS, is_answer, negations
 from decomplex_bt.understanding.control_flow.stretch import PUNCTUATION
-from decomplex_bt.understanding.cues import ASKING_LEMMAS, GOVERNING, normal_form
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS, GOVERNING, normal_form
 from decomplex_bt.understanding.document import Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.phrases import degree_asked

@@ -16,8 +16,8 @@ from decomplex_bt.understanding.encoder.heads import log_softmax
 from decomplex_bt.understanding.encoder.labels import task_labels
 from decomplex_bt.understanding.encoder.model import EncoderModel
 from decomplex_bt.understanding.features import Observed
-from decomplex_bt.understanding.references.affinity import Option
 from decomplex_bt.understanding.references.gaps import Gap
+from decomplex_bt.understanding.references.options import Option
 
 SHARE_FILE = "share.json"
 LARGEST_SHARE = 3.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.cues import WISHING
+from decomplex_bt.understanding.cue_phrases import WISHING
 from decomplex_bt.understanding.document import Document
 from decomplex_bt.understanding.references.absences import is_absent, is_blemish, is_of_other_case, is_used_up
 from decomplex_bt.understanding.references.agreement import (

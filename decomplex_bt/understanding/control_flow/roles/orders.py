@@ -10,7 +10,7 @@ from decomplex_bt.understanding.control_flow.contrasts import asks_of, is_opposi
 from decomplex_bt.understanding.control_flow.failures import is_case_against, is_fallback_behind, is_fallback_for
 from decomplex_bt.understanding.control_flow.outcomes import asks_needless, comes_through, needs_found
 from decomplex_bt.understanding.control_flow.repetitions import forbids_same, is_choice_beside, may_repeat, repeats
-from decomplex_bt.understanding.cues import GOVERNING
+from decomplex_bt.understanding.cue_phrases import GOVERNING
 
 _TURNING = GOVERNING | frozenset("else fail so or instead then".split())
 _DOING = frozenset(("change_state", "placing", "taking", "bringing"))

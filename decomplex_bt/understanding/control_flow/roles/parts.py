@@ -21,7 +21,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     joining_role,
 )
 from decomplex_bt.understanding.control_flow.outcomes import is_guard_of
-from decomplex_bt.understanding.cues import WISHING
+from decomplex_bt.understanding.cue_phrases import WISHING
 
 _HAVING = frozenset(("have", "get", "be"))
 _WANTING = WISHING | {"need"}

@@ -8,7 +8,7 @@ from itertools import dropwhile
 
 from decomplex_bt.domain.clauses import WEATHER, is_air
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.cues import WISHING
+from decomplex_bt.understanding.cue_phrases import WISHING
 from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import noun_chunks

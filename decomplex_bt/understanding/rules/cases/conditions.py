@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.cues import ASKING_LEMMAS
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.rules.cases.certain_cases import CertainCase, certain_cases

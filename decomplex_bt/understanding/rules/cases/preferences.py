@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from decomplex_bt.understanding.arguments import CERTAIN, FoundArgument
-from decomplex_bt.understanding.cues import WISHING
+from decomplex_bt.understanding.cue_phrases import WISHING
 from decomplex_bt.understanding.document import ENDS, Document
 
 _OPENING = frozenset(("if", "when", "unless", "case"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cue_phrases import normal_form
 from decomplex_bt.understanding.document import Document
 
 MAY = frozenset(("may", "might", "could"))

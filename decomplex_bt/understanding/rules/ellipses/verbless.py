@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 
 from decomplex_bt.domain.clauses import WEATHER
 from decomplex_bt.understanding.bare_states import bare_state
-from decomplex_bt.understanding.cues import ASKING_LEMMAS
+from decomplex_bt.understanding.cue_phrases import ASKING_LEMMAS
 from decomplex_bt.understanding.document import ENDS, MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import head_of

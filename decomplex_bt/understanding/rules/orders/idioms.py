@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import takewhile
 
 from decomplex_bt.domain.clauses import WEATHER
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cue_phrases import normal_form
 from decomplex_bt.understanding.document import MARKS, Document, Token
 from decomplex_bt.understanding.references.chunks import noun_chunks
 from decomplex_bt.understanding.references.identity import identities, order_behind

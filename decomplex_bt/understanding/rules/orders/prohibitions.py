@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from itertools import pairwise
 
-from decomplex_bt.understanding.cues import CONDITIONAL, normal_form
+from decomplex_bt.understanding.cue_phrases import CONDITIONAL, normal_form
 from decomplex_bt.understanding.document import FINITE, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.orders.spared import spared

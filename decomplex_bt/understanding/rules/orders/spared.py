@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from decomplex_bt.understanding.cues import CONDITIONAL
+from decomplex_bt.understanding.cue_phrases import CONDITIONAL
 from decomplex_bt.understanding.document import MARKS, Document
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.references.chunks import noun_chunks

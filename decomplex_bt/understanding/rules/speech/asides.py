@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cue_phrases import normal_form
 from decomplex_bt.understanding.document import ENDS, FINITE, MARKS, Document
 from decomplex_bt.understanding.rules.cases.concessions import either_way
 from decomplex_bt.understanding.states import OPPOSITES

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from decomplex_bt.domain.verbs import lemmas
-from decomplex_bt.understanding.cues import normal_form
+from decomplex_bt.understanding.cue_phrases import normal_form
 from decomplex_bt.understanding.document import ENDS, MARKS, Document, Token
 from decomplex_bt.understanding.features import Observed
 from decomplex_bt.understanding.rules.speech.repairs import replaced_orders
