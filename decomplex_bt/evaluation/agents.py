@@ -19,8 +19,9 @@ Maker = Callable[..., Any]
 """Makes, of an environment, a policy of one's own: `reset(observation, info)` and `act(observation)`, and `failures`,
 `plans`, `replans` and `instruction`, what it goes by, where it has them, as a `TreeAgent` does.
 
-One that takes a `flow`, by this name, is handed the reading of the instruction that the agent is to go by; one that
-takes a `planner` that of the evaluation. With several processes it must be a function that can be pickled.
+One that takes a `flow`, by this name, is handed the reading of the instruction that the agent is to go by, unless it
+has a default other than None, a flow of its own; one that takes a `planner` that of the evaluation. With several
+processes it must be a function that can be pickled.
 """
 Agents = Sequence[str | Maker] | Mapping[str, str | Maker]
 """Policies by what they are called themselves, or by the names that the rows are to have."""
@@ -64,31 +65,52 @@ def check_agent(name: Any, agent: Any) -> None:
 
 
 def is_given_flow(agent: str | Maker | None) -> bool:
-    """Whether an agent is handed the reading that it is to go by: a maker that takes a `flow`."""
-    return callable(agent) and _parameter(agent, "flow") is not None
+    """Whether an agent is handed the reading that it is to go by: a maker that takes a `flow` and has none of its own,
+    as in `lambda env, flow=mine: ...`, which binds one."""
+    return callable(agent) and _is_open(_parameter(agent, "flow"))
+
+
+def needs_flow(maker: Maker) -> bool:
+    """Whether a maker can make nothing without a reading; one with `flow=None` makes what may read the text itself."""
+    parameter = _parameter(maker, "flow")
+    return parameter is not None and parameter.default is inspect.Parameter.empty
 
 
 def make_policy(maker: Maker, env: Any, *, flow: Instruction | None, planner: Planner, is_chosen: bool) -> Any:
     """The policy that a maker makes, of what it takes.
 
-    `is_chosen`: somebody wants this very planner; else a maker that has one of its own keeps it.
+    `flow`: None where there is no reading that it could be handed. `is_chosen`: somebody wants this very planner; else
+    a maker that has one of its own keeps it.
     """
-    handed: dict[str, Any] = {"flow": flow} if is_given_flow(maker) else {}
+    handed: dict[str, Any] = {"flow": flow} if flow is not None and is_given_flow(maker) else {}
     parameter = _parameter(maker, "planner")
-    if parameter is not None and (is_chosen or parameter.default in (None, inspect.Parameter.empty)):
+    if _is_open(parameter) or (is_chosen and parameter is not None):
         handed["planner"] = planner
     return maker(env, **handed)
 
 
 def _parameter(maker: Maker, name: str) -> inspect.Parameter | None:
-    """The parameter of this name that a maker takes besides the environment, if nobody has filled it in."""
+    """The parameter of this name that a maker takes besides the environment, if nobody has filled it in.
+
+    A decorator takes what it says itself, whatever is said by the maker that it wraps; that is asked only where the
+    decorator takes anything by name, and so may pass it on.
+    """
     if isinstance(maker, partial) and name in maker.keywords:
         return None
     try:
-        parameters = list(inspect.signature(maker).parameters.values())[1:]
+        own, wrapped = (
+            list(inspect.signature(maker, follow_wrapped=follow).parameters.values()) for follow in (False, True)
+        )
     except (TypeError, ValueError):  # some that are written in C do not tell
         return None
-    return next((p for p in parameters if p.name == name and p.kind in _BY_NAME), None)
+    passes_on = any(p.kind is inspect.Parameter.VAR_KEYWORD for p in own)
+    taken = [*own[1:], *(wrapped[1:] if passes_on else ())]
+    return next((p for p in taken if p.name == name and p.kind in _BY_NAME), None)
+
+
+def _is_open(parameter: inspect.Parameter | None) -> bool:
+    """Whether there is such a parameter and its maker has nothing of its own for it."""
+    return parameter is not None and (parameter.default is None or parameter.default is inspect.Parameter.empty)
 
 
 _BY_NAME = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)

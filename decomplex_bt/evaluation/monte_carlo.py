@@ -1,7 +1,9 @@
 """Monte-Carlo: instructions times drawn worlds, each an episode, judged by the corpus' gold flow.
 
 All episodes are fixed before the first one runs, so that no figure depends on which of them were quick; rows come out
-in that order, and are the same for any number of processes. Environments are reached through their Gymnasium id alone.
+in that order, and are the same for any number of processes as long as planners and makers give the same for the same:
+one that goes by a clock, or by the episodes before, of which each process meets others, may give other rows.
+Environments are reached through their Gymnasium id alone.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from decomplex_bt.corpus import Example
 from decomplex_bt.domain.loader import Domain, load_domain
 from decomplex_bt.errors import InputError, check_jobs, is_whole
 from decomplex_bt.evaluation.agents import (
+    AGENTS,
     READERS,
     Agents,
     Maker,
@@ -31,15 +34,36 @@ from decomplex_bt.evaluation.agents import (
     is_given_flow,
     make_policy,
     name_of,
+    needs_flow,
 )
 from decomplex_bt.evaluation.blame import Blame, blame_reading, blame_run
+from decomplex_bt.evaluation.lending import lend
 from decomplex_bt.evaluation.planners import Planning, planner_of
 from decomplex_bt.evaluation.row import Outcome, Row
+from decomplex_bt.evaluation.sendable import check_sendable
 from decomplex_bt.evaluation.setup import Setup
-from decomplex_bt.evaluation.travel import check_travels, lend
 from decomplex_bt.instruction import Instruction
 from decomplex_bt.planning.planner import Planner
 from decomplex_bt.processes import results
+
+__all__ = [
+    "AGENTS",
+    "CHUNK",
+    "READERS",
+    "Agents",
+    "Episode",
+    "Maker",
+    "Progress",
+    "ReadingSource",
+    "Readings",
+    "Setup",
+    "evaluate",
+    "evaluate_agents",
+    "plan_episodes",
+    "run_episode",
+    "run_episodes",
+    "those_that_ground",
+]
 
 CHUNK = 5
 """Episodes that a process takes at once; few, so that none is left with the slow ones."""
@@ -233,9 +257,9 @@ def run_episodes(
                 yield row
     except PicklingError:
         makers = {episode.agent: episode.maker for episode in planned}
-        check_travels("planner", setup.planner, remedy="give a function of a module that makes one, or jobs=1")
+        check_sendable("planner", setup.planner, remedy="give a function of a module that makes one, or jobs=1")
         for name, maker in makers.items():
-            check_travels(f"the agent {name!r}", maker, remedy="give a function of a module, or jobs=1")
+            check_sendable(f"the agent {name!r}", maker, remedy="give a function of a module, or jobs=1")
         raise
 
 
@@ -247,8 +271,10 @@ def run_episode(episode: Episode, setup: Setup) -> Row:
     except InputError as error:
         return _row(episode, "ungroundable", cause=("grounding", str(error)))
     ended = partial(_ended, met_at_start=bool(info["is_success"]))
+    if episode.reading is None and episode.maker is not None and not needs_flow(episode.maker):
+        episode = _as_left_alone(episode)
     misread = _misreading(episode, setup)
-    if episode.reading is None:
+    if misread and episode.reading is None:
         return ended(episode, info, misread)
     make = _maker_of(episode, env, planner, setup)
     steps, is_over, truncated = 0, False, False
@@ -287,11 +313,16 @@ def _maker_of(episode: Episode, env: gym.Env[Any, Any], planner: Planner, setup:
     return partial(offered, episode.agent, flow=episode.reading, planner=planner, seed=episode.seed)
 
 
+def _as_left_alone(episode: Episode) -> Episode:
+    """The episode of a policy of one's own that can do without the reading that we do not have: it may read itself."""
+    return replace(episode, problem=None, reads=False)
+
+
 def _as_gone_by(episode: Episode, instruction: Any) -> Episode:
     """The episode of a policy of one's own that tells by what instruction it goes."""
     if episode.maker is None or not isinstance(instruction, Instruction):
         return episode
-    is_gold = episode.source == "gold" if is_given_flow(episode.maker) else instruction == episode.gold
+    is_gold = episode.source == "gold" if episode.reads else instruction == episode.gold
     return replace(episode, source="gold" if is_gold else "own", reading=instruction, reads=True)
 
 
@@ -299,7 +330,7 @@ def _as_refused(episode: Episode, policy: Any, setup: Setup) -> Episode:
     """The episode of a tree agent of one's own that refused what it had read: that is read anew."""
     from decomplex_bt.behaviour.agent import TreeAgent
 
-    if is_given_flow(episode.maker) or not isinstance(policy, TreeAgent):
+    if episode.reads or not isinstance(policy, TreeAgent):
         return episode
     found = policy.flow or _understand([episode.gold.text], load_domain(setup.domain))[0]
     if isinstance(found, Instruction):
@@ -309,10 +340,10 @@ def _as_refused(episode: Episode, policy: Any, setup: Setup) -> Episode:
 
 def _misreading(episode: Episode, setup: Setup) -> Blame | None:
     """What is wrong with the agent's reading; None where nothing is, or where it reads nothing."""
+    if not episode.reads or episode.reading == episode.gold:
+        return None
     if episode.reading is None:
         return "understanding", episode.problem or "not understood"
-    if episode.reading == episode.gold:
-        return None
     return _compared(episode.reading, episode.gold, setup.domain)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ class Setup:
     `noise`: slips and misses, as the house has them, or with the probabilities `grasp_slip` and `missed_detection`.
     `meddling`: things that somebody else moves in a minute of simulated time, on average, from 0 to 60.
     `planner`: of the agents that plan, or a function that makes one (None: pyperplan); each process has its own, copied
-    or made there, for all its episodes.
+    or made there, for all its episodes. It counts for equality alone: one that cannot be hashed is a planner as well.
     Raises `InputError` for a number out of its range, and for what is none of these.
     """
 
@@ -33,7 +33,7 @@ class Setup:
     grasp_slip: float | None = None
     missed_detection: float | None = None
     meddling: float | None = None
-    planner: Planning | None = None
+    planner: Planning | None = field(default=None, hash=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.env_id, str):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from dataclasses import replace
-from functools import partial
+from functools import partial, wraps
 
 import pytest
 
@@ -12,7 +12,7 @@ import decomplex_bt
 from decomplex_bt.corpus import parse_corpus
 from decomplex_bt.domain.loader import load_domain
 from decomplex_bt.errors import InputError
-from decomplex_bt.evaluation.monte_carlo import Setup, evaluate, evaluate_agents
+from decomplex_bt.evaluation.monte_carlo import AGENTS, Setup, evaluate, evaluate_agents
 from decomplex_bt.planning.planner import PlanResult, PlanStatus
 from decomplex_bt.planning.pyperplan_planner import PyperplanPlanner
 
@@ -55,6 +55,10 @@ def with_planner(env, *, planner, flow=None):
     return decomplex_bt.TreeAgent(env, flow=flow, planner=planner)
 
 
+def with_planner_or_not(env, flow=None, planner=None):
+    return decomplex_bt.TreeAgent(env, flow=flow, planner=planner)
+
+
 def stubborn(env, planner=PyperplanPlanner()):
     return decomplex_bt.TreeAgent(env, planner=planner)
 
@@ -90,6 +94,77 @@ def test_a_maker_that_takes_a_flow_is_given_the_gold_one():
     assert [row.outcome == "success" for row in rows] == [True, False, True]
 
 
+def test_a_maker_keeps_a_flow_of_its_own():
+    def bound(env, flow=EXAMPLES[1].instruction):
+        return decomplex_bt.TreeAgent(env, flow=flow)
+
+    for reading in ("own", "gold"):
+        (row,) = evaluate(EXAMPLES[1:2], agent=bound, episodes=1, reading=reading, setup=SETUP)
+        assert (row.outcome, row.reading, row.understood) == ("success", "gold", True)
+        (row,) = evaluate(GO, agent=bound, episodes=1, reading=reading, setup=SETUP)
+        assert (row.reading, row.understood) == ("own", False)
+
+
+def by_position(maker):
+    @wraps(maker)
+    def decorated(*arguments):
+        return maker(*arguments)
+
+    return decorated
+
+
+def passed_on(maker):
+    @wraps(maker)
+    def decorated(*arguments, **named):
+        return maker(*arguments, **named)
+
+    return decorated
+
+
+@pytest.mark.parametrize(
+    ("maker", "reading", "understood"),
+    [
+        (by_position(with_planner_or_not), "own", False),
+        (passed_on(with_planner_or_not), "gold", True),
+        (passed_on(handed), "gold", True),
+        (partial(passed_on(handed)), "gold", True),
+    ],
+)
+def test_a_decorated_maker_is_handed_what_its_decorator_takes(maker, reading, understood):
+    (row,) = evaluate_agents(EXAMPLES[1:2], {"mine": maker}, episodes=1, reading="gold", setup=SETUP)
+    assert (row.reading, row.understood) == (reading, understood)
+    assert "broke off" not in (row.cause or "")
+
+
+class Follower:
+    """A policy that understands by itself, and tells nobody what."""
+
+    def __init__(self, env, flow):
+        self._agent, self._flow = decomplex_bt.TreeAgent(env, flow=flow), flow
+
+    def reset(self, observation, info):
+        self._agent.reset(observation, info)
+
+    def act(self, observation):
+        return self._agent.act(observation)
+
+
+def reads_itself(env, flow=None):
+    return Follower(env, flow or GO[0].instruction)
+
+
+def test_a_maker_that_can_do_without_a_flow_is_run_where_we_cannot_read_the_text():
+    instruction = GO[0].instruction
+    garbled = replace(GO[0], instruction=replace(instruction, text=instruction.text + "\ud800"))
+    agents = {**MAKERS, "tree": "tree", "reads_itself": reads_itself}
+    *others, itself = evaluate_agents([garbled], agents, episodes=1, reading="own", setup=SETUP)
+    assert {(row.outcome, row.reading, row.stage, row.understood) for row in others} == {
+        ("failure", "own", "understanding", False)
+    }
+    assert all("half of a surrogate pair" in row.cause for row in others)
+    assert (itself.outcome, itself.reading, itself.stage, itself.understood) == ("success", "own", None, None)
+
+
 @pytest.mark.parametrize("given", [GivesUp(), GivesUp, lambda: GivesUp()])
 def test_a_planner_is_that_of_all_that_plan(given):
     agents = {"tree": "tree", "oracle": "oracle", "with_planner": with_planner, "class": decomplex_bt.TreeAgent}
@@ -109,6 +184,22 @@ def test_a_maker_keeps_a_planner_of_its_own_where_nobody_asks_for_another():
     assert [row.outcome for row in rows] == ["success", "failure"]
     (row,) = evaluate(GO, agent=stubborn, episodes=1, planner=GivesUp())
     assert row.outcome == "failure"
+
+
+class Unhashable(PyperplanPlanner):
+    """A planner that equals another by its values."""
+
+    def __eq__(self, other):
+        return isinstance(other, Unhashable)
+
+
+def test_a_setup_can_be_hashed_whatever_its_planner():
+    assert {Setup(planner=Unhashable()): "mine"}[Setup(planner=Unhashable())] == "mine"
+    assert Setup(planner=Unhashable()) != Setup()
+
+
+def test_the_names_of_the_environments_own_are_offered_where_agents_are_evaluated():
+    assert AGENTS == ("tree", "oracle", "random", "idle")
 
 
 class Numbered(PyperplanPlanner):

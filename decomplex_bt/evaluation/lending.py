@@ -1,15 +1,13 @@
-"""Travel to other processes: of the planner, which each of them is to have once, and of what cannot be sent there."""
+"""The planner of an evaluation, lent to its processes: each of them is to have it once."""
 
 from __future__ import annotations
 
 import os
-import pickle
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import count
 from typing import Any
 
-from decomplex_bt.errors import InputError, quoted
 from decomplex_bt.evaluation.planners import Planning, planner_of
 from decomplex_bt.planning.planner import Planner
 
@@ -33,18 +31,6 @@ class Lent:
 def lend(planner: Planning | None) -> Lent | None:
     """The planner as processes share it."""
     return None if planner is None else Lent((os.getpid(), next(_NUMBERS)), planner)
-
-
-def check_travels(name: str, value: Any, *, remedy: str) -> None:
-    """Raises `InputError` for what other processes cannot be given."""
-    from joblib import wrap_non_picklable_objects
-
-    sent = wrap_non_picklable_objects([value])  # as joblib sends it, which would make a subclass of a class alone
-    try:
-        pickle.dumps(sent)
-    except Exception as error:  # whatever the pickling of a value may raise
-        what = f"{name} is {quoted(value)}, which other processes cannot be given"
-        raise InputError(f"{what}: {error}; {remedy}") from None
 
 
 @lru_cache(maxsize=2)
