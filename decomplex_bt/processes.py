@@ -12,7 +12,7 @@ def results(calls: Iterable[Any], jobs: int) -> Iterator[Any]:
     """What the calls, made by joblib's `delayed`, give: in their order, as it comes, from `jobs` processes (-1: one a
     core; 1: none besides this one).
 
-    No more calls are taken than the processes need. Where the caller has seen enough, the calls at work are waited
+    No more calls are taken than the processes work at. Where the caller has seen enough, or fails, these are waited
     for: joblib would kill their processes, and then what it shares with them is at times reported as leaked on
     standard error while Python ends.
     """
@@ -26,7 +26,7 @@ def results(calls: Iterable[Any], jobs: int) -> Iterator[Any]:
                 return
             yield call
 
-    found = Parallel(n_jobs=jobs, return_as="generator")(wanted())
+    found = Parallel(n_jobs=jobs, return_as="generator", pre_dispatch="n_jobs", batch_size=1)(wanted())
     try:
         for result in found:  # noqa: UP028 - `yield from` would close `found`
             yield result

@@ -47,7 +47,6 @@ class Options:
     drawn where it is not given: the instruction, and which house is generated.
     """
 
-    request: Request | None = None
     balance: float | None = None
     placement: Mapping[str, str | None] | None = None
     states: Mapping[str, tuple[str, ...]] | None = None
@@ -62,9 +61,9 @@ class Options:
     reward: str | None = None
 
     def given(self) -> dict[str, Any]:
-        """All but the request, as plain values that `read_options` reads as the same."""
+        """What is given, as plain values that `read_options` reads as the same."""
         plain: dict[str, Any] = {}
-        for key in (item.name for item in fields(self) if item.name != "request"):
+        for key in (item.name for item in fields(self)):
             value = getattr(self, key)
             if isinstance(value, Mapping):
                 plain[key] = {name: list(of) if isinstance(of, tuple) else of for name, of in value.items()}
@@ -116,7 +115,6 @@ def read_options(options: Mapping[str, Any] | None, geometry: Geometry) -> Optio
     house = geometry.house
     places = geometry.names[: geometry.place_count]
     read = Options(
-        request=read_request(given.get("instruction"), given.get("gold")),
         balance=_number(given, "balance", 0.5),
         placement=_names(given, "placement", _Named(tuple(house.things), THING), _Named(places, PLACE), geometry),
         states=_states(given.get("states"), geometry),

@@ -78,6 +78,7 @@ class HouseholdVectorEnv(SyncVectorEnv):
             own = instructions[index]
             wanted = common if own is _AS_IT_WAS else with_instruction({"instruction": None, **common}, own)
             house: Any = self.envs[index].unwrapped
+            _ = house.np_random  # where it was never seeded, the rehearsal would draw other numbers than the reset
             house.check_reset(seed=seeds[index] if seeds else None, options=wanted)
 
 

@@ -373,7 +373,7 @@ class World:
         if row not in self.geometry.thing_rows:
             return point
         x, y = self._position[row].tolist()
-        if self.geometry.is_free_line((x, y), point, self.closed_leaves):
+        if point == (x, y) or self.geometry.is_free_line((x, y), point, self.closed_leaves):
             return point
         body, _ = self._bodies[row]
         body.position, body.velocity, body.angular_velocity = (x, y), (0.0, 0.0), 0.0

@@ -14,12 +14,14 @@ _THINGS: tuple[Category, ...] = ("thing",)
 
 @dataclass(frozen=True, slots=True)
 class Ability:
-    """What an ability is about. `changes`: the state pair that it changes of what has one of its tags; `action`: the
-    action of `domain.pddl` by which it does so; `of`, `on`: the categories of kinds that have it, and of those with the
-    tags; `states`: the state pairs that a kind with it needs; `inside`: whether things must lie inside for it."""
+    """What an ability is about. `changes`: the state pair that it changes of what has one of its tags, and `brings` the
+    value that this has then; `action`: the action of `domain.pddl` by which it does so; `of`, `on`: the categories of
+    kinds that have it, and of those with the tags; `states`: the state pairs that a kind with it needs; `inside`:
+    whether things must lie inside for it."""
 
     action: str
     changes: str
+    brings: str
     of: tuple[Category, ...] = _PLACES
     on: tuple[Category, ...] = _THINGS
     states: tuple[str, ...] = ()
@@ -27,13 +29,13 @@ class Ability:
 
 
 ABILITIES: Mapping[str, Ability] = {
-    "heats": Ability("heat", "temperature", states=("aperture", "power"), inside=True),
-    "cools": Ability("chill", "temperature", states=("aperture",), inside=True),
-    "washes": Ability("wash", "cleanliness", states=("aperture", "power"), inside=True),
-    "rinses": Ability("rinse", "cleanliness"),
-    "fills": Ability("fill", "fill"),
-    "drains": Ability("drain", "fill"),
-    "wipes": Ability("wipe", "cleanliness", of=_THINGS, on=_PLACES),
+    "heats": Ability("heat", "temperature", "hot", states=("aperture", "power"), inside=True),
+    "cools": Ability("chill", "temperature", "cold", states=("aperture",), inside=True),
+    "washes": Ability("wash", "cleanliness", "clean", states=("aperture", "power"), inside=True),
+    "rinses": Ability("rinse", "cleanliness", "clean"),
+    "fills": Ability("fill", "fill", "full"),
+    "drains": Ability("drain", "fill", "empty"),
+    "wipes": Ability("wipe", "cleanliness", "clean", of=_THINGS, on=_PLACES),
 }
 """By the key of `kinds.yaml`, which is also the fluent that says so, of what has it and what it works on in this order.
 

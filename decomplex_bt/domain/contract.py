@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from decomplex_bt.domain.abilities import ABILITIES
 from decomplex_bt.domain.goals import Goals
 from decomplex_bt.domain.kinds import Kinds
-from decomplex_bt.domain.pddl import Types, pddl_adds, pddl_parameters, pddl_predicates, pddl_types
+from decomplex_bt.domain.pddl import Signatures, Types, pddl_adds, pddl_parameters, pddl_predicates, pddl_types
 from decomplex_bt.errors import among
 
 Objects = tuple[str, ...]
@@ -52,6 +52,8 @@ FLUENTS: Mapping[str, Objects] = {
 """The fluents that planning writes into problems, or it or the judge asks for by name.
 
 Those of state values come from `goals.yaml`."""
+_OF_GOALS = frozenset(("about", "known", "told", "followed", "accompanied"))
+"""Those that only a goal asks for: a domain without such a goal may leave them out."""
 
 ACTIONS: Mapping[str, Objects] = {
     "move": ("position", "position", "room"),
@@ -100,14 +102,8 @@ _BRINGS: Mapping[str, str] = {
     "close-up": "closed",
     "switch-on": "on",
     "switch-off": "off",
-    "heat": "hot",
-    "chill": "cold",
-    "wash": "clean",
-    "rinse": "clean",
-    "fill": "full",
-    "drain": "empty",
     "drain-place": "empty",
-    "wipe": "clean",
+    **{ability.action: ability.brings for ability in ABILITIES.values()},
 }
 """The state value that the skill of an action brings about in the world."""
 
@@ -119,10 +115,9 @@ def check_names(text: str) -> None:
     _check_types(types)
     for name, objects in FLUENTS.items():
         if name not in predicates:
-            raise ValueError(
-                f":predicates: there is no {_said(name, objects)}, which planning goes by{among(name, predicates)}; "
-                "keep the name"
-            )
+            if name in _OF_GOALS or name in ABILITIES:  # of which `check_deeds` says whether a kind has it
+                continue
+            raise ValueError(_lacking(name, predicates))
         if not _fits(objects, predicates[name], types):
             raise ValueError(
                 f":predicates: {name} takes {_listed(predicates[name])}; planning gives it {_listed(objects)}"
@@ -149,7 +144,10 @@ def check_parameters(text: str) -> None:
 def check_deeds(text: str, goals: Goals, kinds: Kinds) -> None:
     """Raises `ValueError` where a PDDL domain lacks an action that its goals and kinds need, or has one that does not
     bring about the state that its skill does."""
-    adds = pddl_adds(text)
+    adds, predicates = pddl_adds(text), pddl_predicates(text)
+    for key in ABILITIES:
+        if key not in predicates and any(getattr(kind, key) for kind in kinds.kinds.values()):
+            raise ValueError(_lacking(key, predicates))
     for name, why in _needed(goals, kinds):
         if name not in adds:
             raise ValueError(f"there is no action {name}, by which the robot {why}{among(name, adds)}; keep the name")
@@ -160,6 +158,13 @@ def check_deeds(text: str, goals: Goals, kinds: Kinds) -> None:
                 f"action {name}: its effect lacks ({goals.fluent(value)} ...), which the robot's skill brings about; "
                 f"add it, or mend what {value!r} is called under `fluents` in goals.yaml"
             )
+
+
+def _lacking(name: str, predicates: Signatures) -> str:
+    return (
+        f":predicates: there is no {_said(name, FLUENTS[name])}, which planning goes by{among(name, predicates)}; "
+        "keep the name"
+    )
 
 
 def check_goal_types(goals: Goals, types: Types) -> None:

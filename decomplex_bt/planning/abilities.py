@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from decomplex_bt.domain.abilities import ABILITIES
 from decomplex_bt.domain.loader import Domain
 from decomplex_bt.planning.schemas import read_schemas
-
-_BY = {  # abilities of kinds of places that bring about a value of a thing's state
-    "hot": ("heats",), "cold": ("cools",), "clean": ("washes", "rinses"), "full": ("fills",), "empty": ("drains",),
-}  # fmt: skip
 
 
 @lru_cache(maxsize=4096)
@@ -40,13 +36,19 @@ def devices_for(thing: str, value: str, domain: Domain) -> tuple[str, ...]:
     tags = frozenset(domain.kind(thing).tags)
     places = domain.house.places()
     return tuple(
-        place for place in places if any(tags & set(getattr(domain.kind(place), by)) for by in _BY.get(value, ()))
+        place for place in places if any(tags & set(getattr(domain.kind(place), by)) for by in _at_places(value))
     )
+
+
+@cache
+def _at_places(value: str) -> tuple[str, ...]:
+    """The abilities of places that bring a thing into a state."""
+    return tuple(key for key, ability in ABILITIES.items() if ability.brings == value and "thing" in ability.on)
 
 
 def steps_at(place: str, value: str, domain: Domain) -> tuple[str, ...]:
     """The names of the actions by which things are brought into a state at a place."""
-    return tuple(ABILITIES[by].action for by in _BY.get(value, ()) if getattr(domain.kind(place), by))
+    return tuple(ABILITIES[by].action for by in _at_places(value) if getattr(domain.kind(place), by))
 
 
 @lru_cache(maxsize=4096)

@@ -101,8 +101,8 @@ def plan_conditionally(
     belief = belief.copy() if belief is not None else Belief(domain, prior=Prior.of(domain).with_people(said, domain))
     world = world.copy()
     for people, wheres in said:
-        if (room := domain.room_of(wheres[0])) is not None and not any(world.places.get(p) == room for p in people):
-            world.places[people[0]] = room
+        if (room := domain.room_of(wheres[0])) is not None:
+            world.settle_place(next((p for p in people if world.places.get(p) == room), people[0]), room)
     start = _Branch(instruction, planner, world, belief, {})
     return ConditionalPlan(instruction.text, start.plan(instruction.flow.nodes))
 

@@ -19,7 +19,7 @@ PETS = frozenset(
     "heifer hen horse hound kitten kitty labrador magpie mare mutt parrot piglet pony pooch poodle pup puppy rabbit "
     "retriever spaniel tabby terrier tomcat tortoise whippet".split()
 )
-"""Animals that nobody eats."""
+"""Animals that are somebody, not food, wherever they are named."""
 ANIMALS = PETS | frozenset("bunny chicken cow duck fish goat goldfish lamb mouse pet pig rat sheep turtle".split())
 PERSON_NOUNS = frozenset(
     "accountant actor actress administrator adult apprentice architect archivist artist assistant auditor aunt auntie "

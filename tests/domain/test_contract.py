@@ -56,7 +56,12 @@ def edit(folder: Path, file: str, old: str, new: str) -> None:
         ("domain.pddl", r":action drain-place", ":action tip", r"no action drain-place, .*kinds\.trash can"),
         ("domain.pddl", "hand-free", "gripper-free", r"domain\.pddl: :predicates: there is no \(hand-free\)"),
         ("domain.pddl", "within", "inside-of", r"there is no \(within \?position \?room\), which planning goes by"),
-        ("domain.pddl", r"\(slot-free \?s - slot\)", "(slot-free ?s ?t)", r"slot-free( takes|\b.*2 objects|.* has 1)"),
+        (
+            "domain.pddl",
+            r"\(slot-free \?s - slot\)",
+            "(slot-free ?s ?t)",
+            r"action stow: \(slot-free \?s\) has 1 objects",
+        ),
         ("domain.pddl", r"place person", "spot person", r"unknown type 'place'"),
         ("domain.pddl", r"\bslot\b( fact| *\)|\))", r"bay\1", r":types: there is no 'slot'; .*keep these names"),
         ("domain.pddl", r"doorway - position\)", "doorway - position device - place)", None),
@@ -132,6 +137,15 @@ def test_what_no_goal_and_no_kind_asks_for_may_be_left_out(folder: Path) -> None
     for action in ("stow", "unstow"):
         edit(folder, "domain.pddl", rf"\(:action {action}\b.*?\n\n", "")
     assert "stow" not in pddl_parameters(load_domain(folder).domain_pddl)
+
+
+def test_a_fluent_of_an_ability_goes_with_the_kinds_that_have_it(folder: Path) -> None:
+    edit(folder, "domain.pddl", r"\(wipes \?t - thing \?p - place\) ", "")
+    edit(folder, "domain.pddl", r"\(:action wipe\b.*?\n\n", "")
+    with pytest.raises(DataFileError, match=r"there is no \(wipes \?thing \?place\), which planning goes by"):
+        load_domain(folder)
+    edit(folder, "kinds.yaml", r"wipes: \[wipeable\], ", "")
+    assert "wipe" not in pddl_parameters(load_domain(folder).domain_pddl)
 
 
 # -- what the tables say ----------------------------------------------------------------------------------------------

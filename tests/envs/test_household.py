@@ -682,6 +682,24 @@ def test_a_refused_reset_of_several_resets_none(options, says):
     assert data_equivalence(envs.reset(), undisturbed.reset(), exact=True)
 
 
+def test_the_rehearsal_of_a_first_reset_without_a_seed_draws_what_the_reset_draws(monkeypatch):
+    drawn = []
+    prepare = HouseholdEnv._prepare
+
+    def noted(self, seed, options, instruction):
+        drawn.append((id(self), str(self.np_random.bit_generator.state) if seed is None else seed))
+        return prepare(self, seed, options, instruction)
+
+    monkeypatch.setattr(HouseholdEnv, "_prepare", noted)
+    envs = gym.make_vec(
+        HOUSEHOLD, num_envs=2, instruction="Go to the kitchen.", vectorization_mode="vector_entry_point"
+    )
+    envs.reset()
+    assert len(drawn) == 4
+    assert sorted(drawn[:2]) == sorted(drawn[2:])
+    envs.close()
+
+
 @pytest.mark.parametrize("cause", ["instruction", "full house"])
 def test_a_reset_that_is_refused_without_options_resets_none(cause, monkeypatch):
     envs, undisturbed = (gym.make_vec(HOUSEHOLD, num_envs=2, instruction=GO) for _ in range(2))

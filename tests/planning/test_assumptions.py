@@ -136,3 +136,13 @@ def follow(path: Sequence[GroundAction], start: set[Atom]) -> None:
         assert needed <= state, step
         state -= set(ground_atoms(schema.deletes, step))
         state |= {atom for atom in ground_atoms(schema.adds, step) if atom.predicate in ("at", "in-room")}
+
+
+def test_who_is_said_to_be_somewhere_is_not_supposed_to_be_elsewhere() -> None:
+    text = (
+        "[Follow](1:following) [Anna](1:object) [to the kitchen](1:goal), then [give](2:bringing) "
+        "[Anna in the kitchen](2:recipient) [the apple](2:object)."
+    )
+    walk, _ = nodes(text, [1, 2])
+    assert isinstance(walk, TaskPlan)
+    assert not any("study" in str(step) for step in walk.steps)
