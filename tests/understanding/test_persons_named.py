@@ -17,6 +17,8 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("My sister's hound is in the yard. If he's barking, open the gate.", "he", "My sister's hound"),
         # whose brother that is
         ("Tell Ida's brother lunch is ready. If she's asleep, close the door.", "she", "Ida"),
+        ("Go and feed Tom's cat, and ask him if he wants soup.", "him", "Tom"),
+        ("Brush the pony and tell her she is lovely.", "her", "the pony"),
     ],
 )
 def test_somebody_is_meant_who_can_be(text: str, word: str, value: str, encoder: bool) -> None:

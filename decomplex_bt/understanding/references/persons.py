@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from decomplex_bt.instruction import Task
+from decomplex_bt.understanding.references.agreement import is_of_other_gender
+from decomplex_bt.understanding.references.chunks import is_child
 from decomplex_bt.understanding.references.context import ANIMATE, GROUPS, Context, kind_of
 from decomplex_bt.understanding.references.fitness import VESSELS, WITH_HOURS
 from decomplex_bt.understanding.references.gaps import Gap
@@ -39,6 +41,8 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
     head = tokens[candidate.head]
     if not candidate.mention and tokens[candidate.tokens.stop - 1].tag == "POS":
         return True  # "the dentist's" is where the dentist is
+    if _is_spoken_past(context, gap, candidate):
+        return True
     if kind_of(context, candidate) in ANIMATE or head.lemma in ANIMALS:
         return False
     if is_told and _is_stated_place(context, candidate):
@@ -53,6 +57,19 @@ def is_no_somebody(context: Context, gap: Gap, candidate: Candidate) -> bool:
         is_given = head.text.islower() and gap.task.type != "check_state"
         return is_given and (head.lemma in VESSELS or not states.isdisjoint(_OF_THINGS))
     return _is_of_choice(context, candidate.owner)
+
+
+def _is_spoken_past(context: Context, gap: Gap, candidate: Candidate) -> bool:
+    """Whether a candidate is an animal, where somebody else was named who can be told or asked something: "feed *Tom's
+    cat* and ask him if he wants soup"."""
+    document = context.observed.document
+    is_animal = document.tokens[candidate.head].lemma in ANIMALS and not is_child(document, candidate.tokens)
+    if (gap.type, gap.task.type) != ("recipient", "informing") or not is_animal:
+        return False
+    named = (c for c in context.pool if c.tokens.stop <= gap.position and not is_of_other_gender(document, gap, c))
+    return any(
+        kind_of(context, c) in ("person", "name") and document.tokens[c.head].lemma not in ANIMALS for c in named
+    )
 
 
 def is_whence(context: Context, gap: Gap, candidate: Candidate) -> bool:
