@@ -11,14 +11,15 @@ from collections.abc import Callable, Generator
 
 from decomplex_bt.envs.embodiment import Action, HouseholdEmbodiment
 from decomplex_bt.envs.floorplan import Cells, rect_distance
-from decomplex_bt.envs.navigation import steer_turn, wrap
+from decomplex_bt.envs.navigation import ARRIVED, steer_turn, wrap
 
 Script = Generator[Action, None, None]
 
 CONFIDENT_REACH = 0.12
 """[m] The robot stops this much nearer than its reach."""
-REACH_MARGIN = 0.07
-"""[m] Where there is no better place to stand, the robot stops this much nearer than its reach."""
+REACH_MARGIN = ARRIVED + 0.01
+"""[m] Where there is no better place to stand, the robot stands this much nearer than its reach, however far from that
+spot it counts as being there."""
 
 
 class SkillError(Exception):

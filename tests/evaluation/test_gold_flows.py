@@ -38,3 +38,11 @@ def test_the_tree_copes_with_slips_misses_and_somebody_else(sample):
     (summary,) = summarise(rows)
     assert any(row.moved_by_others for row in rows)
     assert summary.success.value >= 0.93, list(failure_lines(rows))
+
+
+@pytest.mark.parametrize("name", ["otis-037", "piet-034", "wilma-029"])
+def test_a_place_that_somebody_stands_before_is_reached_from_beside_them(name):
+    examples = read_corpus(DOMAIN.folder / "corpus" / f"{name.partition('-')[0]}.yaml", DOMAIN.ontology)
+    (asked,) = (example for example in examples if example.id == name)
+    rows = evaluate_agents([asked], ("oracle", "tree"), seed=511, episodes=1, reading="gold")
+    assert [row.outcome for row in rows] == ["success", "success"]
