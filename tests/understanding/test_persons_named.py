@@ -17,6 +17,7 @@ from decomplex_bt.understanding.interpreter import Interpreter
         ("My sister's hound is in the yard. If he's barking, open the gate.", "he", "My sister's hound"),
         # whose brother that is
         ("Tell Ida's brother lunch is ready. If she's asleep, close the door.", "she", "Ida"),
+        ("Bring Ida's rabbit to her bed. If you can't find it, give her the doll.", "her", "Ida"),
         ("Go and feed Tom's cat, and ask him if he wants soup.", "him", "Tom"),
         ("Brush the pony and tell her she is lovely.", "her", "the pony"),
     ],

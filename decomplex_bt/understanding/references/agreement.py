@@ -114,11 +114,15 @@ def is_possessed(context: Context, gap: Gap, candidate: Candidate) -> bool:
     tokens = document.tokens
     if tokens[candidate.tokens.stop : candidate.tokens.stop + 1] and tokens[candidate.tokens.stop].tag == "POS":
         is_told = gap.type == "recipient" and gap.task.type == "informing"  # as no dog is
-        living = ("person",) if is_told else ("person", "animal")
+
+        def is_living(whole: Candidate) -> bool:
+            is_animal = kind_of(context, whole) == "animal" and whole.task_type not in PUTTING  # "bring Ida's rabbit"
+            return kind_of(context, whole) == "person" or (is_animal and not is_told)
+
         return any(
             c.tokens.start == candidate.tokens.start
             and c.tokens.stop > candidate.tokens.stop + 1
-            and kind_of(context, c) in living
+            and is_living(c)
             and not is_of_other_gender(document, gap, c)
             for c in context.pool
             if not c.mention and _is_whole_person(document, c)
