@@ -42,7 +42,7 @@ def assume_due(world: AssumedWorld, belief: Belief, task: GroundTask) -> None:
 
 def _meant(world: AssumedWorld, referent: Referent) -> list[str]:
     """So many of what a phrase may mean as it means, the likeliest; none that is not in the house."""
-    present = [n for n in referent.candidates if n in world.places or is_fixed(n, world.domain)]
+    present = list(_in_house(world, referent))
     return present if referent.is_all else present[: referent.count]
 
 

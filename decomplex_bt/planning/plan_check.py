@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -30,12 +30,12 @@ def checked(result: Any, problem: Problem, domain: Domain) -> PlanResult:
         return replace(result, steps=())
     if isinstance(result.steps, str) or not isinstance(result.steps, Iterable):
         return _refused(f"the steps are {quoted(result.steps)}; expected GroundActions, in their order")
-    steps = []
+    types, steps = dict(problem.objects), []
     for given in result.steps:  # once: what makes them as they are asked for has them no second time
         step = _read(given)
         if step is None:
             return _refused(f"a step is {quoted(given)}; expected a GroundAction of a name and the names of objects")
-        if (fault := _fault_of(step, problem, domain)) is not None:
+        if (fault := _fault_of(step, types, problem, domain)) is not None:
             return _refused(f"{step} {fault}")
         steps.append(step)
     if not steps and not set(problem.goal) <= set(problem.init):
@@ -56,8 +56,9 @@ def _read(step: Any) -> GroundAction | None:
     return GroundAction(step.name, tuple(step.objects))
 
 
-def _fault_of(step: GroundAction, problem: Problem, domain: Domain) -> str | None:
-    """Why a step cannot be one of this problem's plan, nor of another one's in this house; None where it can."""
+def _fault_of(step: GroundAction, types: Mapping[str, str], problem: Problem, domain: Domain) -> str | None:
+    """Why a step cannot be one of this problem's plan, nor of another one's in this house; None where it can. `types`:
+    those of the problem's objects."""
     schemas = read_schemas(problem.domain_pddl)
     if step.name not in schemas:
         return f"is no action of this domain; one is {min(schemas)!r}"
@@ -65,13 +66,13 @@ def _fault_of(step: GroundAction, problem: Problem, domain: Domain) -> str | Non
     if len(step.objects) != len(wanted):
         return f"has {len(step.objects)} objects; {step.name} takes {len(wanted)}"
     for name, of in zip(step.objects, wanted, strict=True):
-        if (fault := _fault_of_object(name, of, problem, domain)) is not None:
+        if (fault := _fault_of_object(name, of, types, problem, domain)) is not None:
             return fault
     return "must not be in the plan: it is one of problem.forbidden" if step in problem.forbidden else None
 
 
-def _fault_of_object(name: str, of: str, problem: Problem, domain: Domain) -> str | None:
-    special = dict(problem.objects).get(name) or _type_in_house(name, domain)
+def _fault_of_object(name: str, of: str, types: Mapping[str, str], problem: Problem, domain: Domain) -> str | None:
+    special = types.get(name) or _type_in_house(name, domain)
     if special is None:
         return None if name in problem.names else f"is about {name!r}, which is no object of this problem"
     is_fitting = _types_of(problem.domain_pddl).is_a(special, of)

@@ -61,7 +61,7 @@ def fit(
     progress: Callable[[str], None],
 ) -> None:
     """Fits a torch network, whose pretrained part is its `encoder`, by AdamW; its weights become the mean of the last
-    ones, which is right a little more often than the very last."""
+    ones, the chance of single batches evened out."""
     import torch
     from torch.optim.swa_utils import AveragedModel
 

@@ -12,10 +12,7 @@ from decomplex_bt.understanding.references.asked_again import asked_before
 from decomplex_bt.understanding.references.certainty import is_pointing_back, referable
 from decomplex_bt.understanding.references.context import Context, kind_of
 from decomplex_bt.understanding.references.gapped import gapped_pair
-from decomplex_bt.understanding.references.gaps import (
-    PREDICATE,
-    Gap,
-)
+from decomplex_bt.understanding.references.gaps import PREDICATE, Gap
 from decomplex_bt.understanding.references.insides import containers_of
 from decomplex_bt.understanding.references.options import Option
 from decomplex_bt.understanding.references.ordinals import one_of_two

@@ -26,8 +26,7 @@ def deed_asked_before(context: Context, gap: Gap, before: Sequence[Task]) -> Arg
     *fed the cat*. If he has, ..."; None where it takes up no deed, or a place."""
     first = next((task for task in before if task.id == context.first.get(gap.task.id)), None)
     document = context.observed.document
-    is_asked = gap.type == PREDICATE and first is not None and first.type == "check_state"
-    if first is None or not is_asked or not _is_of_deed(document, gap.position):
+    if gap.type != PREDICATE or first is None or first.type != "check_state" or not _is_of_deed(document, gap.position):
         return None
     said = [argument for argument in first.arguments if argument.type in ("state", "location", "message")]
     if [argument.type for argument in said] == ["state"]:
@@ -35,9 +34,8 @@ def deed_asked_before(context: Context, gap: Gap, before: Sequence[Task]) -> Arg
     verb = document.indices(first.span).start
     if said or not _is_deed(document, verb):
         return None
-    return Argument(
-        "state", document.span(verb, _last_of_deed(context, verb)).of(document.text), None, first.confidence
-    )
+    deed = document.span(verb, _last_of_deed(context, verb))
+    return Argument("state", deed.of(document.text), None, first.confidence)
 
 
 def _is_of_deed(document: Document, verb: int) -> bool:

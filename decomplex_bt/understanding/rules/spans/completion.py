@@ -98,9 +98,8 @@ def completed(document: Document, tokens: range, taken: Container[int]) -> range
     if document.tokens[start].lower == "with" and stop - start > 1:
         stop = _with_noun(document, stop, taken)
     is_owner = document.tokens[stop - 1].tag == "PRP$" and stop - start > 1  # "to her", not "nick his"
-    is_told_by = "-" in last and any(
-        t.pos in ("NOUN", "PROPN") for t in document.tokens[stop : stop + 1]
-    )  # a sell-by date
+    behind = document.tokens[stop : stop + 1]
+    is_told_by = "-" in last and any(token.pos in ("NOUN", "PROPN") for token in behind)  # "a *sell-by* date"
     needs_noun = last in _NEEDING_A_NOUN or is_owner or is_told_by
     parts = _NOUN_PARTS if needs_noun else _PHRASE_PARTS if last in _NEEDING_A_PHRASE else frozenset()
     while stop < len(document) and stop not in taken and document.tokens[stop].pos in parts:
