@@ -354,7 +354,8 @@ def _spoil(draw: Draw, thing: int, forbidden: Sequence[int], traits: Traits, rng
 def _move_out(draw: Draw, thing: int, forbidden: Sequence[int], rng: Generator) -> None:
     """Lays a thing elsewhere, by its prior; nowhere in the house if there is no elsewhere."""
     rows, weights = draw.prior.places(thing)
-    weights = np.where(np.isin(rows, forbidden), 0, weights)
+    weights = weights.copy()
+    weights[forbidden] = 0
     while weights.sum() > 0:
         column = choose(weights / weights.sum(), rng)
         if draw.lay(thing, int(rows[column]), rng):
@@ -366,8 +367,8 @@ def _move_out(draw: Draw, thing: int, forbidden: Sequence[int], rng: Generator) 
 def _move_in(draw: Draw, thing: int, wanted: Sequence[int], rng: Generator) -> bool:
     """Lays a thing at one of the wanted places, by its prior, or at any of them where the prior has none."""
     rows, weights = draw.prior.places(thing)
-    preferred = np.where(np.isin(rows, wanted), weights, 0)
-    fallback = np.isin(rows, wanted).astype(float)
+    preferred, fallback = np.zeros_like(weights), np.zeros_like(weights)
+    preferred[wanted], fallback[wanted] = weights[wanted], 1
     for weights in (preferred, fallback):
         while weights.sum() > 0:
             column = choose(weights / weights.sum(), rng)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,12 +56,10 @@ class Prior:
         self.place_list = [*range(geometry.place_count), ABSENT]
         self.place_sums: list[list[float]] = [np.cumsum(weights).tolist() for _, weights in self._of_thing.values()]
 
-    def mass(self, thing: int, places: Iterable[int] | None) -> float:
-        """The probability that a thing lies at one of these places (rows); None: anywhere in the house."""
-        rows, weights = self._of_thing[thing]
-        if places is None:
-            return float(weights[rows != ABSENT].sum())
-        return float(weights[np.isin(rows, list(places))].sum())
+    def mass(self, thing: int, places: Sequence[int]) -> float:
+        """The probability that a thing lies at one of these different places (rows)."""
+        _, weights = self._of_thing[thing]
+        return float(weights[places].sum())  # a place's row is its index here
 
     def places(self, thing: int) -> tuple[NDArray[np.int64], Floats]:
         """Where a thing may lie (rows, `ABSENT` among them) with the probability of each; padded with zeros."""
