@@ -89,11 +89,8 @@ class Evidence:
         return is_there(self.domain, self.truth, name, where)
 
     def was_seen(self, name: str) -> bool:
-        """Whether an entity was found; a room is found by being in it, what is fixed also by being at it, for the map
-        tells that it is there."""
-        if name in self.domain.house.rooms:
-            return self.truth.room == name
-        return self.was_observed(name) or (is_fixed(name, self.domain) and self.was_visited(name))
+        """Whether an entity was found; a room is found by being in it."""
+        return self.truth.room == name if name in self.domain.house.rooms else self.was_observed(name)
 
     def was_observed(self, name: str) -> bool:
         """Whether an entity was in view, so that an observation told how it is; to be at it tells nothing of that."""

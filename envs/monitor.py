@@ -17,7 +17,7 @@ from decomplex_bt.envs.evidence import Evidence, Record, places_in, true_room
 from decomplex_bt.envs.feasibility import Assumed, Course, enter, find_cause, plan_course, plan_rest
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.means import is_means, is_on_the_way
-from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, is_found_by_arriving, outcomes
+from decomplex_bt.envs.outcomes import JUDGED_BY_ROW, goal_holds, outcomes
 from decomplex_bt.envs.truth import Moment, Truth
 from decomplex_bt.envs.verdict import Branch, Verdict, Violation
 from decomplex_bt.flow import If, Node
@@ -230,11 +230,11 @@ class Monitor:
         self.minds_position = any(node is not None and self._minds_position(node.task) for node in due)
 
     def _minds_position(self, number: int) -> bool:
-        """Whether a task may be done by being somewhere: motion, following, finding what is fixed, and whatever a
-        domain of one's own has."""
+        """Whether a task may be done by being somewhere: motion, following, finding a room, and whatever a domain of
+        one's own has."""
         task = self.instruction.task(number)
         if task.type in FINDING_OUT:
-            return is_found_by_arriving(task, self.domain)
+            return any(name in self.domain.house.rooms for sought in task.objects for name in sought.candidates)
         return task.type in _ON_REACHING or task.type not in JUDGED_BY_ROW
 
     def _follow(self, reading: Reading) -> tuple[Reading | None, list[Reading]]:

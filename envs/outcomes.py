@@ -11,9 +11,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 
-from decomplex_bt.domain.loader import Domain
 from decomplex_bt.envs.bindings import Bindings, candidates, needed
-from decomplex_bt.envs.evidence import Evidence, holds_things, is_as_ordered
+from decomplex_bt.envs.evidence import Evidence, is_as_ordered
 from decomplex_bt.envs.truth import ROBOT
 from decomplex_bt.planning.abilities import is_fixed
 from decomplex_bt.planning.ground_task import HERE, GroundTask, Referent
@@ -180,16 +179,6 @@ def _check_state(task: GroundTask, bindings: Bindings, evidence: Evidence, is_co
         found = _done(_choose(task.objects, bindings, evidence.was_seen))
     for outcome in found:
         yield replace(outcome, truth=outcome.truth != task.is_denied)
-
-
-def is_found_by_arriving(task: GroundTask, domain: Domain) -> bool:
-    """Whether a task that finds something out may come out by being at what is fixed, in view or not: where that is
-    looked for, or is a place that holds nothing which could be looked over."""
-    asks_value = task.type == "check_state" and task.state != HERE
-    objects = () if asks_value else task.objects
-    sought = (name for referent in objects for name in referent.candidates)
-    looked_at = (name for place in task.places for name in place.candidates if not holds_things(domain, name))
-    return any(is_fixed(name, domain) for name in (*sought, *looked_at))
 
 
 def _looked(task: GroundTask, bindings: Bindings, evidence: Evidence) -> Iterator[Outcome]:

@@ -57,7 +57,7 @@ class Looking(Standing):
         if self._found(self._is_there) is None:
             return self._not_there()
         there = [name for name in self._missing(self._was_seen) if self._is_there(name)]
-        return self._bring_about([(Atom("at", (name,)),) for name in there], f"going to {self._objects_phrase()}")
+        return self._bring_about(list(map(self._seen_goal, there)), f"going to {self._objects_phrase()}")
 
     def _not_there(self) -> Pursuit:
         reason = f"{self._objects_phrase()} {be(self._objects_phrase())} not there"
@@ -68,11 +68,9 @@ class Looking(Standing):
         for name in names:
             if name in self.house.things or name in self.house.people:
                 place = self.belief.place_of(name)
-                holder = place if place in self.house.people else None
-                goals = [self._inspected_goal(place or "")] if holder is None else [(Atom("at", (holder,)),)]
-                if place is not None and (goal := self._first_open(goals)) is not None:
+                if place is not None and (goal := self._first_open([self._inspected_goal(place)])) is not None:
                     return self._ongoing(goal, f"going to where {self._objects_phrase()} {be(self._objects_phrase())}")
-            elif (goal := self._first_open([(Atom("at", (name,)),)])) is not None:
+            elif (goal := self._first_open([self._seen_goal(name)])) is not None:
                 return self._ongoing(goal, f"going to {self._objects_phrase()}")
         open_places = self._open_for(names)
         place = next_place(names, self.belief, open_places)

@@ -12,6 +12,7 @@ from decomplex_bt.planning.belief import Belief
 from decomplex_bt.planning.ground_task import FINDING_OUT, GroundTask, Referent
 from decomplex_bt.planning.others import without_others
 from decomplex_bt.planning.pddl import Atom
+from decomplex_bt.planning.problem import fact_name
 from decomplex_bt.planning.whereabouts import is_at, likely_places, places_of, room_distances
 
 Bindings = Mapping[Referent, tuple[str, ...]]
@@ -180,9 +181,13 @@ class Standing:
         return tuple(place for names in groups for place in places_of(names, self.belief, for_people=is_of_people))
 
     def _was_seen(self, name: str) -> bool:
-        if name in self.house.things or name in self.house.people:
+        """Whether an entity was in view; a room is found by being in it."""
+        if name in self.house.rooms:
+            return self.belief.visited(name) >= self.since
+        if not is_fixed(name, self.domain):
             return self.belief.seen(name) >= self.since
-        return max(self.belief.seen(name), self.belief.visited(name)) >= self.since
+        states = (self.belief.state_seen(name, pair) for pair in self.domain.kind(name).states)
+        return max((self.belief.inspected(name), *states)) >= self.since
 
     def _was_noted(self, predicate: str, *objects: str) -> bool:
         return self.belief.noted(Atom(predicate, objects)) > self.since
@@ -200,9 +205,20 @@ class Standing:
         """To have looked at a place; at what holds nothing one is, and a person's room is looked over."""
         if place in self.house.rooms:
             place = self.house.floor_of(place)
-        if place in self.house.people or not holds_things(place, self.domain):
+        if place in self.house.people:
             return (Atom("at", (place,)),)
+        if not holds_things(place, self.domain):
+            return self._seen_goal(place)
         return self._atoms("searching", {"location": place})
+
+    def _seen_goal(self, name: str) -> tuple[Atom, ...]:
+        """To have what is fixed in view, which its states tell, or what lies there; to be in a room."""
+        if name in self.house.rooms:
+            return (Atom("at", (name,)),)
+        states = self.domain.kind(name).states
+        if states:
+            return (Atom("known", (fact_name(states[0], name),)),)
+        return self._atoms("searching", {"location": name})
 
     def _is_open(self, place: str | None) -> bool:
         """Whether a place can still be looked at: not inspected since the task became due, and not given up."""
@@ -223,8 +239,10 @@ class Standing:
         return [place for place in likely_places(names, self.belief) if is_open(place)]
 
     def _was_inspected(self, place: str) -> bool:
-        if place in self.house.people or not holds_things(place, self.domain):
+        if place in self.house.people:
             return self.belief.visited(place) >= self.since
+        if not holds_things(place, self.domain):
+            return self._was_seen(place)
         return self.belief.inspected(place) >= self.since
 
     # -- what comes out -----------------------------------------------------------------------------------------------

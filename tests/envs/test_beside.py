@@ -1,5 +1,5 @@
-"""Tasks about who or what is beside somebody or something, and several things for one place: the robot and the judge,
-who do not look at each other, agree."""
+"""Tasks about who or what is beside somebody or something, what is fixed, and several things for one place: the robot
+and the judge, who do not look at each other, agree."""
 
 from __future__ import annotations
 
@@ -26,6 +26,11 @@ SENTENCES = {
         "If [the phone](1:object) [is](1:check_state) [with Anna](1:location), [close](2:change_state) "
         "[the fridge](2:object).",
         [{"if": 1, "then": [2]}],
+    ),
+    "what is fixed, in view before the next step": (
+        "[Find](1:searching) [the couch](1:object), then [look](2:searching) [for the bedroom window](2:object), "
+        "then [close](3:change_state) [the fridge](3:object).",
+        [1, 2, 3],
     ),
     "all on one of several": ("[Put](1:placing) [the pens](1:object) [on a table](1:goal).", [1]),
     "two in one of two": (

@@ -552,11 +552,13 @@ def test_where_something_fixed_is_needs_no_look(what: str, at: list[str], truth:
     assert episode.truths == [(1, truth, "then" if truth else "else")]
 
 
-def test_a_search_for_something_fixed_is_true_once_the_robot_is_there_and_false_by_the_map():
+def test_a_search_for_something_fixed_is_true_once_it_is_seen_and_false_by_the_map():
     search, go = task(1, "searching", "radio", at=["kitchen"]), task(2, "motion", goal="study")
     episode = Episode(HandWorld(), [{"if": 1, "then": [2]}], search, go)
     assert episode.truths == [(1, None, None)]
     episode.go("kitchen", "radio")
+    assert episode.truths == [(1, None, None)], "it may stand behind the robot's back"
+    episode.see("radio")
     assert episode.truths == [(1, True, "then")]
     search = task(1, "searching", "radio", at=["bedroom"])
     assert Episode(HandWorld(), [{"if": 1, "then": [2]}], search, go).truths == [(1, False, None)]
@@ -696,11 +698,15 @@ def test_to_be_at_something_tells_nothing_of_how_it_is(what: str):
     assert episode.truths == [(1, False, None)]
 
 
-def test_what_is_fixed_is_found_as_soon_as_the_robot_is_at_it():
+def test_what_is_fixed_is_found_by_seeing_it_and_a_room_by_being_in_it():
     search, go = task(1, "searching", "radio"), task(2, "motion", goal="study")
     episode = Episode(HandWorld(room="kitchen"), [1, 2], search, go)
     assert episode.step().met == 0
-    assert episode.go("kitchen", "radio").met == 1
+    assert episode.go("kitchen", "radio").met == 0
+    assert episode.see("radio").met == 1
+    room = Episode(HandWorld(room="kitchen"), [1, 2], task(1, "searching", "bedroom"), go)
+    assert room.step().met == 0
+    assert room.go("bedroom").met == 1
 
 
 def test_all_are_so_only_when_each_was_looked_at():
