@@ -7,7 +7,7 @@ from collections.abc import Callable
 from decomplex_bt.envs.approach import Script, SkillError, approach, approach_person, approach_thing, drive_to, say_name
 from decomplex_bt.envs.embodiment import HouseholdEmbodiment
 from decomplex_bt.envs.interface import Interaction, Result
-from decomplex_bt.envs.looking import inspect, stand
+from decomplex_bt.envs.looking import inspect, see_place, stand
 
 MAX_SLIPS = 6
 """A grasp that slips is tried again so often; one in twenty slips, so seven in a row are no accident."""
@@ -125,8 +125,15 @@ def at_place(interaction: Interaction, position: int) -> Callable[..., Script]:
         yield from perform(body, interaction, objects[position], near=objects[position])
         if interaction is Interaction.OPEN:
             body.senses.note_opened(objects[position])
+        yield from _look_at_what_was_so(body, objects[position])
 
     return script
+
+
+def _look_at_what_was_so(body: HouseholdEmbodiment, place: str) -> Script:
+    """Looks at a place that was so already: to have seen it so is to know that nothing was changed there."""
+    if body.senses.result is Result.ALREADY:
+        yield from see_place(body, place)
 
 
 def close_up(body: HouseholdEmbodiment, place: str) -> Script:
@@ -138,6 +145,7 @@ def close_up(body: HouseholdEmbodiment, place: str) -> Script:
             yield from drive_to(body, cells, lambda: senses.distance(place) >= CLEAR_OF_DOOR, towards=say_name(place))
         yield from perform(body, Interaction.CLOSE, place, near=place, done=(Result.OK, Result.ALREADY, Result.NO_ROOM))
         if senses.result is not Result.NO_ROOM:
+            yield from _look_at_what_was_so(body, place)
             return
         yield from stand(body)
     raise SkillError(f"something stands in {say_name(place)}")

@@ -70,6 +70,11 @@ def _see(body: HouseholdEmbodiment, thing: str, where: str) -> Script:
 
 def sense_place(body: HouseholdEmbodiment, fact: str, place: str) -> Script:
     """Looks at a place until its states are seen; for a doorway, whether its door is open."""
+    yield from see_place(body, place)
+
+
+def see_place(body: HouseholdEmbodiment, place: str) -> Script:
+    """Looks at a place or a doorway until it is in view."""
     senses = body.senses
     for action in _looks(body, place):
         if senses.is_seen(place):

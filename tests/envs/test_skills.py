@@ -8,11 +8,12 @@ import yaml
 from decomplex_bt.behaviour.embodiment import SkillStatus
 from decomplex_bt.corpus import read_markup
 from decomplex_bt.domain.loader import load_domain
-from decomplex_bt.envs.approach import SkillError, drive_to
+from decomplex_bt.envs.approach import SkillError, drive_to, face
 from decomplex_bt.envs.following import _look_for
 from decomplex_bt.envs.household import HouseholdEnv
 from decomplex_bt.envs.interface import Interaction, Result
 from decomplex_bt.envs.looking import turn_round
+from decomplex_bt.envs.navigation import wrap
 from decomplex_bt.planning.belief import FINAL_REASONS
 from decomplex_bt.planning.pddl import GroundAction
 
@@ -161,6 +162,29 @@ def test_a_door_is_closed_from_its_threshold():
     t.env.world._robot.position = (5.8, 3.95)
     t.observation, *_ = t.env.step(t.body.rest())
     assert t.do("close-up bathroom_door").status is SkillStatus.SUCCESS
+
+
+@pytest.mark.parametrize(
+    ("step", "place", "pair", "value"),
+    [
+        ("close-up bedroom_door", "bedroom_door", "aperture", "closed"),
+        ("open-up bathroom_door", "bathroom_door", "aperture", "open"),
+        ("switch-off tv", "tv", "power", "off"),
+    ],
+)
+def test_what_was_so_already_is_looked_at(step, place, pair, value):
+    t = attempt(states={place: value})
+    room = DOMAIN.room_of(place) or "hallway"
+    t.go(place, room)
+    t.run(face(t.body, place))
+    heading = t.body.senses.pose.heading
+    while abs(wrap(t.body.senses.pose.heading - heading)) < 2.8:
+        t.run([t.body.drive(0.0, 1.0)])
+    t.run([t.body.rest()] * 20)
+    assert not t.body.senses.is_seen(place)
+
+    assert t.do(step).status is SkillStatus.SUCCESS
+    assert t.body.perceive(t.observation).states[(place, pair)] == value
 
 
 @pytest.mark.parametrize("room", list(DOMAIN.house.rooms))
