@@ -9,6 +9,9 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
     {
         word: opposite
         for first, second in (
+            ("bright", "dark"), ("bright", "dim"), ("long", "short"), ("tall", "short"), ("heavy", "light"),
+            ("deep", "shallow"), ("thick", "thin"), ("wide", "narrow"), ("strong", "weak"), ("hard", "soft"),
+            ("sharp", "blunt"), ("calm", "rough"), ("smooth", "rough"), ("tidy", "messy"),
             ("cooled", "hot"), ("thawed", "frozen"), ("melted", "frozen"), ("dried", "wet"), ("emptied", "full"),
             ("on", "off"), ("open", "closed"), ("open", "shut"), ("hot", "cold"), ("warm", "cold"), ("clean", "dirty"),
             ("full", "empty"), ("locked", "unlocked"), ("awake", "asleep"), ("wet", "dry"), ("in", "out"),
@@ -22,7 +25,8 @@ OPPOSITES: Mapping[str, str] = MappingProxyType(
         for word, opposite in ((first, second), (second, first))
     }
 )  # fmt: skip
-"""States to an opposite, for mentions such as "if it is on … if it is off"; open vocabulary, not only the domain's."""
+"""States to an opposite (of several, to the last here), for mentions such as "if it is on … if it is off"; open
+vocabulary, not only the domain's."""
 
 SCALES: tuple[frozenset[str], ...] = tuple(
     frozenset(words.split())

@@ -86,6 +86,18 @@ def test_what_serves_stands_ahead_of_a_further_case(interpreter: Interpreter) ->
             [{"if": 1, "then": [2]}, {"if": 3, "then": [4]}],
         ),
         (
+            "Check whether the bath is warm enough. If it's too cold, run some more water.",
+            [{"if": 1, "else": [{"if": 2, "then": [3]}]}],
+        ),
+        (
+            "See if the ladder is long enough. If it's too short, fetch Tom.",
+            [{"if": 1, "else": [{"if": 2, "then": [3]}]}],
+        ),
+        (
+            "Is the soup hot enough? If it's too hot, leave it on the sill.",
+            [{"if": 1, "then": [{"if": 2, "then": [3]}]}],
+        ),
+        (
             "If the broth is too salty, bring me water. If it's not salty enough, bring me the salt.",
             [{"if": 1, "then": [2], "else": [{"if": 3, "else": [4]}]}],
         ),
@@ -119,6 +131,7 @@ def test_what_else_is_the_matter_is_asked_in_any_case(interpreter: Interpreter, 
     ("text", "expected"),
     [
         ("If the tea is hot, bring it. If it's cold, heat it.", [{"if": [1, 3], "then": [2], "else": [4]}]),
+        ("If the paint is thick, stir it. If it's thin, fetch a pot.", [{"if": [1, 3], "then": [2], "else": [4]}]),
         ("If there's cocoa, heat it. If there's no cocoa, bring me tea.", [{"if": [1, 3], "then": [2], "else": [4]}]),
         (
             "If the tea is too hot, add milk. If it isn't too hot, bring it.",

@@ -33,6 +33,9 @@ def interpreter() -> Interpreter:
         ("Can you not open the gate but light the lamp?", "open", ["light"]),
         ("You'd better not open the gate. Shut the window.", "open", ["Shut"]),
         ("You had better not open the gate. Shut the window.", "open", ["Shut"]),
+        ("Better not open the gate. Shut the window.", "open", ["Shut"]),
+        ("Sweep the hall, but best not open the gate.", "open", ["Sweep"]),
+        ("The hinge is loose, so better not open the gate. Shut the window.", "open", ["Shut"]),
         ("Let's not open the gate. Shut the window.", "open", ["Shut"]),
         ("Try not to open the gate, please, and shut the window.", "open", ["shut"]),
         ("Don't give the dog any cake, but if he's hungry, you may bring him a biscuit.", "give", ["'s", "bring"]),
@@ -61,6 +64,7 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
         ("Rather than turn off the tv, mute it.", ["mute"]),
         ("Fold the towel instead of hanging it up.", ["Fold"]),
         ("Don't start the oven before the pan is in it.", ["start", "is"]),
+        ("I feel better not having the radio on, so turn it off.", ["turn"]),
     ],
 )
 def test_what_is_done_all_the_same_and_what_is_not(interpreter: Interpreter, text: str, tasks: list[str]) -> None:

@@ -70,6 +70,11 @@ def test_what_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
             "Sweep the step, light that candle, actually no, don't, it smells.",
             "light that candle , actually no , do n't",
         ),
+        ("Wax the floor? No, better not, just sweep it.", "Wax the floor ? No , better not"),
+        ("Ring Maud and open the gate. On second thoughts, best not.", "open the gate . On second thoughts , best not"),
+        ("Turn up the radio, no, perhaps not, and shut the door.", "Turn up the radio , no , perhaps not"),
+        ("Light the stove. Hm, maybe not. Bring a rug.", "Light the stove . Hm , maybe not"),
+        ("Sweep the loft, or maybe you'd better not.", "Sweep the loft , or maybe you 'd better not"),
     ],
 )
 def test_of_several_orders_the_last_one_is_taken_back(parser: Parser, text: str, taken_back: str) -> None:
@@ -121,6 +126,11 @@ def test_what_is_taken_back_by_what_it_is_about(parser: Parser, text: str, taken
         "Bring me a cup. Oh, and a fork.",
         "Take the bag upstairs. No, the door is locked.",
         "Is it on? No, the other one is.",
+        "Is the soup hot? Maybe not. Heat it up and bring it to me.",
+        "See if the shop is open. Maybe not, but go and look.",
+        "Bring the tray. Oh, better not wake Sam, so walk softly.",
+        "Put the milk in the fridge. Maybe not the red one.",
+        "The stove is on, or maybe not. Go and look.",
     ],
 )
 def test_what_is_not(parser: Parser, text: str) -> None:

@@ -127,6 +127,12 @@ def is_other_degree(clause: Clause, first: Clause) -> bool:
     return is_contrary or (bool(one and other) and one != other)
 
 
+def is_other_end(clause: Clause, first: Clause) -> bool:
+    """Whether that is of two states: "if it's *too cold*" beside "if it's *warm enough*", not "if it's *too warm*"."""
+    states = (set(c.said_state) - _DEGREES for c in (clause, first))
+    return is_other_degree(clause, first) and next(states).isdisjoint(next(states))
+
+
 def _degree(clause: Clause) -> str:
     return next((word for word in clause.said_state if word in _DEGREES), "")
 

@@ -15,6 +15,7 @@ from decomplex_bt.understanding.control_flow.contrasts import (
     is_named_apart,
     is_of_other_matter,
     is_other_degree,
+    is_other_end,
     is_other_weather,
     is_other_wish,
     is_rival_of,
@@ -215,17 +216,20 @@ def exclude(clauses: Sequence[Clause], roles: Sequence[str], sides: list[str], k
     *if it's the doorbell*, ..."); that they ask for more, in any case."""
     clause = clauses[k]
     first = next((j for j in range(k - 1, -1, -1) if roles[j] in CONDITION_ROLES), None)
-    if first is None or first == k - 1 or (roles[first], roles[k]) != ("condition", "condition"):
+    if first is None or (roles[first], roles[k]) != ("condition", "condition"):
         return
+    check = clauses[first]
+    if first == k - 1 and not (is_other_end(clause, check) and clause.sentence != check.sentence):
+        return  # but "Is it warm enough? *If it's too cold*, heat it." is asked of the other side
     is_led = not _IFS.isdisjoint(clause.near) and clause.boundary != "none" and "or" not in clause.near
-    is_rival = is_rival_of(clause, clauses[first]) or is_other_degree(clause, clauses[first])
+    is_rival = is_rival_of(clause, check) or is_other_degree(clause, check)
     if is_led and is_rival and clause.says_instead and clause.near == ("and", "if"):  # and no exception: "but if"
         sides[first + 1 : k] = [HOLDS if side in (">1+", ">1-") else side for side in sides[first + 1 : k]]
     if is_led and is_rival and sides[k] == HOLDS:
         sides[k] = FAILS
-    elif is_led and is_other_wish(clause, clauses[first]) and sides[k] == HOLDS:
+    elif is_led and is_other_wish(clause, check) and sides[k] == HOLDS:
         sides[k] = beside(sides[first])
-    is_contrast = is_elsewhere_than(clause, clauses[first]) or is_other_weather(clause, clauses[first])
+    is_contrast = is_elsewhere_than(clause, check) or is_other_weather(clause, check)
     if not {"but", "if"} <= {*clause.far, *clause.near} or not is_contrast:
         return
     if sides[k] in (HOLDS, "top") and all(sides[j] in (HOLDS, ">1+", ">1-") for j in range(first + 1, k)):

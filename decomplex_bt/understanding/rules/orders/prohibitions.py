@@ -19,6 +19,7 @@ OMITTING = frozenset("forget omit neglect fail hesitate".split())
 _POLITELY = frozenset("please maybe kindly perhaps possibly".split())
 _REQUESTING = frozenset("could can would will".split())
 _LETS = (("let", "'s"), ("let", "\u2019s"), ("let", "us"))
+_BEFORE_ADVICE = MARKS | frozenset("and but so then oh no".split())
 _LIMITS = frozenset("only just merely simply".split())
 """What is "not only" done is done as well."""
 _NO_NEED = frozenset((("no", "need"), ("no", "reason"), ("no", "use")))
@@ -113,8 +114,16 @@ def _is_asked_not_to(document: Document, negation: int) -> bool:
     if ahead[-1:] == ("mind",):
         ahead = ahead[:-1]
     is_of_you = ahead[-1:] == ("you",) and ahead[-2:-1] and ahead[-2] in _REQUESTING
-    is_advice = ahead[-1:] == ("better",) and (ahead[:-1] in (("had",), ("you", "had")) or ahead[0] == "you")
+    is_of_robot = ahead[:-1] in (("had",), ("you", "had")) or ahead[:1] == ("you",) or _opens_clause(document, last)
+    is_advice = ahead[-1:] in (("better",), ("best",)) and is_of_robot
     return is_of_you or is_advice or ahead[-2:] in _LETS or ahead[-1:] == ("try",)
+
+
+def _opens_clause(document: Document, at: int) -> bool:
+    """Whether a clause of an order begins here: "*better* not open it", "but *best* not wake her"."""
+    tokens, sentences = document.tokens, document.sentences
+    is_first = at == 0 or sentences[at - 1] != sentences[at]
+    return is_first or tokens[at - 1].lower in _BEFORE_ADVICE
 
 
 def is_behind_otherwise(observed: Observed, negation: int) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 from decomplex_bt.domain.verbs import lemmas
@@ -34,6 +35,12 @@ _DENIALS = tuple(
     )
 )  # fmt: skip
 """What does so behind a "no" or the like alone."""
+_ADVICE = product(("", "maybe", "perhaps"), ("", "i had", "i 'd", "you had", "you 'd"), ("better not", "best not"))
+_SECOND_THOUGHTS = (
+    *(tuple(" ".join(words).split()) for words in _ADVICE),
+    *((word, "not") for word in ("maybe", "perhaps", "rather")),
+)
+"""What does so only where an order stands ahead that asks nothing, for a question is answered so as well."""
 _LONGEST_FIRST = tuple(sorted((*_MARKS, *_DENIALS), key=len, reverse=True))
 _ORDERS = frozenset(("cancel", "ignore", "disregard", "scratch", "scrap", "strike"))
 """Marks that may be orders, of what a statement before them names."""
@@ -55,7 +62,7 @@ _DENYING = frozenset(("no", "nope", "nah"))
 _TELLING = _REVERSING | {phrase[0] for phrase in (*_MARKS, *_OF_DOINGS)} | {"mean", "meant", "rather", "not"}
 """Words of which every withdrawal has one."""
 _OPENERS = _REVERSING | frozenset(
-    "well ok okay on um uh er erm ah hmm but and so you know what or then just second thoughts thought".split()
+    "well ok okay on um uh er erm ah hm hmm but and so you know what or then just second thoughts thought".split()
 )
 """What says nothing ahead of a mark."""
 _GOING_ON = frozenset("and but just please instead".split())
@@ -234,6 +241,12 @@ def _taken_back(words: _Words, at: int) -> Withdrawals:
             own = frozenset(range(at, stop))
             phrase = _phrase(words, stop) if mark[0] in _ARGUING and mark[-1] == "that" else range(0)
             return Withdrawals(own, (phrase,)) if phrase else Withdrawals(own | before, ())
+    if any(tuple(words.said[at : at + len(each)]) == each for each in _SECOND_THOUGHTS):
+        stop = words.said.index("not", at) + 1
+        before = _before(words, at, is_last=True) if words.closes(stop, is_reversed=False) else frozenset()
+        is_question = any(words.said[i] in ("if", "whether") for i in before)
+        if not is_question and any(_is_bare(words.document, i) for i in before):
+            return Withdrawals(before.union(range(at, stop)), ())
     if words.is_denied(at) and words.said[at] == "leave" and set(words.said[at + 1 : at + 2]) & _LEAVING:
         return Withdrawals(_before(words, at, is_last=True), ())  # "no, leave it on the table"
     phrase = _phrase(words, at) if words.corrects(at) else range(0)
