@@ -65,6 +65,7 @@ def test_a_prohibition_is_no_task_and_is_warned_of(
         ("Fold the towel instead of hanging it up.", ["Fold"]),
         ("Don't start the oven before the pan is in it.", ["start", "is"]),
         ("I feel better not having the radio on, so turn it off.", ["turn"]),
+        ("Not.", []),
     ],
 )
 def test_what_is_done_all_the_same_and_what_is_not(interpreter: Interpreter, text: str, tasks: list[str]) -> None:

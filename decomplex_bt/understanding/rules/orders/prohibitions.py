@@ -114,8 +114,9 @@ def _is_asked_not_to(document: Document, negation: int) -> bool:
     if ahead[-1:] == ("mind",):
         ahead = ahead[:-1]
     is_of_you = ahead[-1:] == ("you",) and ahead[-2:-1] and ahead[-2] in _REQUESTING
-    is_of_robot = ahead[:-1] in (("had",), ("you", "had")) or ahead[:1] == ("you",) or _opens_clause(document, last)
-    is_advice = ahead[-1:] in (("better",), ("best",)) and is_of_robot
+    is_advice = ahead[-1:] in (("better",), ("best",)) and (
+        ahead[:-1] in (("had",), ("you", "had")) or ahead[0] == "you" or _opens_clause(document, last)
+    )
     return is_of_you or is_advice or ahead[-2:] in _LETS or ahead[-1:] == ("try",)
 
 
