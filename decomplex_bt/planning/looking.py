@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from decomplex_bt.domain.nouns import be
+from decomplex_bt.planning.belief import ROBOT
 from decomplex_bt.planning.ground_task import Referent
 from decomplex_bt.planning.pddl import Atom
 from decomplex_bt.planning.problem import fact_name
@@ -68,7 +69,8 @@ class Looking(Standing):
         for name in names:
             if name in self.house.things or name in self.house.people:
                 place = self.belief.place_of(name)
-                if place is not None and (goal := self._first_open([self._inspected_goal(place)])) is not None:
+                goals = [self._inspected_goal(place)] if place not in (None, ROBOT) else []
+                if (goal := self._first_open(goals)) is not None:
                     return self._ongoing(goal, f"going to where {self._objects_phrase()} {be(self._objects_phrase())}")
             elif (goal := self._first_open([self._seen_goal(name)])) is not None:
                 return self._ongoing(goal, f"going to {self._objects_phrase()}")

@@ -181,13 +181,17 @@ class Standing:
         return tuple(place for names in groups for place in places_of(names, self.belief, for_people=is_of_people))
 
     def _was_seen(self, name: str) -> bool:
-        """Whether an entity was in view; a room is found by being in it."""
-        if name in self.house.rooms:
+        """Whether an entity was in view; a room is found by being in it, an opening in a wall by being at it."""
+        if self._is_no_object(name):
             return self.belief.visited(name) >= self.since
         if not is_fixed(name, self.domain):
             return self.belief.seen(name) >= self.since
         states = (self.belief.state_seen(name, pair) for pair in self.domain.kind(name).states)
         return max((self.belief.inspected(name), *states)) >= self.since
+
+    def _is_no_object(self, name: str) -> bool:
+        doorway = self.house.doorways.get(name)
+        return name in self.house.rooms or (doorway is not None and doorway.kind is None)
 
     def _was_noted(self, predicate: str, *objects: str) -> bool:
         return self.belief.noted(Atom(predicate, objects)) > self.since
@@ -212,8 +216,8 @@ class Standing:
         return self._atoms("searching", {"location": place})
 
     def _seen_goal(self, name: str) -> tuple[Atom, ...]:
-        """To have what is fixed in view, which its states tell, or what lies there; to be in a room."""
-        if name in self.house.rooms:
+        """To have what is fixed in view, which its states tell, or what lies there; to be in a room, at an opening."""
+        if self._is_no_object(name):
             return (Atom("at", (name,)),)
         states = self.domain.kind(name).states
         if states:
