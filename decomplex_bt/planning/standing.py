@@ -182,14 +182,15 @@ class Standing:
 
     def _was_seen(self, name: str) -> bool:
         """Whether an entity was in view; a room is found by being in it, an opening in a wall by being at it."""
-        if self._is_no_object(name):
+        if self._is_space(name):
             return self.belief.visited(name) >= self.since
         if not is_fixed(name, self.domain):
             return self.belief.seen(name) >= self.since
         states = (self.belief.state_seen(name, pair) for pair in self.domain.kind(name).states)
         return max((self.belief.inspected(name), *states)) >= self.since
 
-    def _is_no_object(self, name: str) -> bool:
+    def _is_space(self, name: str) -> bool:
+        """Whether it is a room or an opening without a door, which one is in and does not see."""
         doorway = self.house.doorways.get(name)
         return name in self.house.rooms or (doorway is not None and doorway.kind is None)
 
@@ -206,7 +207,7 @@ class Standing:
         return room_distances(self.domain, self.belief.room).get(room, 99) if room is not None else 99
 
     def _inspected_goal(self, place: str) -> tuple[Atom, ...]:
-        """To have looked at a place; at what holds nothing one is, and a person's room is looked over."""
+        """To have looked at a place, of a room at its floor, to have seen what holds nothing, or to be at a person."""
         if place in self.house.rooms:
             place = self.house.floor_of(place)
         if place in self.house.people:
@@ -217,8 +218,8 @@ class Standing:
 
     def _seen_goal(self, name: str) -> tuple[Atom, ...]:
         """To have what is fixed in view, which its states tell, or what lies there; to be in a room, at an opening."""
-        if self._is_no_object(name):
-            return (Atom("at", (name,)),)
+        if self._is_space(name):
+            return self._atoms("motion", {"goal": name})
         states = self.domain.kind(name).states
         if states:
             return (Atom("known", (fact_name(states[0], name),)),)
